@@ -34,6 +34,7 @@ struct Document {
 std::vector<Document> documents() {
   return {
       {"market-plan-1", "What a store should be", type_of<plan::Plan>()},
+      {"market-patch-1", "Changes of a plan", type_of<plan::PatchSet>()},
       {"market-layout-1", "Zones, fixtures, aisles and violations", type_of<layout::Layout>()},
       {"market-store-1", "The manifest of a store folder", type_of<store::Manifest>()},
       {"market-report-1",

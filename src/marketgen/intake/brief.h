@@ -1,7 +1,7 @@
 // Intake: what a person wants, in words (and later drawings and photos), made into a plan.
 //
-// A planner is a plug-in: the offline one here, language models in `planners`. All see the same Brief and
-// answer with the same Planned.
+// A planner is a plug-in: the offline one here, language models in `planners`. All see the same
+// Brief and answer with the same Planned.
 #pragma once
 #include <map>
 #include <memory>
@@ -88,8 +88,8 @@ struct Planned {
   std::vector<plan::Requirement> requirements;
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
-  bool understood = true;          // false: not one word of the prompt said anything
-  std::vector<std::string> trace;  // what the planner decided, for a person
+  bool understood = true;               // false: not one word of the prompt said anything
+  std::vector<std::string> trace;       // what the planner decided, for a person
   std::optional<PlannerRecord> record;  // of a language model
   std::vector<PlannerFile> files;
 };

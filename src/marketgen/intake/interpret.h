@@ -81,5 +81,11 @@ bool interpret_doors(Reading& reading, const language::Meaning& statement);
 bool interpret_held(Reading& reading, const language::Meaning& statement);
 bool interpret_placed(Reading& reading, const language::Meaning& statement);
 bool interpret_surface(Reading& reading, const language::Meaning& statement);
+// Of edits (data/grammar/edit.grammar).
+bool interpret_swap(Reading& reading, const language::Meaning& said);
+bool interpret_resize(Reading& reading, const language::Meaning& said);
+bool interpret_more(Reading& reading, const language::Meaning& said);
+bool interpret_fewer(Reading& reading, const language::Meaning& said);
+bool interpret_zone_value(Reading& reading, const language::Meaning& said);
 
 }  // namespace marketgen::intake

@@ -16,6 +16,9 @@ struct Language {
 
   // From the folder of data. Errors: of Lexicon::load and Grammar::load.
   static Result<Language> load(const std::filesystem::path& data);
+  // The same for what is said of a store that stands: with edit.grammar, whose statements are
+  // changes.
+  static Result<Language> load_for_edits(const std::filesystem::path& data);
 
   // With the catalogue's own words.
   Language with_words_of(const catalog::Catalog& catalog) const {

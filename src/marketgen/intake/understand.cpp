@@ -156,17 +156,17 @@ std::string absolute(const std::string& place, const Compass& compass) {
   return place;
 }
 
-plan::Wall entrance_wall(const Understanding& found) {
+plan::Wall entrance_wall(const Understanding& found, plan::Wall otherwise) {
   for (const plan::Requirement& wish : found.requirements) {
     if (wish.kind != plan::RequirementKind::opening || wish.subject != "entrance") continue;
     if (const auto wall = value_named<plan::Wall>(wish.object)) return *wall;
   }
-  return plan::Wall::south;
+  return otherwise;
 }
 
 // "front", "back", "left" and "right" become walls.
-void resolve_directions(Understanding& found) {
-  const Compass& compass = compasses[static_cast<std::size_t>(entrance_wall(found))];
+void resolve_directions(Understanding& found, plan::Wall entrance) {
+  const Compass& compass = compasses[static_cast<std::size_t>(entrance_wall(found, entrance))];
   for (plan::Requirement& wish : found.requirements) {
     const bool placed =
         wish.kind == plan::RequirementKind::relation || wish.kind == plan::RequirementKind::opening;
@@ -193,7 +193,8 @@ const plan::Requirement* Understanding::find(plan::RequirementKind kind,
 
 Understanding understand(std::string_view prompt,
                          const Language& language,
-                         const catalog::Catalog& catalog) {
+                         const catalog::Catalog& catalog,
+                         plan::Wall entrance) {
   Understanding found;
   Tokens tokens = tokenize(prompt);
   found.name = take_store_name(prompt, tokens, language.lexicon);
@@ -206,7 +207,7 @@ Understanding understand(std::string_view prompt,
     reading.first_sentence = std::exchange(first, false);
     if (SentenceReader(sentence, language, std::move(reading)).run()) found.understood = true;
   }
-  resolve_directions(found);
+  resolve_directions(found, entrance);
   settle_conflicts(found);
   return found;
 }

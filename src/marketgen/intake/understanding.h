@@ -8,6 +8,7 @@
 #include "catalog/catalog.h"
 #include "intake/brief.h"
 #include "intake/language.h"
+#include "intake/worded_change.h"
 
 namespace marketgen::intake {
 
@@ -36,7 +37,8 @@ struct Understanding {
   std::vector<Emphasis> emphases;
   std::vector<WantedRows> rows;
   std::optional<StoreName> name;
-  double size_factor = 1;  // "small", "large": of the profile's usual floor area
+  std::vector<WordedChange> changes;  // of an edit
+  double size_factor = 1;             // "small", "large": of the profile's usual floor area
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
   bool understood = false;  // at least one word said something
@@ -47,9 +49,11 @@ struct Understanding {
 };
 
 // Reads the whole prompt. Deterministic; never fails: what is not understood is in `unparsed`.
-// Precondition: valid UTF-8.
+// "Front" and "left" are those of someone who comes in by the entrance: in the wall that the prompt
+// names, or in `entrance`. Precondition: valid UTF-8.
 Understanding understand(std::string_view prompt,
                          const Language& language,
-                         const catalog::Catalog& catalog);
+                         const catalog::Catalog& catalog,
+                         plan::Wall entrance = plan::Wall::south);
 
 }  // namespace marketgen::intake

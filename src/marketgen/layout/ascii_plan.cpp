@@ -100,8 +100,7 @@ class AsciiPlan {
   }
 
   void put_opening(const plan::Opening& opening) {
-    const bool level =
-        opening.wall == plan::Wall::north || opening.wall == plan::Wall::south;
+    const bool level = opening.wall == plan::Wall::north || opening.wall == plan::Wall::south;
     const int cells = level ? columns_ : rows_;
     const double length = level ? layout_.shell.width_mm : layout_.shell.depth_mm;
     const double first = opening.center * length - opening.width_mm / 2.0;

@@ -167,11 +167,10 @@ std::vector<RepairCandidate> propose_narrow_aisles(const RepairTask& task) {
   plan::Patch patch;
   patch.set_fixture.emplace().zone = task.plan.zones[*zone].id;
   patch.set_fixture->aisle_mm = least;
-  add_candidate(
-      out,
-      task,
-      patch,
-      fmt::format("let zone {} have aisles of {} mm", task.plan.zones[*zone].id, least));
+  add_candidate(out,
+                task,
+                patch,
+                fmt::format("let zone {} have aisles of {} mm", task.plan.zones[*zone].id, least));
   return out;
 }
 
@@ -286,6 +285,17 @@ std::vector<RepairCandidate> propose_drop_zone(const RepairTask& task) {
 }
 
 }  // namespace
+
+std::string_view words_of(RepairMove move) {
+  switch (move) {
+#define REPAIR_MOVE(name, what) \
+  case RepairMove::name:        \
+    return what;
+#include "layout/repair_moves.inc"
+#undef REPAIR_MOVE
+  }
+  return {};
+}
 
 std::vector<RepairCandidate> propose(RepairMove move, const RepairTask& task) {
   switch (move) {

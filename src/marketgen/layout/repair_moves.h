@@ -1,6 +1,7 @@
 // The changes that repair_plan may try on a plan, each bound to a broken rule.
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "layout/layout.h"
@@ -22,6 +23,9 @@ struct RepairTask {
   const Violation& violation;
   const catalog::Catalog& catalog;
 };
+
+// "makes the aisle between two halves of the floor wider"
+std::string_view words_of(RepairMove move);
 
 // At most six candidates, the gentlest first.
 std::vector<RepairCandidate> propose(RepairMove move, const RepairTask& task);

@@ -52,8 +52,7 @@ class Planning {
 
  private:
   Result<JudgedPlan> judged(const plan::Plan& plan) const {
-    return judge_plan(
-        plan, assignment_.offline.requirements, assignment_.catalog, layout_seed_);
+    return judge_plan(plan, assignment_.offline.requirements, assignment_.catalog, layout_seed_);
   }
 
   // Says why, or why not.

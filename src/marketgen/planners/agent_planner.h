@@ -6,9 +6,9 @@
 //   refiner          what rules and wishes find wrong, and the picture -> patches, in rounds
 //
 // No model is asked for coordinates. What the agents say becomes a market-plan/1, is repaired, laid
-// out, stocked and judged as every other plan; it is taken only when it is no worse than the offline
-// planner's, under rules first and wishes then (plan_score.h). Whatever fails, the offline planner
-// finishes the job, and the record says so.
+// out, stocked and judged as every other plan; it is taken only when it is no worse than the
+// offline planner's, under rules first and wishes then (plan_score.h). Whatever fails, the offline
+// planner finishes the job, and the record says so.
 #pragma once
 #include "base/seed.h"
 #include "intake/brief.h"

@@ -13,7 +13,7 @@ namespace marketgen::planners {
 struct Limits {
   std::int64_t max_tokens = 200'000;  // read and written together
   double max_seconds = 300;           // from the first question
-  std::optional<double> max_usd;  // US dollars; needs prices
+  std::optional<double> max_usd;      // US dollars; needs prices
   // Of a million tokens read, and written; no provider tells them.
   std::optional<std::array<double, 2>> usd_per_million;
 };
@@ -21,8 +21,8 @@ struct Limits {
 struct Spent {
   int requests = 0;
   std::int64_t tokens_in = 0, tokens_out = 0;
-  double seconds = 0;           // since the first question
-  std::optional<double> usd;    // where prices were given
+  double seconds = 0;         // since the first question
+  std::optional<double> usd;  // where prices were given
 };
 
 // The model, refusing whatever would go beyond the limits: error planners.over_budget, which says

@@ -122,9 +122,9 @@ Result<std::unique_ptr<intake::Planner>> make_planner(const std::string& name,
   if (family == "offline")
     return std::unique_ptr<intake::Planner>(
         std::make_unique<intake::OfflinePlanner>(std::move(offline)));
-  MARKETGEN_TRY(llm::LanguageModel model,
-                family == "replay" ? recorded_model(name.substr(colon + 1))
-                                   : live_model(name, access));
+  MARKETGEN_TRY(
+      llm::LanguageModel model,
+      family == "replay" ? recorded_model(name.substr(colon + 1)) : live_model(name, access));
   return std::unique_ptr<intake::Planner>(std::make_unique<AgentPlanner>(
       std::move(offline), std::move(model), access.limits, layout_seed));
 }

@@ -1,5 +1,5 @@
-// How good a plan is, measured on what it becomes: repaired, laid out, stocked and judged like every
-// store.
+// How good a plan is, measured on what it becomes: repaired, laid out, stocked and judged like
+// every store.
 #pragma once
 #include <array>
 #include <compare>
@@ -20,9 +20,9 @@ namespace marketgen::planners {
 // Counts of faults, compared from the first to the last: a hard rule weighs more than any number of
 // wishes, a wish more than any number of soft rules.
 struct PlanScore {
-  int hard_rules = 0;        // broken
-  int missed_wishes = 0;     // of those that must hold
-  int soft_rules = 0;        // broken
+  int hard_rules = 0;     // broken
+  int missed_wishes = 0;  // of those that must hold
+  int soft_rules = 0;     // broken
   int missed_preferences = 0;
 
   friend auto operator<=>(const PlanScore&, const PlanScore&) = default;  // less is better
@@ -39,7 +39,7 @@ struct PlanScore {
 struct JudgedPlan {
   plan::Plan plan;  // repaired
   layout::Layout layout;
-  std::vector<layout::Violation> rules;               // of layout and scene
+  std::vector<layout::Violation> rules;  // of layout and scene
   std::vector<audit::RequirementResult> requirements;
   PlanScore score;
 };

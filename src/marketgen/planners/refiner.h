@@ -1,6 +1,6 @@
-// Reflection and refiner: what rules and wishes find wrong with a plan, and the picture of its floor,
-// go to the model; it answers with patches of the closed set (plan/patch.h), which are kept only
-// where they help.
+// Reflection and refiner: what rules and wishes find wrong with a plan, and the picture of its
+// floor, go to the model; it answers with patches of the closed set (plan/patch.h), which are kept
+// only where they help.
 #pragma once
 #include <string>
 #include <vector>

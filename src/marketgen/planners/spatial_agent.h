@@ -19,10 +19,15 @@ struct FloorProposal {
     double area_m2 = 20;
 
     static constexpr auto fields = field_list(
-        field("id", &ProposedZone::id, "short id, unique among zones and openings", required(), identifier()),
+        field("id",
+              &ProposedZone::id,
+              "short id, unique among zones and openings",
+              required(),
+              identifier()),
         field("type", &ProposedZone::type, "one of the listed zone types", required()),
         field("label", &ProposedZone::label, "sign over the zone", at_most_bytes(80)),
-        field("area_m2", &ProposedZone::area_m2, "floor area wanted", range(0.5, 40000), required()));
+        field(
+            "area_m2", &ProposedZone::area_m2, "floor area wanted", range(0.5, 40000), required()));
   };
 
   std::string profile, style;  // of the catalogue
@@ -36,13 +41,31 @@ struct FloorProposal {
   static constexpr auto fields = field_list(
       field("profile", &FloorProposal::profile, "one of the listed profiles", required()),
       field("style", &FloorProposal::style, "one of the listed styles", required()),
-      field("width_mm", &FloorProposal::width_mm, "room, east-west", range(4000, 200000), required()),
-      field("depth_mm", &FloorProposal::depth_mm, "room, north-south", range(4000, 200000), required()),
-      field("openings", &FloorProposal::openings, "doors and windows", required(), at_most_items(40)),
-      field("nodes", &FloorProposal::nodes, "BSP tree, the root first", required(), at_most_items(64)),
+      field(
+          "width_mm", &FloorProposal::width_mm, "room, east-west", range(4000, 200000), required()),
+      field("depth_mm",
+            &FloorProposal::depth_mm,
+            "room, north-south",
+            range(4000, 200000),
+            required()),
+      field(
+          "openings", &FloorProposal::openings, "doors and windows", required(), at_most_items(40)),
+      field("nodes",
+            &FloorProposal::nodes,
+            "BSP tree, the root first",
+            required(),
+            at_most_items(64)),
       field("zones", &FloorProposal::zones, "what is where", required(), at_most_items(24)),
-      field("relations", &FloorProposal::relations, "places that the words ask for", required(), at_most_items(200)),
-      field("reason", &FloorProposal::reason, "two sentences: why this floor", required(), at_most_bytes(1200)));
+      field("relations",
+            &FloorProposal::relations,
+            "places that the words ask for",
+            required(),
+            at_most_items(200)),
+      field("reason",
+            &FloorProposal::reason,
+            "two sentences: why this floor",
+            required(),
+            at_most_bytes(1200)));
 };
 
 // What both agents are told: the words, and the offline planner's plan of them.

@@ -27,15 +27,18 @@ struct TraceDocument {
                  field("steps", &TraceDocument::steps, "what was done, in order"));
 };
 
-constexpr std::string_view page_head = R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>Agents</title><style>
+constexpr std::string_view page_head =
+    R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>Agents</title><style>
 body{font:15px/1.5 system-ui,sans-serif;max-width:1060px;margin:2rem auto;padding:0 1rem;color:#1c2321;background:#fbfcfb}
 h2{font-size:1.1rem;margin:2rem 0 .3rem}img{max-width:100%;border:1px solid #d9dedc;border-radius:6px}li{color:#5c6663}
 @media(prefers-color-scheme:dark){body{color:#e8ecea;background:#161a19}img{background:#fff}li{color:#9aa5a1}}</style>
 )";
 
 std::string section_of(const TraceStep& step, std::size_t number) {
-  std::string out = fmt::format(
-      "<section><h2>{}. {}</h2><p>{}</p>", number, escaped_markup(step.agent), escaped_markup(step.what));
+  std::string out = fmt::format("<section><h2>{}. {}</h2><p>{}</p>",
+                                number,
+                                escaped_markup(step.agent),
+                                escaped_markup(step.what));
   if (step.score) out += fmt::format("<p>Not held: {}.</p>", words_of(*step.score));
   if (!step.rules.empty()) {
     out += "<ul>";
@@ -77,7 +80,8 @@ Result<void> Trace::add(std::string agent,
   TraceStep& step = steps_.back();
   step.score = judged.score;
   for (const layout::Violation& rule : judged.rules)
-    step.rules.push_back(fmt::format("{} ({}): {}", rule.code, name_of(rule.severity), rule.message));
+    step.rules.push_back(
+        fmt::format("{} ({}): {}", rule.code, name_of(rule.severity), rule.message));
   step.picture = fmt::format("step-{}.png", steps_.size());
   pictures_.push_back({folder + step.picture, std::move(png)});
   return {};

@@ -1,5 +1,5 @@
-// What the agents of a plan did: files for the store's folder `agents/`, so that a person can follow
-// each step.
+// What the agents of a plan did: files for the store's folder `agents/`, so that a person can
+// follow each step.
 #pragma once
 #include <optional>
 #include <string>
@@ -15,8 +15,8 @@ namespace marketgen::planners {
 
 // One step: an agent's answer, or the lack of one.
 struct TraceStep {
-  std::string agent;             // "offline planner", "spatial agent" …
-  std::string what;              // what came of it, in a sentence
+  std::string agent;               // "offline planner", "spatial agent" …
+  std::string what;                // what came of it, in a sentence
   std::optional<PlanScore> score;  // of the plan after it
   std::vector<std::string> rules;  // that this plan breaks
   std::string picture;             // file of its layout, in the same folder; may be empty

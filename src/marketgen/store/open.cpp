@@ -23,19 +23,6 @@ std::string_view text_of(const io::MappedFile& file) {
   return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
 }
 
-Result<Manifest> read_manifest(const fs::path& folder) {
-  std::error_code failed;
-  if (!fs::exists(folder, failed))
-    return Error{"input.not_found", folder.string(), "there is no such folder"};
-  if (!fs::exists(folder / "store.json", failed)) {
-    return Error{
-        "store.not_a_store",
-        folder.string(),
-        "has no store.json; make a store with: marketgen generate \"...\" -o " + folder.string()};
-  }
-  return read_document<Manifest>(folder / "store.json");
-}
-
 Error changed(const fs::path& path, std::string what) {
   return {"store.changed",
           path.string(),
@@ -78,6 +65,19 @@ Result<scene::Scene> scene_of(const fs::path& folder, const Manifest& manifest) 
 }
 
 }  // namespace
+
+Result<Manifest> read_manifest(const fs::path& folder) {
+  std::error_code failed;
+  if (!fs::exists(folder, failed))
+    return Error{"input.not_found", folder.string(), "there is no such folder"};
+  if (!fs::exists(folder / "store.json", failed)) {
+    return Error{
+        "store.not_a_store",
+        folder.string(),
+        "has no store.json; make a store with: marketgen generate \"...\" -o " + folder.string()};
+  }
+  return read_document<Manifest>(folder / "store.json");
+}
 
 Result<scene::Scene> open_store_scene(const fs::path& folder) {
   MARKETGEN_TRY(const Manifest manifest, read_manifest(folder));

@@ -13,6 +13,7 @@
 #include "catalog/catalog.h"
 #include "intake/brief.h"
 #include "layout/layout.h"
+#include "plan/patch.h"
 #include "plan/plan.h"
 #include "planners/make_planner.h"
 #include "scene/own_goods.h"
@@ -43,6 +44,17 @@ struct StoreBounds {
                  field("high_m", &StoreBounds::high_m, "highest corner"));
 };
 
+// An edit that this store has behind it (store/edit.h).
+struct StoreEdit {
+  std::string words;                 // as they were said; empty when patches were given
+  std::vector<plan::Patch> patches;  // what was done
+  std::string from;                  // scene_hash of the store that was edited
+  static constexpr auto fields =
+      field_list(field("words", &StoreEdit::words, "as they were said", at_most_bytes(20000)),
+                 field("patches", &StoreEdit::patches, "what was done", required()),
+                 field("from", &StoreEdit::from, "scene_hash of the store that was edited"));
+};
+
 // store.json
 struct Manifest {
   std::string schema = "market-store/1";
@@ -52,6 +64,7 @@ struct Manifest {
   intake::Brief brief;
   std::vector<plan::Requirement> requirements;
   std::optional<std::vector<catalog::Product>> own;  // rows of the user's own that it was made with
+  std::optional<std::vector<StoreEdit>> edits;       // the oldest first
   scene::SceneCounts counts;
   StoreBounds bounds;
   std::string scene_hash, look_hash;
@@ -65,6 +78,7 @@ struct Manifest {
                  field("brief", &Manifest::brief, "what was asked"),
                  field("requirements", &Manifest::requirements, "atomic wishes, as understood"),
                  field("own", &Manifest::own, "rows of the user's own that it was made with"),
+                 field("edits", &Manifest::edits, "edits since it was generated, the oldest first"),
                  field("counts", &Manifest::counts, "how much there is"),
                  field("bounds", &Manifest::bounds, "of everything"),
                  field("scene_hash", &Manifest::scene_hash, "over SKU, geometry and pose"),
@@ -115,7 +129,7 @@ struct CreateOptions {
   std::filesystem::path folder;  // must not exist, or be empty
   intake::Brief brief;
   std::optional<std::filesystem::path> plan_file;  // skips the planner
-  planners::PlannerAccess planner;  // of the language model that brief.planner names
+  planners::PlannerAccess planner;                 // of the language model that brief.planner names
   std::uint64_t seed = 1;
   bool previews = true;
   bool strict = false;  // hard violations fail: layout.violation; so does a prompt of which nothing
@@ -154,6 +168,8 @@ struct Store {
 Result<Store> open_store(const std::filesystem::path& folder, const catalog::Catalog& catalog);
 // The scene alone, verified alike.
 Result<scene::Scene> open_store_scene(const std::filesystem::path& folder);
+// The manifest alone. Errors: input.not_found, store.not_a_store, json.*.
+Result<Manifest> read_manifest(const std::filesystem::path& folder);
 Result<StoreReport> read_report(const std::filesystem::path& folder);
 // Every file against its digest, scene against its hash. Error: store.changed with the file's name.
 Result<void> verify_store(const std::filesystem::path& folder, const catalog::Catalog& catalog);

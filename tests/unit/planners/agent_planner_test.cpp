@@ -104,7 +104,8 @@ TEST_F(Agents, AFloorThatIsNoPlanGoesBackOnceWithWhatIsWrong) {
 TEST_F(Agents, AWorsePlanThanTheOfflineOneIsNotTaken) {
   const intake::Planned offline = offline_plan();
   nlohmann::json script = nlohmann::json::array();
-  script.push_back({{"body", wrapped(Wire::openai, io::write_json(floor_without_bakery(offline.plan)))}});
+  script.push_back(
+      {{"body", wrapped(Wire::openai, io::write_json(floor_without_bakery(offline.plan)))}});
   const MockServer server(script);
   const auto planned = planned_by("http:m", reaching(server.url()));
   ASSERT_TRUE(planned.ok());

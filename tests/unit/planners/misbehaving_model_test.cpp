@@ -31,7 +31,9 @@ std::vector<Misbehaviour> misbehaviours() {
   };
   const std::string floor = io::write_json(floor_of(offline_plan().plan));
   return {
-      {"busy", {{"status", 429}, {"body", "slow down"}, {"headers", {{"Retry-After", "0"}}}}, "429"},
+      {"busy",
+       {{"status", 429}, {"body", "slow down"}, {"headers", {{"Retry-After", "0"}}}},
+       "429"},
       {"out of order", {{"status", 501}}, "501"},
       {"no key", {{"status", 401}}, "401"},
       {"closed connection", {{"drop", true}}, "net."},

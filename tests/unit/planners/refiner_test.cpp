@@ -39,18 +39,19 @@ const plan::Zone& zone_of_type(const plan::Plan& plan, std::string_view type) {
 
 std::string largest_zone(const plan::Plan& plan) {
   return std::ranges::max_element(
-             plan.zones,
-             {},
-             [](const plan::Zone& zone) { return zone.area_m2.target.value_or(0); })
+             plan.zones, {}, [](const plan::Zone& zone) { return zone.area_m2.target.value_or(0); })
       ->id;
 }
 
 TEST(Refiner, KeepsPatchesThatHelp) {
   const std::string beside = largest_zone(offline_plan().plan);
   const json bakery{{"id", "oven"}, {"type", "bakery"}, {"fixture", {{"kind", "bakery_rack"}}}};
-  const intake::Planned planned = refined_with(
-      {{{"add_zone",
-         {{"zone", bakery}, {"beside", beside}, {"side", "south"}, {"share", 0.4}, {"gap_mm", 1400}}}}});
+  const intake::Planned planned = refined_with({{{"add_zone",
+                                                  {{"zone", bakery},
+                                                   {"beside", beside},
+                                                   {"side", "south"},
+                                                   {"share", 0.4},
+                                                   {"gap_mm", 1400}}}}});
   const json steps = steps_of_refiner(planned);
   ASSERT_FALSE(steps.empty());
   EXPECT_TRUE(steps[0]["what"].get<std::string>().starts_with("taken")) << steps[0];

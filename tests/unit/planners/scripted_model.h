@@ -1,5 +1,5 @@
-// Answers of a language model as a test writes them, and the server that gives them. What a scripted
-// server says measures nothing about models: it shows what becomes of answers.
+// Answers of a language model as a test writes them, and the server that gives them. What a
+// scripted server says measures nothing about models: it shows what becomes of answers.
 #pragma once
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,5 @@
-// Qwen on Alibaba Cloud's Model Studio, in its mode that is compatible with OpenAI's chat completions:
+// Qwen on Alibaba Cloud's Model Studio, in its mode that is compatible with OpenAI's chat
+// completions:
 // https://www.alibabacloud.com/help/en/model-studio/compatibility-of-openai-with-dashscope
 #include "llm/provider.h"
 

@@ -1,0 +1,239 @@
+#include "store/edit.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/json.h"
+#include "layout/kept_layout.h"
+#include "layout/layout_rules.h"
+#include "layout/repair_moves.h"
+#include "plan/plan_place.h"
+#include "scene/own_goods.h"
+#include "store/save.h"
+#include "store/stages.h"
+
+namespace marketgen::store {
+namespace {
+
+bool is_broken_in(const std::vector<layout::Violation>& rules, const layout::Violation& rule) {
+  return std::ranges::any_of(rules, [&](const layout::Violation& known) {
+    return known.code == rule.code && known.where == rule.where && known.severity == rule.severity;
+  });
+}
+
+std::vector<layout::Violation> newly_broken(const std::vector<layout::Violation>& before,
+                                            const std::vector<layout::Violation>& after) {
+  std::vector<layout::Violation> offences;
+  for (const layout::Violation& rule : after) {
+    if (rule.severity == layout::Severity::hard && !is_broken_in(before, rule))
+      offences.push_back(rule);
+  }
+  return offences;
+}
+
+// Fixtures by id, as they stand; finishes go with the look.
+std::map<std::string, std::string> fixtures_of(const layout::Layout& layout,
+                                               const std::set<std::string>& without_zones) {
+  std::map<std::string, std::string> rows;
+  for (layout::Fixture fixture : layout.fixtures) {
+    if (without_zones.contains(fixture.zone)) continue;
+    fixture.material.clear();
+    fixture.color.clear();
+    rows[fixture.id] = io::write_json_line(fixture);
+  }
+  return rows;
+}
+
+// Zones whose goods or single fixtures the plans say differently.
+std::set<std::string> zones_named(const plan::Plan& before, const plan::Plan& after) {
+  std::set<std::string> named;
+  for (const plan::Zone& zone : after.zones) {
+    const plan::Zone* old = plan::find_zone(before, zone.id);
+    if (old == nullptr || io::write_json_line(old->stock) != io::write_json_line(zone.stock))
+      named.insert(zone.id);
+    for (const plan::Override& pin : after.overrides) {
+      if (pin.fixture.starts_with(zone.id + "/") &&
+          std::ranges::none_of(before.overrides, [&](const plan::Override& o) {
+            return io::write_json_line(o) == io::write_json_line(pin);
+          }))
+        named.insert(zone.id);
+    }
+  }
+  for (const plan::Zone& zone : before.zones) {
+    if (plan::find_zone(after, zone.id) == nullptr) named.insert(zone.id);
+  }
+  return named;
+}
+
+// The plan alone where that gives the other zones what they have, so that the plan goes on saying
+// the whole store; round what stands otherwise.
+Result<layout::Layout> layout_after(const Store& store,
+                                    const plan::Plan& plan,
+                                    const std::set<std::string>& furnish,
+                                    const catalog::Catalog& catalog) {
+  const Seed seed = Seed(store.manifest.seed).child(layout_stream);
+  Result<layout::Layout> plain = layout::make_layout(plan, catalog, seed);
+  if (!plain.ok() && plain.error().code != "layout.impossible") return plain;
+  const layout::Layout& before = store.scene.layout;
+  std::set<std::string> gone = furnish;
+  std::ranges::copy(zones_named(store.plan, plan), std::inserter(gone, gone.end()));
+  if (plain.ok() && fixtures_of(*plain, gone) == fixtures_of(before, gone)) return plain;
+  return layout::make_layout_keeping(plan, catalog, seed, before, furnish);
+}
+
+// That nothing changed but where the patches let it. The user's own products are spread over all
+// bays that sell them: they may find another.
+Result<void> require_rest_kept(const Store& store,
+                               const Replanned& now,
+                               const SceneChanges& changes,
+                               const catalog::Catalog& catalog) {
+  if (!catalog.own.empty()) return {};
+  const std::set<std::string> named = zones_named(store.plan, now.plan);
+  for (const std::string& zone : changes.zones_touched) {
+    if (zone.empty() || named.contains(zone) || now.furnished.contains(zone)) continue;
+    return Error{"scene.wrong_version",
+                 store.folder.string(),
+                 "zone " + zone +
+                     " would change although nothing was said of it: the store was made by "
+                     "another version of marketgen or from other rows; generate it again"};
+  }
+  return {};
+}
+
+Result<std::vector<layout::Violation>> rules_of(const Store& store,
+                                                const catalog::Catalog& catalog) {
+  if (const Result<StoreReport> report = read_report(store.folder); report.ok())
+    return report->rules;
+  MARKETGEN_TRY(audit::Audit audit, audit::audit_store(store.scene, catalog, {}));
+  return std::move(audit.rules);
+}
+
+// The old report with what was measured anew; what was said about the brief stays true.
+StoreReport report_after(const Store& store,
+                         audit::Audit audit,
+                         std::vector<scene::Unstocked> unstocked) {
+  StoreReport report;
+  if (Result<StoreReport> old = read_report(store.folder); old.ok()) {
+    report.understood = old->understood;
+    report.unparsed = std::move(old->unparsed);
+    report.conflicts = std::move(old->conflicts);
+    report.repairs = std::move(old->repairs);
+  }
+  report.requirements = std::move(audit.requirements);
+  report.rules = std::move(audit.rules);
+  report.metrics = audit.metrics;
+  report.unstocked = std::move(unstocked);
+  return report;
+}
+
+std::vector<std::string> lost_wishes(const Store& store, const StoreReport& report) {
+  std::vector<std::string> lost;
+  const Result<StoreReport> old = read_report(store.folder);
+  if (!old.ok()) return lost;
+  for (std::size_t i = 0; i < report.requirements.size(); ++i) {
+    const bool was_met = i < old->requirements.size() && old->requirements[i].met;
+    if (was_met && !report.requirements[i].met) lost.push_back(report.requirements[i].text);
+  }
+  return lost;
+}
+
+}  // namespace
+
+Error error_of(const layout::Violation& offence) {
+  std::string message = fmt::format("{}: {}", offence.code, offence.message);
+  const std::vector<layout::LayoutRule>& rules = layout::layout_rules();
+  const auto rule = std::ranges::find(rules, offence.code, &layout::LayoutRule::code);
+  if (rule != rules.end()) {
+    std::vector<std::string_view> helps;
+    for (const layout::RepairMove move : rule->repairs)
+      helps.push_back(layout::words_of(move));
+    message += fmt::format(" (must hold: {}", rule->summary);
+    if (!helps.empty())
+      message += fmt::format("; a patch helps that {}", fmt::join(helps, ", or "));
+    message += ")";
+  }
+  return {"layout.violation", offence.where, message + "; nothing was written"};
+}
+
+Result<Replanned> replan(const Store& store,
+                         const plan::PatchSet& patches,
+                         const std::string& source,
+                         const catalog::Catalog& catalog) {
+  Replanned now;
+  MARKETGEN_TRY(now.plan,
+                plan::apply_patches(store.plan, patches, source, plan::Source::flag, catalog));
+  now.furnished = layout::zones_to_furnish(store.plan, now.plan, catalog);
+  Result<layout::Layout> layout = layout_after(store, now.plan, now.furnished, catalog);
+  if (!layout.ok()) return plan::in_plan_file(layout.error(), source + " (plan)");
+  now.layout = std::move(layout).value();
+  now.offences = newly_broken(store.scene.layout.violations, now.layout.violations);
+  return now;
+}
+
+Result<Edited> edit_store(const Store& store,
+                          const EditOptions& options,
+                          const catalog::Catalog& catalog,
+                          Progress& progress) {
+  MARKETGEN_TRY(io::FolderDraft draft, io::FolderDraft::begin(options.folder));
+  Stages stages(progress);
+  MARKETGEN_TRY(const Replanned now, stages.run("layout", [&] {
+    return replan(store, options.patches, options.source, catalog);
+  }));
+  if (!now.offences.empty()) return error_of(now.offences.front());
+  MARKETGEN_TRY(const scene::Scene scene, stages.run("scene", [&] {
+    return scene::build_scene(
+        now.layout, now.plan, catalog, Seed(store.manifest.seed).child(scene_stream));
+  }));
+  Edited edited;
+  edited.changes = changes_between(store.scene, scene);
+  MARKETGEN_CHECK(require_rest_kept(store, now, edited.changes, catalog));
+  MARKETGEN_TRY(audit::Audit audit, stages.run("audit", [&] {
+    return audit::audit_store(scene, catalog, store.manifest.requirements);
+  }));
+  MARKETGEN_TRY(const std::vector<layout::Violation> rules_before, rules_of(store, catalog));
+  const std::vector<layout::Violation> offences = newly_broken(rules_before, audit.rules);
+  if (!offences.empty()) return error_of(offences.front());
+  Created created;
+  created.manifest = manifest_of(now.plan, scene, catalog, store.manifest.seed);
+  created.manifest.brief = store.manifest.brief;
+  created.manifest.requirements = store.manifest.requirements;
+  created.manifest.edits = store.manifest.edits.value_or(std::vector<StoreEdit>{});
+  created.manifest.edits->push_back(
+      {options.words, options.patches.patches, store.manifest.scene_hash});
+  created.report =
+      report_after(store, std::move(audit), scene::unstocked_products(scene, now.plan, catalog));
+  edited.lost = lost_wishes(store, created.report);
+  MARKETGEN_TRY(
+      edited.created,
+      save_store(draft, now.plan, scene, std::move(created), options.previews, catalog, stages));
+  return edited;
+}
+
+std::filesystem::path next_edit_folder(const std::filesystem::path& store) {
+  std::filesystem::path folder = store.lexically_normal();
+  if (folder.filename().empty()) folder = folder.parent_path();  // "shop/"
+  std::string name = folder.filename().string();
+  const std::size_t mark = name.rfind("-edit-");
+  int number = 1;
+  if (mark != std::string::npos) {
+    const std::string tail = name.substr(mark + 6);
+    const bool digits = !tail.empty() && tail.size() < 7 &&
+                        tail.find_first_not_of("0123456789") == std::string::npos;
+    if (digits) {
+      number = std::stoi(tail) + 1;
+      name.resize(mark);
+    }
+  }
+  std::error_code failed;
+  for (;; ++number) {
+    const std::filesystem::path next =
+        folder.parent_path() / fmt::format("{}-edit-{}", name, number);
+    if (!std::filesystem::exists(next, failed)) return next;
+  }
+}
+
+}  // namespace marketgen::store

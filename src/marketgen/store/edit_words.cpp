@@ -1,0 +1,104 @@
+#include "store/edit_words.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "io/file.h"
+#include "store/edit.h"
+
+namespace marketgen::store {
+namespace {
+
+constexpr std::string_view source = "--say";
+
+plan::Wall entrance_of(const plan::Plan& plan) {
+  const auto door =
+      std::ranges::find(plan.shell.openings, plan::OpeningKind::entrance, &plan::Opening::kind);
+  return door == plan.shell.openings.end() ? plan::Wall::south : door->wall;
+}
+
+std::map<std::string, int> modules_of(const plan::Plan& plan, const layout::Layout& layout) {
+  std::map<std::string, int> modules;
+  for (const layout::Fixture& fixture : layout.fixtures) {
+    const plan::Zone* zone = plan::find_zone(plan, fixture.zone);
+    if (zone != nullptr && zone->fixture.kind == fixture.kind) ++modules[zone->id];
+  }
+  return modules;
+}
+
+// What the wishes so far have made of the store.
+struct Progressed {
+  plan::PatchSet patches;
+  plan::Plan plan;
+  std::map<std::string, int> modules;
+};
+
+plan::PatchSet with(plan::PatchSet patches, const intake::Way& way) {
+  patches.patches.insert(patches.patches.end(), way.begin(), way.end());
+  return patches;
+}
+
+// Takes the first way that keeps the hard rules. The error of the gentlest one when none does.
+Result<void> take_way(const Store& store,
+                      const intake::EditWish& wish,
+                      const std::vector<intake::Way>& ways,
+                      const catalog::Catalog& catalog,
+                      Progressed& now) {
+  std::optional<Error> refused;
+  for (const intake::Way& way : ways) {
+    plan::PatchSet patches = with(now.patches, way);
+    Result<Replanned> then = replan(store, patches, std::string(source), catalog);
+    if (then.ok() && then->offences.empty()) {
+      now.modules = modules_of(then->plan, then->layout);
+      now.plan = std::move(then->plan);
+      now.patches = std::move(patches);
+      return {};
+    }
+    if (!refused) refused = then.ok() ? error_of(then->offences.front()) : then.error();
+  }
+  if (!refused) return {};
+  refused->message = "\"" + wish.text + "\": " + refused->message;
+  return *refused;
+}
+
+Error nothing_understood() {
+  return {"brief.not_understood",
+          std::string(source),
+          "not one word of it asks for a change; say it as in \"swap dairy and bakery\", \"add two "
+          "self-checkouts\", \"make the bakery 20 % larger\" (docs/editing.md has the words)"};
+}
+
+}  // namespace
+
+Result<SaidPatches> patches_of_words(const Store& store,
+                                     std::string_view words,
+                                     const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const intake::Language language, intake::Language::load_for_edits(data));
+  MARKETGEN_TRY(intake::EditWords understood,
+                intake::understand_edit(words, language, catalog, entrance_of(store.plan)));
+  SaidPatches said;
+  said.unparsed = std::move(understood.unparsed);
+  said.conflicts = std::move(understood.conflicts);
+  Progressed now{{}, store.plan, modules_of(store.plan, store.scene.layout)};
+  for (const intake::EditWish& wish : understood.wishes) {
+    const Result<std::vector<intake::Way>> ways =
+        intake::ways_to(wish, {now.plan, catalog, now.modules});
+    if (!ways.ok() && ways.error().code == "usage.unavailable") {
+      said.unparsed.push_back({wish.text, wish.span});
+      continue;
+    }
+    if (!ways.ok()) return ways.error();
+    if (ways->front().empty()) {
+      said.so_already.push_back(wish.text);
+      continue;
+    }
+    MARKETGEN_CHECK(take_way(store, wish, *ways, catalog, now));
+  }
+  said.patches = std::move(now.patches);
+  if (said.patches.patches.empty() && said.so_already.empty()) return nothing_understood();
+  return said;
+}
+
+}  // namespace marketgen::store
