@@ -6,6 +6,7 @@
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "io/output.h"
 #include "number_flags.h"
 #include "say.h"
 #include "store/store.h"
@@ -147,8 +148,11 @@ std::filesystem::path folder_of(const GenerateFlags& flags, int variant) {
   return flags.count > 1 ? folder / fmt::format("variant-{}", variant + 1) : folder;
 }
 
-// Before any work: whether every store has a place.
+// Before any work: whether every store, and what a model says, has a place.
 Result<void> probe_folders(const GenerateFlags& flags) {
+  io::Outputs record;
+  const std::filesystem::path& talk = flags.planner_access.record;
+  if (!talk.empty()) MARKETGEN_CHECK(record.add_folder(talk));
   for (int variant = 0; variant < flags.count; ++variant) {
     const Result<io::FolderDraft> draft = io::FolderDraft::begin(folder_of(flags, variant));
     if (!draft.ok()) return draft.error();
