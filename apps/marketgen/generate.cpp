@@ -103,7 +103,7 @@ void print_rules(const store::StoreReport& report) {
 
 void print_planner(const std::optional<intake::PlannerRecord>& record) {
   if (!record) return;
-  say("planner     {}: the {}'s plan, {}\n", record->planner, record->kept, record->why);
+  say("planner     {}: plan of the {}, {}\n", record->planner, record->kept, record->why);
   say("cost        {} questions, {} tokens read, {} written, {:.1f} s{}\n",
       record->requests,
       record->tokens_in,

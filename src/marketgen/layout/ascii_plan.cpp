@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <ranges>
+#include <string>
 #include <vector>
 
 #include "layout/visual_prompt.h"
@@ -28,8 +30,8 @@ class AsciiPlan {
     for (const plan::Opening& opening : layout_.shell.openings)
       put_opening(opening);
     std::string text = fmt::format("one character: {:.2f} m; north is up\n", cell_mm_ * 1e-3);
-    for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)  // south is the first
-      text += *line + "\n";
+    for (const std::string& line : std::ranges::reverse_view(lines_))  // south is the first
+      text += line + "\n";
     return text;
   }
 
