@@ -17,7 +17,7 @@ namespace {
 struct GenerateFlags {
   CommonFlags common;
   std::vector<std::string> words;
-  std::string prompt_file, plan_file, size, profile, style, skin, planner = "offline", folder;
+  std::string prompt_file, plan_file, size, profile, style, skin, planner = "offline", folder, record;
   std::vector<std::string> catalogs;
   planners::PlannerAccess planner_access;
   int count = 1;
@@ -151,8 +151,7 @@ std::filesystem::path folder_of(const GenerateFlags& flags, int variant) {
 // Before any work: whether every store, and what a model says, has a place.
 Result<void> probe_folders(const GenerateFlags& flags) {
   io::Outputs record;
-  const std::filesystem::path& talk = flags.planner_access.record;
-  if (!talk.empty()) MARKETGEN_CHECK(record.add_folder(talk));
+  if (!flags.record.empty()) MARKETGEN_CHECK(record.add_folder(flags.record));
   for (int variant = 0; variant < flags.count; ++variant) {
     const Result<io::FolderDraft> draft = io::FolderDraft::begin(folder_of(flags, variant));
     if (!draft.ok()) return draft.error();
@@ -169,6 +168,7 @@ Result<void> generate_one(const GenerateFlags& flags,
   options.brief = brief;
   if (!flags.plan_file.empty()) options.plan_file = flags.plan_file;
   options.planner = flags.planner_access;
+  options.planner.record = flags.record;
   options.seed = flags.common.seed + static_cast<std::uint64_t>(variant);
   options.previews = !flags.no_previews;
   options.strict = flags.strict;
@@ -209,7 +209,7 @@ void add_planner(CLI::App& command, GenerateFlags& flags) {
       ->capture_default_str();
   planners::PlannerAccess& access = flags.planner_access;
   command.add_option("--planner-url", access.url, "base URL of another server of that kind");
-  add_output(command, "--record", access.record, "folder to keep the exchange with the model in");
+  add_output(command, "--record", flags.record, "folder to keep the exchange with the model in");
   command.add_option("--max-tokens", access.limits.max_tokens, "of the model, read and written")
       ->capture_default_str();
   command.add_option("--max-seconds", access.limits.max_seconds, "of waiting for the model")
