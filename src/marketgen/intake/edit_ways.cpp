@@ -16,13 +16,13 @@ namespace {
 constexpr std::size_t max_ways = 16;
 constexpr int levels_up = 4;           // cuts above a zone that may move
 constexpr int thin_mm = 2500;          // a zone narrower than that holds a wall run at most
-constexpr double min_ratio = 0.08, max_ratio = 0.92;  // market-plan/1
+constexpr double least_ratio = 0.08, most_ratio = 0.92;  // market-plan/1
 constexpr double least_new_m2 = 6;     // of a zone that is added
 constexpr double largest_donor_share = 0.5;
 constexpr double area_tolerance = 0.1;  // of the area that was asked for
 
 // A way with what it costs the rest of the store.
-struct Candidate {
+struct WeighedWay {
   Way way;
   double cost = 0;
 };
@@ -62,16 +62,16 @@ std::optional<plan::Plan> outcome(const StandingStore& store, const Way& way) {
   return plan;
 }
 
-std::vector<Way> best_of(std::vector<Candidate> candidates) {
-  std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+std::vector<Way> best_of(std::vector<WeighedWay> candidates) {
+  std::ranges::stable_sort(candidates, {}, &WeighedWay::cost);
   if (candidates.size() > max_ways) candidates.resize(max_ways);
   std::vector<Way> ways;
-  for (Candidate& candidate : candidates)
+  for (WeighedWay& candidate : candidates)
     ways.push_back(std::move(candidate.way));
   return ways;
 }
 
-bool holds(const plan::Plan& plan, const plan::RelationTerms& terms) {
+bool relation_holds(const plan::Plan& plan, const plan::RelationTerms& terms) {
   plan::NamedFloor floor{plan::shell_rect(plan.shell), plan.shell.openings, {}};
   const std::vector<RectMm> rects = plan::zone_rectangles(plan);
   for (std::size_t i = 0; i < rects.size(); ++i)
@@ -104,11 +104,11 @@ std::vector<Way> places_for(const plan::Plan& plan, const std::string& zone) {
 }
 
 // Cuts above the zone, each moved so that the zone gets its area.
-std::vector<Candidate> cuts_for_area(const StandingStore& store,
+std::vector<WeighedWay> cuts_for_area(const StandingStore& store,
                                      const std::string& zone,
                                      double area_m2,
                                      const Way& first) {
-  std::vector<Candidate> candidates;
+  std::vector<WeighedWay> candidates;
   const plan::Plan& plan = store.plan;
   const auto leaf = plan::leaf_of(plan, zone);
   const auto index = plan::zone_index(plan, zone);
@@ -122,10 +122,10 @@ std::vector<Candidate> cuts_for_area(const StandingStore& store,
     const bool is_first = cut.children.front() == plan.nodes[at].id;
     const double old = cut.ratio.value_or(plan::default_split_ratio);
     const double share = (is_first ? old : 1 - old) * area_m2 / now_m2;
-    const double ratio = std::clamp(is_first ? share : 1 - share, min_ratio, max_ratio);
+    const double ratio = std::clamp(is_first ? share : 1 - share, least_ratio, most_ratio);
     plan::Patch patch;
     patch.set_ratio = {cut.id, std::round(1e4 * ratio) * 1e-4};
-    Candidate candidate{first, 0};
+    WeighedWay candidate{first, 0};
     candidate.way.push_back(patch);
     at = *parent;
     const auto plan_then = outcome(store, candidate.way);
@@ -195,12 +195,12 @@ Result<std::vector<std::string>> zones_called(const StandingStore& store, std::s
 Result<std::vector<Way>> ways_to_move(const StandingStore& store,
                                       const plan::RelationTerms& terms) {
   MARKETGEN_TRY(const std::vector<std::string> zones, zones_called(store, terms.a));
-  if (holds(store.plan, terms)) return std::vector<Way>{Way{}};
-  std::vector<Candidate> candidates;
+  if (relation_holds(store.plan, terms)) return std::vector<Way>{Way{}};
+  std::vector<WeighedWay> candidates;
   for (const std::string& zone : zones) {
     for (const Way& way : places_for(store.plan, zone)) {
       const auto plan_then = outcome(store, way);
-      if (!plan_then || !holds(*plan_then, terms)) continue;
+      if (!plan_then || !relation_holds(*plan_then, terms)) continue;
       candidates.push_back({way, disturbance(store.plan, *plan_then, zone)});
     }
   }
@@ -218,7 +218,7 @@ Result<std::vector<Way>> ways_to_resize(const StandingStore& store,
                                         std::string_view type,
                                         double area_m2) {
   MARKETGEN_TRY(const std::vector<std::string> zones, zones_called(store, type));
-  std::vector<Candidate> candidates = cuts_for_area(store, zones.front(), area_m2, {});
+  std::vector<WeighedWay> candidates = cuts_for_area(store, zones.front(), area_m2, {});
   if (!candidates.empty()) return best_of(std::move(candidates));
   return Error{"plan.bad_value",
                "--say",
@@ -254,12 +254,12 @@ Result<std::vector<Way>> ways_to_add(const StandingStore& store,
   const double floor_m2 = plan::shell_rect(store.plan.shell).area_m2();
   const double wanted_m2 = std::max(least_new_m2, row->share * floor_m2);
   const std::vector<RectMm> rects = plan::zone_rectangles(store.plan);
-  std::vector<Candidate> candidates;
+  std::vector<WeighedWay> candidates;
   for (std::size_t i = 0; i < rects.size(); ++i) {
     const plan::Zone& donor = store.plan.zones[i];
     const bool same_trade = has_tills(store, donor) == has_tills(store, zone);
     const double share = std::clamp(
-        wanted_m2 / std::max(rects[i].area_m2(), 0.01), min_ratio, largest_donor_share);
+        wanted_m2 / std::max(rects[i].area_m2(), 0.01), least_ratio, largest_donor_share);
     for (const plan::Wall side :
          {plan::Wall::north, plan::Wall::south, plan::Wall::east, plan::Wall::west}) {
       plan::Patch patch;

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "intake/edit_ways.h"
+#include "intake/plan_zones.h"
 #include "plan/bsp.h"
 #include "plan/style_look.h"
 
@@ -19,7 +20,6 @@ using Kind = plan::RequirementKind;
 using Ways = Result<std::vector<Way>>;
 
 constexpr std::size_t max_bytes = 20'000;  // as a brief's prompt
-constexpr double untidy_jitter = 0.5, untidy_misplaced = 0.03;  // as intake/plan_zones.cpp has it
 
 std::vector<Way> one_way(Way way) {
   return {std::move(way)};

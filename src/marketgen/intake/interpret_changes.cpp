@@ -32,7 +32,7 @@ std::vector<plan::Requirement> wishes_of(const Reading& reading, const Meaning& 
   return std::move(apart.requirements);
 }
 
-bool is_till(const Reading& reading, const std::string& kind) {
+bool is_till_kind(const Reading& reading, const std::string& kind) {
   const catalog::FixtureKind* row = reading.catalog.fixture_kind(kind);
   return row != nullptr && row->role == catalog::FixtureRole::checkout;
 }
@@ -41,7 +41,7 @@ bool add_counted(Reading& reading, const Meaning& thing, ChangeAction action, In
   bool any = false;
   for (const plan::Requirement& wish : wishes_of(reading, thing)) {
     WordedChange change = change_of(reading, action, span);
-    if (wish.kind == plan::RequirementKind::fixture_count && is_till(reading, wish.subject)) {
+    if (wish.kind == plan::RequirementKind::fixture_count && is_till_kind(reading, wish.subject)) {
       change.subject = wish.object;
       change.object = wish.subject;
       change.value = std::max(1.0, wish.value);

@@ -8,11 +8,11 @@ namespace marketgen::intake {
 namespace {
 
 // What a relation means when it is said, and when it is denied.
-struct Meaning {
+struct RelationMeaning {
   std::string_view value;
   plan::RelationKind said, denied;
 };
-constexpr Meaning meanings[] = {
+constexpr RelationMeaning meanings[] = {
     {"near", plan::RelationKind::near, plan::RelationKind::far},
     {"next_to", plan::RelationKind::near, plan::RelationKind::not_adjacent},
     {"at", plan::RelationKind::at, plan::RelationKind::far},
@@ -28,7 +28,7 @@ constexpr Meaning meanings[] = {
 };
 
 std::optional<plan::RelationKind> kind_of(std::string_view value, bool negated) {
-  for (const Meaning& meaning : meanings) {
+  for (const RelationMeaning& meaning : meanings) {
     if (meaning.value == value) return negated ? meaning.denied : meaning.said;
   }
   return std::nullopt;

@@ -15,8 +15,6 @@ constexpr int six_levels_from_mm = 1900;     // gondolas this high hold a sixth 
 constexpr int endcaps_front_from_mm = 5200;  // runs this long spare the floor for an endcap
 constexpr int endcaps_both_from_mm = 8000;
 constexpr double min_area_share = 0.6;  // of the target
-constexpr double untidy_jitter = 0.5;   // from here on, items stand in wrong places too
-constexpr double untidy_misplaced = 0.03;
 
 class ZoneWriter {
  public:

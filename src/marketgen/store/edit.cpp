@@ -49,23 +49,34 @@ std::map<std::string, std::string> fixtures_of(const layout::Layout& layout,
   return rows;
 }
 
-// Zones whose goods or single fixtures the plans say differently.
+template <class Row>
+bool is_in(const std::vector<Row>& rows, const Row& row) {
+  const std::string line = io::write_json_line(row);
+  return std::ranges::any_of(rows, [&](const Row& r) { return io::write_json_line(r) == line; });
+}
+
+// Zones of fixtures with a value that is newly pinned, and zones that are gone.
+std::set<std::string> zones_pinned(const plan::Plan& before, const plan::Plan& after) {
+  std::set<std::string> zones;
+  for (const plan::Override& pin : after.overrides) {
+    if (is_in(before.overrides, pin)) continue;
+    for (const plan::Zone& zone : after.zones) {
+      if (pin.fixture.starts_with(zone.id + "/")) zones.insert(zone.id);
+    }
+  }
+  for (const plan::Zone& zone : before.zones) {
+    if (plan::find_zone(after, zone.id) == nullptr) zones.insert(zone.id);
+  }
+  return zones;
+}
+
+// Also those whose goods the plans say differently.
 std::set<std::string> zones_named(const plan::Plan& before, const plan::Plan& after) {
-  std::set<std::string> named;
+  std::set<std::string> named = zones_pinned(before, after);
   for (const plan::Zone& zone : after.zones) {
     const plan::Zone* old = plan::find_zone(before, zone.id);
     if (old == nullptr || io::write_json_line(old->stock) != io::write_json_line(zone.stock))
       named.insert(zone.id);
-    for (const plan::Override& pin : after.overrides) {
-      if (pin.fixture.starts_with(zone.id + "/") &&
-          std::ranges::none_of(before.overrides, [&](const plan::Override& o) {
-            return io::write_json_line(o) == io::write_json_line(pin);
-          }))
-        named.insert(zone.id);
-    }
-  }
-  for (const plan::Zone& zone : before.zones) {
-    if (plan::find_zone(after, zone.id) == nullptr) named.insert(zone.id);
   }
   return named;
 }
@@ -81,7 +92,7 @@ Result<layout::Layout> layout_after(const Store& store,
   if (!plain.ok() && plain.error().code != "layout.impossible") return plain;
   const layout::Layout& before = store.scene.layout;
   std::set<std::string> gone = furnish;
-  std::ranges::copy(zones_named(store.plan, plan), std::inserter(gone, gone.end()));
+  std::ranges::copy(zones_pinned(store.plan, plan), std::inserter(gone, gone.end()));
   if (plain.ok() && fixtures_of(*plain, gone) == fixtures_of(before, gone)) return plain;
   return layout::make_layout_keeping(plan, catalog, seed, before, furnish);
 }
@@ -105,41 +116,44 @@ Result<void> require_rest_kept(const Store& store,
   return {};
 }
 
-Result<std::vector<layout::Violation>> rules_of(const Store& store,
-                                                const catalog::Catalog& catalog) {
-  if (const Result<StoreReport> report = read_report(store.folder); report.ok())
-    return report->rules;
-  MARKETGEN_TRY(audit::Audit audit, audit::audit_store(store.scene, catalog, {}));
-  return std::move(audit.rules);
-}
-
-// The old report with what was measured anew; what was said about the brief stays true.
-StoreReport report_after(const Store& store,
-                         audit::Audit audit,
-                         std::vector<scene::Unstocked> unstocked) {
+// The store's report; measured anew when its file is gone, which no digest protects.
+Result<StoreReport> report_before(const Store& store, const catalog::Catalog& catalog) {
+  if (Result<StoreReport> report = read_report(store.folder); report.ok()) return report;
+  MARKETGEN_TRY(audit::Audit audit,
+                audit::audit_store(store.scene, catalog, store.manifest.requirements));
   StoreReport report;
-  if (Result<StoreReport> old = read_report(store.folder); old.ok()) {
-    report.understood = old->understood;
-    report.unparsed = std::move(old->unparsed);
-    report.conflicts = std::move(old->conflicts);
-    report.repairs = std::move(old->repairs);
-  }
   report.requirements = std::move(audit.requirements);
   report.rules = std::move(audit.rules);
-  report.metrics = audit.metrics;
-  report.unstocked = std::move(unstocked);
   return report;
 }
 
-std::vector<std::string> lost_wishes(const Store& store, const StoreReport& report) {
+// With what was measured anew; what was said about the brief stays true.
+StoreReport report_after(StoreReport before,
+                         audit::Audit audit,
+                         std::vector<scene::Unstocked> unstocked) {
+  before.requirements = std::move(audit.requirements);
+  before.rules = std::move(audit.rules);
+  before.metrics = audit.metrics;
+  before.unstocked = std::move(unstocked);
+  return before;
+}
+
+std::vector<std::string> lost_wishes(const StoreReport& before, const StoreReport& after) {
   std::vector<std::string> lost;
-  const Result<StoreReport> old = read_report(store.folder);
-  if (!old.ok()) return lost;
-  for (std::size_t i = 0; i < report.requirements.size(); ++i) {
-    const bool was_met = i < old->requirements.size() && old->requirements[i].met;
-    if (was_met && !report.requirements[i].met) lost.push_back(report.requirements[i].text);
+  const std::size_t wishes = std::min(before.requirements.size(), after.requirements.size());
+  for (std::size_t i = 0; i < wishes; ++i) {
+    if (before.requirements[i].met && !after.requirements[i].met)
+      lost.push_back(after.requirements[i].text);
   }
   return lost;
+}
+
+// Brief, wishes and edits; this one is the last.
+void keep_history(Manifest& now, const Manifest& before, const EditOptions& options) {
+  now.brief = before.brief;
+  now.requirements = before.requirements;
+  now.edits = before.edits.value_or(std::vector<StoreEdit>{});
+  now.edits->push_back({options.words, options.patches.patches, before.scene_hash});
 }
 
 }  // namespace
@@ -154,6 +168,8 @@ Error error_of(const layout::Violation& offence) {
       helps.push_back(layout::words_of(move));
     message += fmt::format(" (must hold: {}", rule->summary);
     if (!helps.empty()) message += fmt::format("; a patch helps that {}", fmt::join(helps, ", or "));
+    if (offence.code == "RELATION_BROKEN")
+      message += ", or takes the relation back (set_relation with \"drop\": true)";
     message += ")";
   }
   return {"layout.violation", offence.where, message + "; nothing was written"};
@@ -195,19 +211,15 @@ Result<Edited> edit_store(const Store& store,
   MARKETGEN_TRY(audit::Audit audit, stages.run("audit", [&] {
     return audit::audit_store(scene, catalog, store.manifest.requirements);
   }));
-  MARKETGEN_TRY(const std::vector<layout::Violation> rules_before, rules_of(store, catalog));
-  const std::vector<layout::Violation> offences = newly_broken(rules_before, audit.rules);
+  MARKETGEN_TRY(const StoreReport before, report_before(store, catalog));
+  const std::vector<layout::Violation> offences = newly_broken(before.rules, audit.rules);
   if (!offences.empty()) return error_of(offences.front());
   Created created;
   created.manifest = manifest_of(now.plan, scene, catalog, store.manifest.seed);
-  created.manifest.brief = store.manifest.brief;
-  created.manifest.requirements = store.manifest.requirements;
-  created.manifest.edits = store.manifest.edits.value_or(std::vector<StoreEdit>{});
-  created.manifest.edits->push_back(
-      {options.words, options.patches.patches, store.manifest.scene_hash});
+  keep_history(created.manifest, store.manifest, options);
   created.report = report_after(
-      store, std::move(audit), scene::unstocked_products(scene, now.plan, catalog));
-  edited.lost = lost_wishes(store, created.report);
+      before, std::move(audit), scene::unstocked_products(scene, now.plan, catalog));
+  edited.lost = lost_wishes(before, created.report);
   MARKETGEN_TRY(edited.created,
                 save_store(draft,
                            now.plan,
