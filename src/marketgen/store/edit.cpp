@@ -168,6 +168,8 @@ Error error_of(const layout::Violation& offence) {
       helps.push_back(layout::words_of(move));
     message += fmt::format(" (must hold: {}", rule->summary);
     if (!helps.empty()) message += fmt::format("; a patch helps that {}", fmt::join(helps, ", or "));
+    if (offence.code == "RELATION_BROKEN")
+      message += ", or takes the relation back (set_relation with \"drop\": true)";
     message += ")";
   }
   return {"layout.violation", offence.where, message + "; nothing was written"};

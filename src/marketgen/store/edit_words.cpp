@@ -1,6 +1,8 @@
 #include "store/edit_words.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -39,6 +41,43 @@ plan::PatchSet with(plan::PatchSet patches, const intake::Way& way) {
   return patches;
 }
 
+void advance(Progressed& now, plan::PatchSet patches, Replanned then) {
+  now.modules = modules_of(then.plan, then.layout);
+  now.plan = std::move(then.plan);
+  now.patches = std::move(patches);
+}
+
+bool try_way(const Store& store,
+             const intake::Way& way,
+             const catalog::Catalog& catalog,
+             Progressed& now) {
+  plan::PatchSet patches = with(now.patches, way);
+  Result<Replanned> then = replan(store, patches, std::string(source), catalog);
+  if (!then.ok() || !then->offences.empty()) return false;
+  advance(now, std::move(patches), std::move(then).value());
+  return true;
+}
+
+// What was said before about places, as far as these offences come of it: a later word counts more.
+// Nothing when something else is broken, too.
+intake::Way without_broken_relations(const plan::Plan& plan,
+                                     const std::vector<layout::Violation>& offences) {
+  intake::Way way;
+  for (const layout::Violation& offence : offences) {
+    if (offence.code != "RELATION_BROKEN") return {};
+    for (const plan::Relation& relation : plan.relations) {
+      if (relation.strength != plan::Strength::must || relation.a != offence.where ||
+          offence.message.find(relation.b) == std::string::npos)
+        continue;
+      plan::Patch patch;
+      patch.set_relation = {
+          relation.kind, relation.a, relation.b, relation.c, relation.strength, true};
+      way.push_back(patch);
+    }
+  }
+  return way;
+}
+
 // Takes the first way that keeps the hard rules. The error of the gentlest one when none does.
 Result<void> take_way(const Store& store,
                       const intake::EditWish& wish,
@@ -46,16 +85,23 @@ Result<void> take_way(const Store& store,
                       const catalog::Catalog& catalog,
                       Progressed& now) {
   std::optional<Error> refused;
+  std::vector<intake::Way> overruling;  // with earlier words taken back
   for (const intake::Way& way : ways) {
     plan::PatchSet patches = with(now.patches, way);
     Result<Replanned> then = replan(store, patches, std::string(source), catalog);
     if (then.ok() && then->offences.empty()) {
-      now.modules = modules_of(then->plan, then->layout);
-      now.plan = std::move(then->plan);
-      now.patches = std::move(patches);
+      advance(now, std::move(patches), std::move(then).value());
       return {};
     }
     if (!refused) refused = then.ok() ? error_of(then->offences.front()) : then.error();
+    if (!then.ok()) continue;
+    intake::Way overruled = without_broken_relations(then->plan, then->offences);
+    if (overruled.empty()) continue;
+    std::ranges::copy(way, std::back_inserter(overruled));
+    overruling.push_back(std::move(overruled));
+  }
+  for (const intake::Way& way : overruling) {
+    if (try_way(store, way, catalog, now)) return {};
   }
   if (!refused) return {};
   refused->message = "\"" + wish.text + "\": " + refused->message;
