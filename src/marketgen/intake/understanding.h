@@ -40,6 +40,7 @@ struct Understanding {
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
   bool understood = false;  // at least one word said something
+  std::optional<plan::Wall> drawn_front;  // the wall of the entrance on a floor plan
 
   // The first requirement of that kind (and subject), or null.
   const plan::Requirement* find(plan::RequirementKind kind) const;
