@@ -17,7 +17,8 @@ namespace {
 struct GenerateFlags {
   CommonFlags common;
   std::vector<std::string> words;
-  std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, skin, planner = "offline", folder;
+  std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, skin,
+      planner = "offline", folder;
   std::vector<std::string> catalogs;
   int count = 1;
   bool strict = false, no_previews = false;
@@ -51,9 +52,12 @@ Result<intake::Brief> brief_of(const GenerateFlags& flags) {
     return Error{"usage.bad_flag", "--plan", "a plan needs no prompt: it says everything itself"};
   }
   if (!flags.plan_file.empty() && !flags.floor_plan.empty())
-    return Error{"usage.bad_flag", "--floor-plan", "a plan has its shell already: give one of --plan and --floor-plan"};
+    return Error{"usage.bad_flag",
+                 "--floor-plan",
+                 "a plan has its shell already: give one of --plan and --floor-plan"};
   if (!flags.floor_plan_scale.empty() && flags.floor_plan.empty())
-    return Error{"usage.bad_flag", "--floor-plan-scale", "there is no --floor-plan whose scale it would be"};
+    return Error{
+        "usage.bad_flag", "--floor-plan-scale", "there is no --floor-plan whose scale it would be"};
   if (!flags.floor_plan.empty()) brief.floor_plan = flags.floor_plan;
   if (!flags.floor_plan_scale.empty()) brief.floor_plan_scale = flags.floor_plan_scale;
   if (!flags.size.empty()) {
@@ -207,9 +211,10 @@ Run add_generate(CLI::App& app) {
   command->add_option("--floor-plan",
                       flags->floor_plan,
                       "SVG, DXF, PNG or JPEG of the room: outline, doors and columns");
-  command->add_option("--floor-plan-scale",
-                      flags->floor_plan_scale,
-                      "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100");
+  command->add_option(
+      "--floor-plan-scale",
+      flags->floor_plan_scale,
+      "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100");
   command->add_option("--size", flags->size, "size of the room, e.g. 24x15m");
   command->add_option("--profile",
                       flags->profile,

@@ -77,7 +77,8 @@ std::vector<FoundColumn> columns_of(const Sketch& sketch,
     }
   }
   if (in_walls > 0)
-    warnings.push_back(fmt::format("{} columns stand in or beyond the walls and are left out", in_walls));
+    warnings.push_back(
+        fmt::format("{} columns stand in or beyond the walls and are left out", in_walls));
   if (columns.size() > most) {
     warnings.push_back(
         fmt::format("{} columns were found; the first {} are kept", columns.size(), most));

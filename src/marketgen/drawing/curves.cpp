@@ -70,7 +70,8 @@ std::optional<Arc> arc_through(const std::vector<Vec2>& points) {
   const double twice = 2 * (ab.x * ac.y - ab.y * ac.x);
   const double ab2 = ab.x * ab.x + ab.y * ab.y, ac2 = ac.x * ac.x + ac.y * ac.y;
   if (std::abs(twice) < 1e-9 * std::max(ab2, ac2)) return std::nullopt;
-  const Vec2 centre{a.x + (ac.y * ab2 - ab.y * ac2) / twice, a.y + (ab.x * ac2 - ac.x * ab2) / twice};
+  const Vec2 centre{a.x + (ac.y * ab2 - ab.y * ac2) / twice,
+                    a.y + (ab.x * ac2 - ac.x * ab2) / twice};
   const auto from_centre = [&](Vec2 p) { return std::hypot(p.x - centre.x, p.y - centre.y); };
   const double radius = from_centre(a);
   double sweep = 0;

@@ -30,7 +30,8 @@ std::string_view head_of(std::string_view bytes) {
 Result<Sketch> read_sketch(std::string_view bytes, const std::string& where) {
   const std::string_view head = head_of(bytes);
   if (head.empty()) return Error{"drawing.bad_file", where, "the file is empty"};
-  if (head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF")) return read_picture(bytes, where);
+  if (head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF"))
+    return read_picture(bytes, where);
   if (head.starts_with('<')) return read_svg(bytes, where);
   const bool dxf = head.starts_with("AutoCAD Binary DXF") || head.starts_with("AC10") ||
                    head.starts_with('0') || head.starts_with("999");
@@ -71,7 +72,8 @@ void centre(Sketch& sketch) {
 
 Tolerance tolerance_of(const Sketch& sketch) {
   if (!sketch.picture) return exact;
-  return {std::max(exact.join_mm, 2 * sketch.precision), std::max(exact.line_mm, 1.5 * sketch.precision)};
+  return {std::max(exact.join_mm, 2 * sketch.precision),
+          std::max(exact.line_mm, 1.5 * sketch.precision)};
 }
 
 Result<FloorPlan> plan_of(Sketch sketch, double mm_per_unit, const std::string& where) {
@@ -80,10 +82,11 @@ Result<FloorPlan> plan_of(Sketch sketch, double mm_per_unit, const std::string& 
   for (const Stroke& stroke : sketch.strokes) {
     for (const Vec2& p : stroke.points) {
       if (std::abs(p.x) < widest_mm && std::abs(p.y) < widest_mm) continue;
-      return Error{"drawing.no_scale",
-                   where,
-                   "the drawing is more than a kilometre wide at this scale; say the right one with "
-                   "--floor-plan-scale, and leave out lines that are far away"};
+      return Error{
+          "drawing.no_scale",
+          where,
+          "the drawing is more than a kilometre wide at this scale; say the right one with "
+          "--floor-plan-scale, and leave out lines that are far away"};
     }
   }
   const Tolerance tolerance = tolerance_of(sketch);
@@ -96,7 +99,8 @@ Result<FloorPlan> plan_of(Sketch sketch, double mm_per_unit, const std::string& 
   plan.openings_confidence = plan.outline_confidence;
   plan.columns_confidence = plan.outline_confidence;
   if (plan.shell.openings.empty())
-    plan.warnings.push_back("no door was found in the outer walls; doors are put where they suit the shop");
+    plan.warnings.push_back(
+        "no door was found in the outer walls; doors are put where they suit the shop");
   return plan;
 }
 
@@ -106,13 +110,16 @@ struct KnownScale {
 };
 
 // The scale that a flag or the file itself says; 0 when neither does.
-Result<KnownScale> scale_of(const Sketch& sketch, const ReadOptions& options, const std::string& where) {
+Result<KnownScale> scale_of(const Sketch& sketch,
+                            const ReadOptions& options,
+                            const std::string& where) {
   if (options.scale && options.scale->of_paper > 0) {
     if (sketch.paper_mm_per_unit <= 0)
-      return Error{"drawing.no_scale",
-                   where,
-                   "1:N needs a drawing on paper, whose width is in mm, cm or in; say how long one of "
-                   "its units is: --floor-plan-scale \"1 unit = 10 mm\""};
+      return Error{
+          "drawing.no_scale",
+          where,
+          "1:N needs a drawing on paper, whose width is in mm, cm or in; say how long one of "
+          "its units is: --floor-plan-scale \"1 unit = 10 mm\""};
     return KnownScale{sketch.paper_mm_per_unit * options.scale->of_paper, "--floor-plan-scale"};
   }
   if (options.scale) return KnownScale{options.scale->mm_per_unit, "--floor-plan-scale"};
@@ -134,7 +141,9 @@ double extent_of(const Sketch& sketch) {
 }
 
 // By the inner size that is known: the floor is found at a guess, measured, and found again.
-Result<FloorPlan> plan_by_size(const Sketch& sketch, const ReadOptions& options, const std::string& where) {
+Result<FloorPlan> plan_by_size(const Sketch& sketch,
+                               const ReadOptions& options,
+                               const std::string& where) {
   const double known = std::max(options.width_mm, options.depth_mm);
   double mm_per_unit = known / extent_of(sketch);
   constexpr int rounds = 3;
@@ -148,24 +157,27 @@ Result<FloorPlan> plan_by_size(const Sketch& sketch, const ReadOptions& options,
 }
 
 Error no_scale(const Sketch& sketch, const std::string& where) {
-  return {"drawing.no_scale",
-          where,
-          sketch.picture
-              ? "a picture does not say how large a pixel is on the floor: say --floor-plan-scale \"1 px "
-                "= 10 mm\", or the inner size of the shop in words or with --size"
-              : "the drawing says no unit of length ($INSUNITS of a DXF, width in mm of an SVG): say "
-                "--floor-plan-scale \"1 unit = 10 mm\", or the inner size of the shop in words or with "
-                "--size"};
+  return {
+      "drawing.no_scale",
+      where,
+      sketch.picture
+          ? "a picture does not say how large a pixel is on the floor: say --floor-plan-scale \"1 "
+            "px "
+            "= 10 mm\", or the inner size of the shop in words or with --size"
+          : "the drawing says no unit of length ($INSUNITS of a DXF, width in mm of an SVG): say "
+            "--floor-plan-scale \"1 unit = 10 mm\", or the inner size of the shop in words or with "
+            "--size"};
 }
 
 }  // namespace
 
 Result<Scale> parse_scale(std::string_view text, const std::string& where) {
-  const Error bad{"usage.bad_flag",
-                  where,
-                  fmt::format("\"{}\" is no scale; say how long one unit or pixel of the drawing is, as "
-                              "in \"1 unit = 10 mm\" or \"0.01 m\", or \"1:100\"",
-                              safe_line(text, 60))};
+  const Error bad{
+      "usage.bad_flag",
+      where,
+      fmt::format("\"{}\" is no scale; say how long one unit or pixel of the drawing is, as "
+                  "in \"1 unit = 10 mm\" or \"0.01 m\", or \"1:100\"",
+                  safe_line(text, 60))};
   const std::string lower = lower_ascii(text);
   if (const std::size_t colon = lower.find(':'); colon != std::string::npos) {
     const auto one = read_length(lower.substr(0, colon));
@@ -202,7 +214,9 @@ Result<FloorPlan> read_floor_plan_bytes(std::string_view bytes,
                                         const ReadOptions& options) {
   MARKETGEN_TRY(Sketch sketch, read_sketch(bytes, where));
   if (sketch.strokes.empty() || extent_of(sketch) <= 0)
-    return Error{"drawing.no_outline", where, "there are no lines in the drawing; draw the walls of the shop"};
+    return Error{"drawing.no_outline",
+                 where,
+                 "there are no lines in the drawing; draw the walls of the shop"};
   centre(sketch);
   MARKETGEN_TRY(const KnownScale scale, scale_of(sketch, options, where));
   if (scale.mm_per_unit > 0) {

@@ -1,9 +1,9 @@
 // Floor plans: a drawing of a shop's walls, columns and doors becomes the shell of a plan.
 //
-// SVG, DXF, PNG and JPEG, told by what is in the file. Layers, classes, ids and blocks that are named
-// for walls, doors, windows and columns (English, German, Chinese) say what their lines are; where
-// nothing is named, shapes say it: the outermost lines that close, gaps of 0.5 to 8 m in them, swings
-// of doors, small closed shapes on the floor.
+// SVG, DXF, PNG and JPEG, told by what is in the file. Layers, classes, ids and blocks that are
+// named for walls, doors, windows and columns (English, German, Chinese) say what their lines are;
+// where nothing is named, shapes say it: the outermost lines that close, gaps of 0.5 to 8 m in
+// them, swings of doors, small closed shapes on the floor.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -7,9 +7,9 @@
 namespace marketgen::drawing {
 namespace {
 
-constexpr double symbol_gap_mm = 60;   // lines of one door are no farther apart
-constexpr double in_wall_mm = 450;     // a symbol's part within the wall or beside it
-constexpr double same_opening = 0.3;   // share of the narrower one that two have in common
+constexpr double symbol_gap_mm = 60;  // lines of one door are no farther apart
+constexpr double in_wall_mm = 450;    // a symbol's part within the wall or beside it
+constexpr double same_opening = 0.3;  // share of the narrower one that two have in common
 
 struct Box {
   Vec2 low{1e18, 1e18}, high{-1e18, -1e18};
@@ -61,7 +61,8 @@ std::vector<Symbol> symbols_of(const Sketch& sketch) {
   };
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     for (std::size_t k = i + 1; k < strokes.size(); ++k) {
-      const bool same = strokes[i]->symbol == strokes[k]->symbol && strokes[i]->role == strokes[k]->role;
+      const bool same =
+          strokes[i]->symbol == strokes[k]->symbol && strokes[i]->role == strokes[k]->role;
       if (same && boxes[i].near(boxes[k], symbol_gap_mm)) group[root(k)] = root(i);
     }
   }
@@ -84,9 +85,7 @@ struct Edge {
   double length;
 
   double along(Vec2 p) const { return (p.x - from.x) * way.x + (p.y - from.y) * way.y; }
-  double aside(Vec2 p) const {
-    return std::abs((p.x - from.x) * way.y - (p.y - from.y) * way.x);
-  }
+  double aside(Vec2 p) const { return std::abs((p.x - from.x) * way.y - (p.y - from.y) * way.x); }
   double away(Vec2 p) const {
     const double t = along(p);
     return std::hypot(aside(p), std::max({0.0, -t, t - length}));
@@ -115,7 +114,8 @@ void add_gap(std::vector<FoundOpening>& openings,
   for (const Edge& edge : edges) {
     if (edge.away(bridge.from) > near || edge.away(bridge.to) > near) continue;
     const double a = edge.along(bridge.from), b = edge.along(bridge.to);
-    openings.push_back(edge.opening(std::max(0.0, std::min(a, b)), std::min(edge.length, std::max(a, b))));
+    openings.push_back(
+        edge.opening(std::max(0.0, std::min(a, b)), std::min(edge.length, std::max(a, b))));
     return;
   }
 }

@@ -24,7 +24,8 @@ cl::Path path_of(const Polygon& polygon) {
 Polygon polygon_of(const cl::Path& path) {
   Polygon polygon;
   for (const cl::IntPoint& p : path)
-    polygon.push_back({static_cast<double>(p.X) / steps_per_mm, static_cast<double>(p.Y) / steps_per_mm});
+    polygon.push_back(
+        {static_cast<double>(p.X) / steps_per_mm, static_cast<double>(p.Y) / steps_per_mm});
   return polygon;
 }
 
@@ -146,7 +147,8 @@ Polygon sharpened(const Polygon& polygon, double shorter) {
   Polygon left = polygon;
   for (std::size_t i = 0; i < left.size() && left.size() > 4;) {
     const std::size_t n = left.size();
-    const Vec2 before = left[(i + n - 1) % n], a = left[i], b = left[(i + 1) % n], after = left[(i + 2) % n];
+    const Vec2 before = left[(i + n - 1) % n], a = left[i], b = left[(i + 1) % n],
+               after = left[(i + 2) % n];
     const auto apart = [](Vec2 p, Vec2 q) { return std::hypot(p.x - q.x, p.y - q.y); };
     const Vec2 u = a - before, v = after - b;
     const double cross = u.x * v.y - u.y * v.x;
@@ -209,7 +211,9 @@ const Vec2* crossing_of(const Polygon& polygon) {
     for (std::size_t k = i + 2; k < n; ++k) {
       if ((k + 1) % n == i) continue;
       const Vec2 c = polygon[k], d = polygon[(k + 1) % n];
-      if (left_turn(a, b, c) * left_turn(a, b, d) < 0 && left_turn(c, d, a) * left_turn(c, d, b) < 0) return &polygon[i];
+      if (left_turn(a, b, c) * left_turn(a, b, d) < 0 &&
+          left_turn(c, d, a) * left_turn(c, d, b) < 0)
+        return &polygon[i];
     }
   }
   return nullptr;

@@ -14,8 +14,8 @@ std::vector<Polygon> thick_line(const Polygon& line, bool closed, double width);
 // A region that lines enclose, without what lies in it.
 struct Face {
   Polygon outline;
-  double area_mm2 = 0;    // without the faces and lines in it
-  double inner_mm2 = 0;   // of the largest face that lies in it
+  double area_mm2 = 0;   // without the faces and lines in it
+  double inner_mm2 = 0;  // of the largest face that lies in it
 };
 // Every face that the lines enclose. Each line is given as two points.
 std::vector<Face> faces_of(const std::vector<Polygon>& lines);

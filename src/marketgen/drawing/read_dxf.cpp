@@ -1,4 +1,5 @@
-// ASCII DXF of any release: the tags of Autodesk's DXF Reference, of which only those of lines count.
+// ASCII DXF of any release: the tags of Autodesk's DXF Reference, of which only those of lines
+// count.
 //
 // Our own reader: the C++ libraries for DXF in Debian (dxflib, libdxfrw, LibreDWG) are under the
 // GPL, and GDAL brings 54 packages with it.
@@ -55,7 +56,8 @@ double number_of(std::string_view text, double fallback) {
     text.remove_prefix(1);
   double value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = failed == std::errc{} && std::isfinite(value) && std::abs(value) <= largest_number;
+  const bool good =
+      failed == std::errc{} && std::isfinite(value) && std::abs(value) <= largest_number;
   return good ? value : fallback;
 }
 
@@ -70,9 +72,15 @@ struct Unit {
   double mm;
   std::string_view name;
 };
-constexpr Unit dxf_units[] = {{1, 25.4, "inches"},      {2, 304.8, "feet"},     {4, 1, "millimetres"},
-                          {5, 10, "centimetres"},   {6, 1000, "metres"},    {10, 914.4, "yards"},
-                          {14, 100, "decimetres"},  {15, 10000, "decametres"}, {21, 304.8006096, "survey feet"}};
+constexpr Unit dxf_units[] = {{1, 25.4, "inches"},
+                              {2, 304.8, "feet"},
+                              {4, 1, "millimetres"},
+                              {5, 10, "centimetres"},
+                              {6, 1000, "metres"},
+                              {10, 914.4, "yards"},
+                              {14, 100, "decimetres"},
+                              {15, 10000, "decametres"},
+                              {21, 304.8006096, "survey feet"}};
 
 std::string_view trimmed(std::string_view line) {
   while (!line.empty() && (line.front() == ' ' || line.front() == '\t'))
@@ -112,7 +120,8 @@ Result<std::vector<Tag>> read_tags(std::string_view text, const std::string& whe
 
 class DxfReader {
  public:
-  DxfReader(const std::vector<Tag>& tags, std::string where) : tags_(tags), where_(std::move(where)) {}
+  DxfReader(const std::vector<Tag>& tags, std::string where)
+      : tags_(tags), where_(std::move(where)) {}
 
   Result<Sketch> run() {
     while (at_ < tags_.size()) {
@@ -124,10 +133,11 @@ class DxfReader {
       if (section == "ENTITIES") entities_ = read_entities();
     }
     if (entities_.empty())
-      return Error{"drawing.bad_file",
-                   where_,
-                   "there is nothing in its ENTITIES section; save the drawing as ASCII DXF with its "
-                   "model space"};
+      return Error{
+          "drawing.bad_file",
+          where_,
+          "there is nothing in its ENTITIES section; save the drawing as ASCII DXF with its "
+          "model space"};
     for (const Entity& entity : entities_)
       MARKETGEN_CHECK(draw(entity, {}, Role::unknown, "", -1, 0));
     return std::move(sketch_);
@@ -135,15 +145,17 @@ class DxfReader {
 
  private:
   Error too_much() const {
-    return {"drawing.bad_file",
-            where_,
-            "the drawing has too many lines for a floor plan; leave walls, doors, windows and columns "
-            "only"};
+    return {
+        "drawing.bad_file",
+        where_,
+        "the drawing has too many lines for a floor plan; leave walls, doors, windows and columns "
+        "only"};
   }
 
   void read_header() {
     for (; at_ < tags_.size() && tags_[at_].code != 0; ++at_) {
-      if (tags_[at_].code != 9 || tags_[at_].value != "$INSUNITS" || at_ + 1 >= tags_.size()) continue;
+      if (tags_[at_].code != 9 || tags_[at_].value != "$INSUNITS" || at_ + 1 >= tags_.size())
+        continue;
       const int code = static_cast<int>(number_of(tags_[at_ + 1].value, 0));
       for (const Unit& unit : dxf_units) {
         if (unit.code != code) continue;
@@ -219,20 +231,23 @@ class DxfReader {
     const auto found = blocks_.find(name);
     if (found == blocks_.end()) return {};
     if (depth >= max_insert_depth) {
-      return Error{"drawing.bad_file",
-                   fmt::format("{}:{}", where_, e.tags.empty() ? 0 : e.tags[0].line),
-                   fmt::format("the block \"{}\" stands in itself, or blocks nest more than {} deep",
-                               safe_line(name),
-                               max_insert_depth)};
+      return Error{
+          "drawing.bad_file",
+          fmt::format("{}:{}", where_, e.tags.empty() ? 0 : e.tags[0].line),
+          fmt::format("the block \"{}\" stands in itself, or blocks nest more than {} deep",
+                      safe_line(name),
+                      max_insert_depth)};
     }
     const Role named = role_of(name);
     const Role role = named != Role::unknown ? named : from_.role;
     const std::string full = from_.name + "/" + name;
     const int symbol = symbols_++;
-    const int columns = std::clamp(e.whole(70, 1), 1, 400), rows = std::clamp(e.whole(71, 1), 1, 400);
+    const int columns = std::clamp(e.whole(70, 1), 1, 400),
+              rows = std::clamp(e.whole(71, 1), 1, 400);
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
-        const Affine at = place * moved(e.number(10), e.number(20)) * rotated(e.number(50) * dxf_degree) *
+        const Affine at = place * moved(e.number(10), e.number(20)) *
+                          rotated(e.number(50) * dxf_degree) *
                           moved(column * e.number(44), row * e.number(45)) *
                           scaled(e.number(41, 1), e.number(42, 1)) *
                           moved(-found->second.base.x, -found->second.base.y);
@@ -333,11 +348,13 @@ class DxfReader {
     double sweep = e.number(51) - e.number(50);
     while (sweep <= 0)
       sweep += 360;
-    return add(arc_points(e.point(10), radius, e.number(50) * dxf_degree, std::min(sweep, 360.0) * dxf_degree),
-               false,
-               place,
-               0,
-               true);
+    return add(
+        arc_points(
+            e.point(10), radius, e.number(50) * dxf_degree, std::min(sweep, 360.0) * dxf_degree),
+        false,
+        place,
+        0,
+        true);
   }
 
   Result<void> ellipse(const Entity& e, const Affine& place) {
@@ -369,8 +386,7 @@ class DxfReader {
                    double width = 0,
                    bool curved = false) {
     points_ += points.size();
-    if (sketch_.strokes.size() >= max_strokes || points_ > max_points)
-      return too_much();
+    if (sketch_.strokes.size() >= max_strokes || points_ > max_points) return too_much();
     if (points.size() < 2) return {};
     Stroke stroke;
     for (Vec2& p : points) {

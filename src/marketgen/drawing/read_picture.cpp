@@ -47,7 +47,8 @@ int long_pixels(const cv::Mat& mask, int least_px) {
   const int count = cv::connectedComponentsWithStats(mask, labels, stats, centres, 8, CV_32S);
   int pixels = 0;
   for (int i = 1; i < count; ++i) {
-    const int side = std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    const int side =
+        std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
     if (side >= least_px) pixels += stats.at<int>(i, cv::CC_STAT_AREA);
   }
   return pixels;
@@ -80,7 +81,9 @@ struct Line {
 };
 
 // Least squares through the contour's points between two corners, but for those near the corners.
-std::optional<Line> fitted(const std::vector<cv::Point>& contour, std::size_t from, std::size_t to) {
+std::optional<Line> fitted(const std::vector<cv::Point>& contour,
+                           std::size_t from,
+                           std::size_t to) {
   const std::size_t n = contour.size();
   const std::size_t count = (to + n - from) % n;
   constexpr std::size_t least = 10;
@@ -159,9 +162,17 @@ class Tracer {
       const double area = cv::contourArea(contour);
       if (area < specks_px || std::max(box.width, box.height) > most_px) continue;
       std::vector<cv::Point> rough;
-      cv::approxPolyDP(contour, rough, std::max(1.5, 0.08 * cv::arcLength(contour, true) / 4), true);
+      cv::approxPolyDP(
+          contour, rough, std::max(1.5, 0.08 * cv::arcLength(contour, true) / 4), true);
       cv::Mat filled = cv::Mat::zeros(box.size(), CV_8UC1);
-      cv::drawContours(filled, std::vector<std::vector<cv::Point>>{contour}, 0, 255, cv::FILLED, cv::LINE_8, cv::noArray(), 0,
+      cv::drawContours(filled,
+                       std::vector<std::vector<cv::Point>>{contour},
+                       0,
+                       255,
+                       cv::FILLED,
+                       cv::LINE_8,
+                       cv::noArray(),
+                       0,
                        -box.tl());
       const double inked = cv::countNonZero(filled & ink(box));
       const bool solid = inked > 0.9 * cv::countNonZero(filled);
@@ -226,12 +237,13 @@ Result<Sketch> read_picture(std::string_view bytes, const std::string& where) {
   if (std::min(image.width, image.height) < least_px)
     return Error{"drawing.bad_file",
                  where,
-                 "the picture has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                     " pixels; a floor plan needs at least 60 x 60"};
+                 "the picture has " + std::to_string(image.width) + " x " +
+                     std::to_string(image.height) + " pixels; a floor plan needs at least 60 x 60"};
   try {
     return sketch_of(image);
   } catch (const cv::Exception& fault) {
-    return Error{"drawing.bad_file", where, std::string("the picture cannot be looked at: ") + fault.what()};
+    return Error{
+        "drawing.bad_file", where, std::string("the picture cannot be looked at: ") + fault.what()};
   }
 }
 

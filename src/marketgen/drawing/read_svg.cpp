@@ -2,8 +2,8 @@
 // references and expands no entities of a document's own.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
@@ -90,7 +90,8 @@ class SvgReader {
     const XMLElement* root = document.RootElement();
     const std::string_view tag = root != nullptr ? root->Name() : "";
     if (tag != "svg" && tag != "svg:svg")
-      return Error{"drawing.bad_file", where_, "there is no <svg> element; is this an SVG drawing?"};
+      return Error{
+          "drawing.bad_file", where_, "there is no <svg> element; is this an SVG drawing?"};
     find_ids(*root);
     Around all;
     all.place = scaled(1, -1) * read_view(*root);
@@ -100,10 +101,11 @@ class SvgReader {
 
  private:
   Error too_much() const {
-    return {"drawing.bad_file",
-            where_,
-            "the drawing has too many lines for a floor plan; leave walls, doors, windows and columns "
-            "only"};
+    return {
+        "drawing.bad_file",
+        where_,
+        "the drawing has too many lines for a floor plan; leave walls, doors, windows and columns "
+        "only"};
   }
 
   void warn(const std::string& text) {
@@ -163,13 +165,23 @@ class SvgReader {
       return true;
     }
     if (tag == "image" || tag == "foreignObject") {
-      warn(fmt::format("line {}: <{}> is left out; nothing outside the lines of the drawing is read",
-                       e.GetLineNum(),
-                       tag));
+      warn(
+          fmt::format("line {}: <{}> is left out; nothing outside the lines of the drawing is read",
+                      e.GetLineNum(),
+                      tag));
       return true;
     }
-    constexpr std::string_view silent[] = {"defs", "symbol", "style", "metadata", "title", "desc",
-                                           "marker", "pattern", "clipPath", "mask", "text"};
+    constexpr std::string_view silent[] = {"defs",
+                                           "symbol",
+                                           "style",
+                                           "metadata",
+                                           "title",
+                                           "desc",
+                                           "marker",
+                                           "pattern",
+                                           "clipPath",
+                                           "mask",
+                                           "text"};
     return std::ranges::find(silent, tag) != std::ranges::end(silent);
   }
 
@@ -214,7 +226,8 @@ class SvgReader {
     std::string_view link = text_of(e, "href");
     if (link.empty()) link = text_of(e, "xlink:href");
     if (!link.starts_with('#')) {
-      warn(fmt::format("line {}: a reference to another file, which is not fetched", e.GetLineNum()));
+      warn(fmt::format("line {}: a reference to another file, which is not fetched",
+                       e.GetLineNum()));
       return {};
     }
     const auto found = ids_.find(std::string(link.substr(1)));
@@ -246,10 +259,11 @@ class SvgReader {
     if (tag == "rect") return rectangle(e, around);
     if (tag == "circle" || tag == "ellipse") return ellipse(e, tag == "circle", around);
     if (tag == "line")
-      return add({{number_in(e, "x1"), number_in(e, "y1")}, {number_in(e, "x2"), number_in(e, "y2")}},
-                 false,
-                 false,
-                 around);
+      return add(
+          {{number_in(e, "x1"), number_in(e, "y1")}, {number_in(e, "x2"), number_in(e, "y2")}},
+          false,
+          false,
+          around);
     if (tag == "polyline" || tag == "polygon")
       return add(read_points(text_of(e, "points")), tag == "polygon", false, around);
     return {};
@@ -275,8 +289,7 @@ class SvgReader {
   Result<void> add(std::vector<Vec2> points, bool closed, bool curved, const Around& around) {
     if (points.size() < 2) return {};
     points_ += points.size();
-    if (sketch_.strokes.size() >= max_strokes || points_ > max_points)
-      return too_much();
+    if (sketch_.strokes.size() >= max_strokes || points_ > max_points) return too_much();
     Stroke stroke;
     for (Vec2& p : points)
       p = around.place * p;

@@ -20,12 +20,13 @@ Result<void> check_crossings(const Sketch& sketch, const Walls& walls, const std
     const bool one_line = stroke.closed && stroke.points.size() > 3 && stroke.points.size() < most;
     if (!wall || !one_line || is_small_shape(stroke)) continue;
     if (const Vec2* at = crossing_of(stroke.points))
-      return Error{"drawing.bad_outline",
-                   where,
-                   fmt::format("the line from x {:.0f}, y {:.0f} mm crosses another one of the same "
-                               "outline; draw the walls so that they meet at corners only",
-                               at->x,
-                               at->y)};
+      return Error{
+          "drawing.bad_outline",
+          where,
+          fmt::format("the line from x {:.0f}, y {:.0f} mm crosses another one of the same "
+                      "outline; draw the walls so that they meet at corners only",
+                      at->x,
+                      at->y)};
   }
   return {};
 }
@@ -43,11 +44,13 @@ const Face* floor_of(const std::vector<Face>& faces, bool named) {
   return best;
 }
 
-void note_rooms(const std::vector<Face>& faces, const Face& floor, std::vector<std::string>& warnings) {
+void note_rooms(const std::vector<Face>& faces,
+                const Face& floor,
+                std::vector<std::string>& warnings) {
   int rooms = 0;
   for (const Face& face : faces) {
-    const bool room = &face != &floor && face.area_mm2 >= least_floor_mm2 &&
-                      face.inner_mm2 < least_floor_mm2;
+    const bool room =
+        &face != &floor && face.area_mm2 >= least_floor_mm2 && face.inner_mm2 < least_floor_mm2;
     rooms += room ? 1 : 0;
   }
   if (rooms > 0)
@@ -79,28 +82,33 @@ Error no_outline(const Sketch& sketch, const Walls& walls, const std::string& wh
   const std::string seen =
       walls.segments.empty()
           ? "there are no lines of walls in it"
-          : fmt::format("its {} lines of {} enclose no floor of 12 m2 or more",
-                        walls.segments.size(),
-                        walls.named ? "layers, classes and ids that are named for walls" : "any kind");
+          : fmt::format(
+                "its {} lines of {} enclose no floor of 12 m2 or more",
+                walls.segments.size(),
+                walls.named ? "layers, classes and ids that are named for walls" : "any kind");
   const char* remedy =
-      sketch.picture ? "draw the walls as dark lines that go all round the shop; gaps of doors may be "
-                       "0.5 to 8 m wide"
-                     : "close the walls all round the shop (gaps of doors may be 0.5 to 8 m wide), put "
-                       "them on a layer named WALL, and check --floor-plan-scale";
+      sketch.picture
+          ? "draw the walls as dark lines that go all round the shop; gaps of doors may be "
+            "0.5 to 8 m wide"
+          : "close the walls all round the shop (gaps of doors may be 0.5 to 8 m wide), put "
+            "them on a layer named WALL, and check --floor-plan-scale";
   return {"drawing.no_outline", where, seen + "; " + remedy};
 }
 
 }  // namespace
 
-Result<Found> recognise(const Sketch& sketch, const Tolerance& tolerance, const std::string& where) {
+Result<Found> recognise(const Sketch& sketch,
+                        const Tolerance& tolerance,
+                        const std::string& where) {
   Walls walls = walls_of(sketch, tolerance);
   if (walls.segments.size() > max_wall_segments)
-    return Error{"drawing.no_outline",
-                 where,
-                 fmt::format("{} lines might be walls; at most {} are looked at: put the walls on a "
-                             "layer (or in a group) named WALL",
-                             walls.segments.size(),
-                             max_wall_segments)};
+    return Error{
+        "drawing.no_outline",
+        where,
+        fmt::format("{} lines might be walls; at most {} are looked at: put the walls on a "
+                    "layer (or in a group) named WALL",
+                    walls.segments.size(),
+                    max_wall_segments)};
   MARKETGEN_CHECK(check_crossings(sketch, walls, where));
   bridge_gaps(walls, tolerance);
   std::vector<Polygon> lines;
@@ -116,7 +124,8 @@ Result<Found> recognise(const Sketch& sketch, const Tolerance& tolerance, const 
   found.outline = clean(floor->outline, tolerance.line_mm, found.warnings);
   if (found.outline.size() < 3) return no_outline(sketch, walls, where);
   if (sketch.picture)
-    found.outline = simplified(without_swings(found.outline, tolerance, walls.bridges), tolerance.line_mm);
+    found.outline =
+        simplified(without_swings(found.outline, tolerance, walls.bridges), tolerance.line_mm);
   note_rooms(faces, *floor, found.warnings);
   found.openings = openings_of(sketch, walls, found.outline, tolerance);
   found.columns = columns_of(sketch, found.outline, found.warnings);

@@ -94,7 +94,8 @@ PolygonMm polygon_mm(const Polygon& outline, const Bounds& box, double within_mm
     polygon.pop_back();
   for (std::size_t i = 0; i < polygon.size() && polygon.size() > 3;) {
     const std::size_t n = polygon.size();
-    const bool straight = marketgen::turn(polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]) == 0;
+    const bool straight =
+        marketgen::turn(polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]) == 0;
     if (straight)
       polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
     else
@@ -122,8 +123,8 @@ struct Placed {
   std::optional<OpeningKind> said;
 
   int width() const {
-    return static_cast<int>(std::lround(
-        std::hypot(drawn.to[0] - drawn.from[0], drawn.to[1] - drawn.from[1])));
+    return static_cast<int>(
+        std::lround(std::hypot(drawn.to[0] - drawn.from[0], drawn.to[1] - drawn.from[1])));
   }
 };
 
@@ -132,14 +133,22 @@ std::optional<OpeningKind> kind_said(const std::string& name) {
     std::string_view text;
     OpeningKind kind;
   };
-  constexpr Word words[] = {{"emergency", OpeningKind::emergency}, {"notausgang", OpeningKind::emergency},
-                            {"fire", OpeningKind::emergency},      {"安全出口", OpeningKind::emergency},
-                            {"消防", OpeningKind::emergency},      {"service", OpeningKind::service},
-                            {"delivery", OpeningKind::service},    {"dock", OpeningKind::service},
-                            {"anlieferung", OpeningKind::service}, {"卸货", OpeningKind::service},
-                            {"entrance", OpeningKind::entrance},   {"entry", OpeningKind::entrance},
-                            {"eingang", OpeningKind::entrance},    {"入口", OpeningKind::entrance},
-                            {"ausgang", OpeningKind::exit},        {"exit", OpeningKind::exit},
+  constexpr Word words[] = {{"emergency", OpeningKind::emergency},
+                            {"notausgang", OpeningKind::emergency},
+                            {"fire", OpeningKind::emergency},
+                            {"安全出口", OpeningKind::emergency},
+                            {"消防", OpeningKind::emergency},
+                            {"service", OpeningKind::service},
+                            {"delivery", OpeningKind::service},
+                            {"dock", OpeningKind::service},
+                            {"anlieferung", OpeningKind::service},
+                            {"卸货", OpeningKind::service},
+                            {"entrance", OpeningKind::entrance},
+                            {"entry", OpeningKind::entrance},
+                            {"eingang", OpeningKind::entrance},
+                            {"入口", OpeningKind::entrance},
+                            {"ausgang", OpeningKind::exit},
+                            {"exit", OpeningKind::exit},
                             {"出口", OpeningKind::exit}};
   const std::string lower = lower_ascii(name);
   for (const Word& word : words)
@@ -152,7 +161,10 @@ struct Side {
   plan::Wall wall;
   int from, to;
 };
-std::optional<Side> side_at(const PolygonMm& outline, const plan::Shell& shell, PointMm a, PointMm b) {
+std::optional<Side> side_at(const PolygonMm& outline,
+                            const plan::Shell& shell,
+                            PointMm a,
+                            PointMm b) {
   constexpr int near_mm = 60;
   struct Line {
     plan::Wall wall;
@@ -164,7 +176,8 @@ std::optional<Side> side_at(const PolygonMm& outline, const plan::Shell& shell, 
                         {plan::Wall::west, 0, 0},
                         {plan::Wall::east, 0, shell.width_mm}};
   for (const Line& line : lines) {
-    if (std::abs(a[line.across] - line.at) > near_mm || std::abs(b[line.across] - line.at) > near_mm)
+    if (std::abs(a[line.across] - line.at) > near_mm ||
+        std::abs(b[line.across] - line.at) > near_mm)
       continue;
     const std::size_t on = 1 - line.across;
     const int middle = (a[on] + b[on]) / 2;
@@ -210,9 +223,8 @@ void give_kinds(std::vector<Placed>& openings) {
     return first != second ? first : a->width() > b->width() + 50;
   });
   const auto first_of = [&](OpeningKind kind) -> Placed* {
-    const auto found = std::ranges::find_if(openings, [&](const Placed& one) {
-      return one.wall && one.said == kind && !one.window;
-    });
+    const auto found = std::ranges::find_if(
+        openings, [&](const Placed& one) { return one.wall && one.said == kind && !one.window; });
     return found == openings.end() ? nullptr : &*found;
   };
   Placed* entrance = first_of(OpeningKind::entrance);
@@ -236,7 +248,8 @@ void give_kinds(std::vector<Placed>& openings) {
 void add_openings(FloorPlan& floor, std::vector<Placed> openings) {
   constexpr std::size_t most = 40;
   give_kinds(openings);
-  std::ranges::stable_sort(openings, {}, [](const Placed& one) { return static_cast<int>(one.drawn.kind); });
+  std::ranges::stable_sort(
+      openings, {}, [](const Placed& one) { return static_cast<int>(one.drawn.kind); });
   std::map<OpeningKind, int> count;
   for (Placed& one : openings) {
     const std::string kind(name_of(one.drawn.kind));
@@ -277,12 +290,16 @@ void add_columns(FloorPlan& floor, const Found& found, const Affine& place) {
     if (!inside || (!outline.empty() && !marketgen::contains(outline, at))) continue;
     floor.shell.columns.push_back({at[0], at[1], size});
   }
-  std::ranges::sort(floor.shell.columns, {}, [](const plan::Column& c) { return std::pair{c.y_mm, c.x_mm}; });
+  std::ranges::sort(floor.shell.columns, {}, [](const plan::Column& c) {
+    return std::pair{c.y_mm, c.x_mm};
+  });
 }
 
 }  // namespace
 
-Result<FloorPlan> shell_of(const Found& found, const Tolerance& tolerance, const std::string& where) {
+Result<FloorPlan> shell_of(const Found& found,
+                           const Tolerance& tolerance,
+                           const std::string& where) {
   const double turned = main_direction(found.outline);
   const Affine turn_back = rotated(-turned);
   Polygon outline;
@@ -292,13 +309,14 @@ Result<FloorPlan> shell_of(const Found& found, const Tolerance& tolerance, const
   const Bounds box = bounds_of(outline);
   const double width = box.high.x - box.low.x, depth = box.high.y - box.low.y;
   if (std::min(width, depth) < least_side_mm || std::max(width, depth) > most_side_mm)
-    return Error{"drawing.no_scale",
-                 where,
-                 fmt::format("the floor would be {:.2f} x {:.2f} m; a shop is 4 to 200 m wide and deep. "
-                             "Say the scale with --floor-plan-scale: \"1 unit = 10 mm\", or \"1:100\" "
-                             "for a drawing on paper",
-                             width * 1e-3,
-                             depth * 1e-3)};
+    return Error{
+        "drawing.no_scale",
+        where,
+        fmt::format("the floor would be {:.2f} x {:.2f} m; a shop is 4 to 200 m wide and deep. "
+                    "Say the scale with --floor-plan-scale: \"1 unit = 10 mm\", or \"1:100\" "
+                    "for a drawing on paper",
+                    width * 1e-3,
+                    depth * 1e-3)};
   FloorPlan floor;
   floor.turned_deg = turned / degree;
   floor.warnings = found.warnings;

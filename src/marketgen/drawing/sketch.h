@@ -29,7 +29,7 @@ struct Arc {
 struct Stroke {
   std::vector<Vec2> points;
   bool closed = false;
-  double line_width = 0;   // as drawn on the floor; 0: a hairline
+  double line_width = 0;  // as drawn on the floor; 0: a hairline
   Role role = Role::unknown;
   std::optional<Arc> arc;  // the points are a flattened arc
   int symbol = -1;         // strokes of one inserted block or group have the same number

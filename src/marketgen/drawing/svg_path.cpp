@@ -16,7 +16,8 @@ class Scanner {
   explicit Scanner(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
 
   void skip_blanks() {
-    while (at_ != end_ && (*at_ == ' ' || *at_ == '\t' || *at_ == '\n' || *at_ == '\r' || *at_ == ','))
+    while (at_ != end_ &&
+           (*at_ == ' ' || *at_ == '\t' || *at_ == '\n' || *at_ == '\r' || *at_ == ','))
       ++at_;
   }
   bool done() {
@@ -182,10 +183,12 @@ class PathReader {
         if (const auto to = point(relative)) return line_to(*to), true;
         return false;
       case 'H':
-        if (const auto x = scan_.number()) return line_to({relative ? now_.x + *x : *x, now_.y}), true;
+        if (const auto x = scan_.number())
+          return line_to({relative ? now_.x + *x : *x, now_.y}), true;
         return false;
       case 'V':
-        if (const auto y = scan_.number()) return line_to({now_.x, relative ? now_.y + *y : *y}), true;
+        if (const auto y = scan_.number())
+          return line_to({now_.x, relative ? now_.y + *y : *y}), true;
         return false;
       case 'C':
       case 'S':
@@ -301,8 +304,14 @@ std::optional<Length> read_length(std::string_view text) {
     std::string_view name;
     double mm;
   };
-  constexpr std::array units = {Unit{"mm", 1}, Unit{"cm", 10}, Unit{"in", 25.4}, Unit{"m", 1000},
-                                Unit{"pt", 25.4 / 72}, Unit{"pc", 25.4 / 6}, Unit{"px", 0}, Unit{"", 0}};
+  constexpr std::array units = {Unit{"mm", 1},
+                                Unit{"cm", 10},
+                                Unit{"in", 25.4},
+                                Unit{"m", 1000},
+                                Unit{"pt", 25.4 / 72},
+                                Unit{"pc", 25.4 / 6},
+                                Unit{"px", 0},
+                                Unit{"", 0}};
   Scanner scan(text);
   const auto value = scan.number();
   if (!value || *value <= 0) return std::nullopt;

@@ -11,7 +11,7 @@ namespace marketgen::drawing {
 namespace {
 
 constexpr double wall_degree = std::numbers::pi / 180;
-constexpr double thick_line_mm = 40;  // thinner lines have no width on the floor
+constexpr double thick_line_mm = 40;     // thinner lines have no width on the floor
 constexpr double shortest_end_mm = 100;  // shorter pieces say nothing of a wall's direction
 const double straight_on = std::cos(3 * wall_degree);
 constexpr double largest_small_shape_mm = 2000, slimmest_small_shape = 4;
@@ -175,8 +175,8 @@ double distance(Vec2 p, const Segment& segment) {
 bool is_door_swing(const Stroke& stroke) {
   if (!stroke.arc) return false;
   const Arc& arc = *stroke.arc;
-  return arc.radius >= narrowest_opening_mm && arc.radius <= 2500 && arc.sweep >= 50 * wall_degree &&
-         arc.sweep <= 130 * wall_degree;
+  return arc.radius >= narrowest_opening_mm && arc.radius <= 2500 &&
+         arc.sweep >= 50 * wall_degree && arc.sweep <= 130 * wall_degree;
 }
 
 bool is_small_shape(const Stroke& stroke) {
@@ -187,7 +187,8 @@ bool is_small_shape(const Stroke& stroke) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   const double w = high.x - low.x, d = high.y - low.y;
-  return std::max(w, d) <= largest_small_shape_mm && std::max(w, d) <= slimmest_small_shape * std::min(w, d);
+  return std::max(w, d) <= largest_small_shape_mm &&
+         std::max(w, d) <= slimmest_small_shape * std::min(w, d);
 }
 
 Walls walls_of(const Sketch& sketch, const Tolerance& tolerance) {
@@ -200,7 +201,8 @@ Walls walls_of(const Sketch& sketch, const Tolerance& tolerance) {
       add_line(walls.segments, stroke.points, stroke.closed);
       continue;
     }
-    for (const std::vector<Vec2>& body : thick_line(stroke.points, stroke.closed, stroke.line_width))
+    for (const std::vector<Vec2>& body :
+         thick_line(stroke.points, stroke.closed, stroke.line_width))
       add_line(walls.segments, body, true);
   }
   if (walls.segments.size() <= max_wall_segments) {

@@ -24,8 +24,8 @@ struct Walls {
 
 // How far a line may be off: what the drawing is drawn to.
 struct Tolerance {
-  double join_mm = 20;   // ends this near meet
-  double line_mm = 10;   // corners less far off a line are none
+  double join_mm = 20;  // ends this near meet
+  double line_mm = 10;  // corners less far off a line are none
 };
 
 // Openings that a drawing may have.

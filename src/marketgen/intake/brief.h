@@ -28,7 +28,7 @@ struct Brief {
   std::optional<std::string> style;           // --style
   std::string planner = "offline";            // --planner
   std::optional<std::string> skin;            // --skin: the style whose look the store gets
-  std::optional<std::string> floor_plan;        // --floor-plan: SVG, DXF, PNG or JPEG
+  std::optional<std::string> floor_plan;      // --floor-plan: SVG, DXF, PNG or JPEG
   std::optional<std::string> floor_plan_scale;  // --floor-plan-scale
   std::optional<plan::Shell> shell;             // read from it (intake/drawn_shell.h); not saved
   double shell_confidence = 1;

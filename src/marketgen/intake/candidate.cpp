@@ -122,8 +122,8 @@ class DoorPlacer {
       std::ranges::rotate(candidate_.openings, candidate_.openings.end() - 1);
     }
     const plan::Opening& entrance = candidate_.openings.front();
-    candidate_.door_off_m = 1e-3 * std::abs(entrance.center - drafted_entrance) *
-                            wall_length(front_, candidate_.floor);
+    candidate_.door_off_m =
+        1e-3 * std::abs(entrance.center - drafted_entrance) * wall_length(front_, candidate_.floor);
     for (const plan::OpeningKind kind : {plan::OpeningKind::exit,
                                          plan::OpeningKind::service,
                                          plan::OpeningKind::emergency,
@@ -293,7 +293,8 @@ class DoorPlacer {
                                                        : gone.x0 == floor.x0;
       if (!at_wall) continue;
       const int away = corner_margin_mm + half_mm;
-      const auto [from, to] = runs_east(wall) ? std::pair{gone.x0, gone.x1} : std::pair{gone.y0, gone.y1};
+      const auto [from, to] =
+          runs_east(wall) ? std::pair{gone.x0, gone.x1} : std::pair{gone.y0, gone.y1};
       stretches.push_back({from - away, to + away});
     }
     std::ranges::sort(stretches);

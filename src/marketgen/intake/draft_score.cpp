@@ -22,8 +22,9 @@ constexpr double asked_area_tolerance = 0.1;
 constexpr double short_core_per_m = 8;  // gondola runs shorter than a few sections
 constexpr double aisle_missed = 12;     // each aisle more or less than asked for
 constexpr double min_run_mm = 3800;
-constexpr double tills_off_floor = 120, zone_off_floor = 40;  // altogether, on a floor that was drawn
-constexpr double door_off_per_m = 3;  // between the drafted entrance and the drawn one
+constexpr double tills_off_floor = 120,
+                 zone_off_floor = 40;  // altogether, on a floor that was drawn
+constexpr double door_off_per_m = 3;   // between the drafted entrance and the drawn one
 
 // Adjacency in shop design, in points: our own weights of what planners of shops advise.
 constexpr double produce_far_from_entrance = 7;  // over the diagonal

@@ -25,7 +25,9 @@ struct SaidSize {
 SaidSize said_size(const Brief& brief, const Understanding& found) {
   if (brief.size_mm) {
     const auto [width, depth] = *brief.size_mm;
-    return {static_cast<double>(width), static_cast<double>(depth), 0,
+    return {static_cast<double>(width),
+            static_cast<double>(depth),
+            0,
             "--size " + metres(width) + " x " + metres(depth) + " m"};
   }
   if (const plan::Requirement* size = found.find(Kind::size))
@@ -67,7 +69,8 @@ void stretch(plan::Shell& shell, std::array<double, 2> by) {
     column.x_mm = stretched(column.x_mm, by[0]);
     column.y_mm = stretched(column.y_mm, by[1]);
   }
-  for (plan::Opening& opening : shell.openings) {  // doors keep their width where the wall allows it
+  for (plan::Opening& opening :
+       shell.openings) {  // doors keep their width where the wall allows it
     constexpr int least_mm = 600;
     const bool along_x = opening.wall == plan::Wall::south || opening.wall == plan::Wall::north;
     const double least = std::min(1.0, along_x ? by[0] : by[1]);
@@ -79,12 +82,12 @@ void settle_size(const Brief& brief, plan::Shell& shell, Understanding& found) {
   const SaidSize said = said_size(brief, found);
   const std::array<double, 2> by = stretch_of(said, shell);
   if (std::abs(by[0] - 1) <= same_size && std::abs(by[1] - 1) <= same_size) return;
-  found.conflicts.push_back({"size",
-                             said.text,
-                             *brief.floor_plan + ": " + metres(shell.width_mm) + " x " +
-                                 metres(shell.depth_mm) + " m",
-                             brief.size_mm ? "a flag wins over a drawing; it is stretched"
-                                           : "words win over a drawing; it is stretched"});
+  found.conflicts.push_back(
+      {"size",
+       said.text,
+       *brief.floor_plan + ": " + metres(shell.width_mm) + " x " + metres(shell.depth_mm) + " m",
+       brief.size_mm ? "a flag wins over a drawing; it is stretched"
+                     : "words win over a drawing; it is stretched"});
   stretch(shell, by);
 }
 
@@ -94,7 +97,10 @@ auto first_of(plan::Shell& shell, plan::OpeningKind kind) {
 }
 
 // A door of this kind that is said to be in another wall.
-void settle_door(const Brief& brief, plan::Shell& shell, Understanding& found, plan::OpeningKind kind) {
+void settle_door(const Brief& brief,
+                 plan::Shell& shell,
+                 Understanding& found,
+                 plan::OpeningKind kind) {
   for (const plan::Requirement& wish : found.requirements) {
     if (wish.kind != Kind::opening || wish.subject != name_of(kind)) continue;
     const auto wall = value_named<plan::Wall>(wish.object);
@@ -103,12 +109,13 @@ void settle_door(const Brief& brief, plan::Shell& shell, Understanding& found, p
     const auto there = std::ranges::find_if(shell.openings, [&](const plan::Opening& other) {
       return other.wall == *wall && other.kind != plan::OpeningKind::window;
     });
-    found.conflicts.push_back({"opening " + wish.subject,
-                               wish.text,
-                               *brief.floor_plan + ": in the " + std::string(name_of(drawn->wall)) + " wall",
-                               there != shell.openings.end()
-                                   ? "words win over a drawing; it is another of the drawn doors"
-                                   : "words win over a drawing, which has no door in that wall"});
+    found.conflicts.push_back(
+        {"opening " + wish.subject,
+         wish.text,
+         *brief.floor_plan + ": in the " + std::string(name_of(drawn->wall)) + " wall",
+         there != shell.openings.end()
+             ? "words win over a drawing; it is another of the drawn doors"
+             : "words win over a drawing, which has no door in that wall"});
     if (there != shell.openings.end()) {
       std::swap(there->kind, drawn->kind);
       std::swap(there->id, drawn->id);
@@ -149,7 +156,8 @@ Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog) {
   }
   drawing::ReadOptions options;
   if (brief.floor_plan_scale) {
-    MARKETGEN_TRY(options.scale, drawing::parse_scale(*brief.floor_plan_scale, "--floor-plan-scale"));
+    MARKETGEN_TRY(options.scale,
+                  drawing::parse_scale(*brief.floor_plan_scale, "--floor-plan-scale"));
   }
   if (brief.size_mm) {
     options.width_mm = (*brief.size_mm)[0];
@@ -159,7 +167,8 @@ Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog) {
   const bool unscaled = !read.ok() && read.error().code == "drawing.no_scale" && !options.scale;
   if (unscaled && !brief.size_mm) {
     MARKETGEN_TRY(const drawing::ReadOptions said, size_in_words(brief, catalog));
-    if (said.width_mm > 0 || said.depth_mm > 0) read = drawing::read_floor_plan(*brief.floor_plan, said);
+    if (said.width_mm > 0 || said.depth_mm > 0)
+      read = drawing::read_floor_plan(*brief.floor_plan, said);
   }
   MARKETGEN_TRY(drawing::FloorPlan plan, std::move(read));
   drawn.warnings = std::move(plan.warnings);

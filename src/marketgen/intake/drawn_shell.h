@@ -13,7 +13,8 @@ struct Drawn {
   std::vector<std::string> warnings;  // of what was read, for a person
 };
 
-// Reads the brief's floor plan, if it has one that was not read yet. Where the drawing says no scale,
+// Reads the brief's floor plan, if it has one that was not read yet. Where the drawing says no
+// scale,
 // --size or a size in the words does. Errors: those of drawing::read_floor_plan, usage.bad_flag for
 // the scale.
 Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog);

@@ -69,8 +69,11 @@ class ProvenanceWriter {
     if (drawn.outline_mm) add_drawn("/shell/outline_mm");
     if (!drawn.columns.empty()) add_drawn("/shell/columns");
     for (std::size_t i = 0; i < plan_.shell.openings.size(); ++i) {
-      const auto same = [&](const plan::Opening& one) { return one.id == plan_.shell.openings[i].id; };
-      if (std::ranges::any_of(drawn.openings, same)) add_drawn("/shell/openings/" + std::to_string(i));
+      const auto same = [&](const plan::Opening& one) {
+        return one.id == plan_.shell.openings[i].id;
+      };
+      if (std::ranges::any_of(drawn.openings, same))
+        add_drawn("/shell/openings/" + std::to_string(i));
     }
   }
 

@@ -1,5 +1,5 @@
-// Floor plans with known truth, made by tests/floor_plans/make_floor_plans.py: how much of the floor
-// is found, how many openings and columns.
+// Floor plans with known truth, made by tests/floor_plans/make_floor_plans.py: how much of the
+// floor is found, how many openings and columns.
 //
 //   .venv/bin/python tests/floor_plans/make_floor_plans.py FOLDER
 //   MARKETGEN_FLOOR_PLANS=FOLDER build/release/tests/test_drawing --gtest_filter='FloorPlanSet.*'
@@ -40,7 +40,8 @@ void score_openings(Score& score, const json& truth, const drawing::FloorPlan& p
     const double x0 = one[0], y0 = one[1], x1 = one[2], y1 = one[3];
     const double width = apart(x0, y0, x1, y1);
     const auto found = std::ranges::find_if(left, [&](const drawing::DrawnOpening& o) {
-      const double middle = apart((x0 + x1) / 2, (y0 + y1) / 2, (o.from[0] + o.to[0]) / 2.0, (o.from[1] + o.to[1]) / 2.0);
+      const double middle = apart(
+          (x0 + x1) / 2, (y0 + y1) / 2, (o.from[0] + o.to[0]) / 2.0, (o.from[1] + o.to[1]) / 2.0);
       const double w = apart(o.from[0], o.from[1], o.to[0], o.to[1]);
       return middle <= near_mm && std::abs(w - width) <= std::max(200.0, 0.2 * width);
     });
@@ -89,7 +90,8 @@ Score score_of(const json& truth, const std::filesystem::path& folder) {
   for (const json& p : truth.at("outline"))
     known.push_back({p[0], p[1]});
   const plan::Shell& shell = plan->shell;
-  for (const PointMm& p : shell.outline_mm.value_or(polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm})))
+  for (const PointMm& p :
+       shell.outline_mm.value_or(polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm})))
     found.push_back({static_cast<double>(p[0]), static_cast<double>(p[1])});
   score.iou = drawing::overlap_share(known, found);
   constexpr double doubtful = 0.995;
@@ -109,14 +111,15 @@ Score score_of(const json& truth, const std::filesystem::path& folder) {
 std::filesystem::path drawings() {
   if (const char* folder = std::getenv("MARKETGEN_FLOOR_PLANS")) return folder;
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "floor_plans";
-  const auto made = io::run_program({io::worker_python(),
-                                     std::string(MARKETGEN_SOURCE_DIR) + "/tests/floor_plans/make_floor_plans.py",
-                                     folder.string(),
-                                     "--count",
-                                     "10",
-                                     "--seed",
-                                     "2"},
-                                    "");
+  const auto made =
+      io::run_program({io::worker_python(),
+                       std::string(MARKETGEN_SOURCE_DIR) + "/tests/floor_plans/make_floor_plans.py",
+                       folder.string(),
+                       "--count",
+                       "10",
+                       "--seed",
+                       "2"},
+                      "");
   EXPECT_TRUE(made.ok()) << (made.ok() ? "" : to_string(made.error()));
   return folder;
 }
@@ -130,8 +133,15 @@ TEST(FloorPlanSet, OutlinesOpeningsAndColumnsAreFound) {
   for (const json& truth : json::parse(*text)) {
     const Score one = score_of(truth, folder);
     fmt::print("{:8} IoU {:.4f}  openings {}/{} +{}  columns {}/{} +{}  {:.2f} s  {}\n",
-               truth.at("file").get<std::string>(), one.iou, one.openings_found, one.openings,
-               one.openings_too_many, one.columns_found, one.columns, one.columns_too_many, one.seconds,
+               truth.at("file").get<std::string>(),
+               one.iou,
+               one.openings_found,
+               one.openings,
+               one.openings_too_many,
+               one.columns_found,
+               one.columns,
+               one.columns_too_many,
+               one.seconds,
                truth.at("style").get<std::string>());
     shares.push_back(one.iou);
     seconds.push_back(one.seconds);
@@ -144,11 +154,21 @@ TEST(FloorPlanSet, OutlinesOpeningsAndColumnsAreFound) {
   }
   std::ranges::sort(shares);
   std::ranges::sort(seconds);
-  fmt::print("{} drawings: IoU median {:.4f}, worst {:.4f}; openings {}/{}, {} too many; columns {}/{}, {} too "
-             "many; seconds median {:.2f}, worst {:.2f}\n",
-             shares.size(), shares[shares.size() / 2], shares.front(), all.openings_found, all.openings,
-             all.openings_too_many, all.columns_found, all.columns, all.columns_too_many,
-             seconds[seconds.size() / 2], seconds.back());
+  fmt::print(
+      "{} drawings: IoU median {:.4f}, worst {:.4f}; openings {}/{}, {} too many; columns {}/{}, "
+      "{} too "
+      "many; seconds median {:.2f}, worst {:.2f}\n",
+      shares.size(),
+      shares[shares.size() / 2],
+      shares.front(),
+      all.openings_found,
+      all.openings,
+      all.openings_too_many,
+      all.columns_found,
+      all.columns,
+      all.columns_too_many,
+      seconds[seconds.size() / 2],
+      seconds.back());
   EXPECT_GE(shares.front(), 0.98);
   EXPECT_GE(all.openings_found, 0.95 * all.openings);
   EXPECT_GE(all.columns_found, 0.95 * all.columns);
