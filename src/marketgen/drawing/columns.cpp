@@ -60,6 +60,7 @@ std::vector<FoundColumn> columns_of(const Sketch& sketch,
   std::size_t in_walls = 0;
   for (const Stroke& stroke : sketch.strokes) {
     if (named && stroke.role != Role::column) continue;
+    if (columns.size() > 10 * most) break;
     const Shape shape = shape_of(stroke.points);
     if (!is_column(stroke, shape)) continue;
     if (!on_floor(outline, stroke.points)) {

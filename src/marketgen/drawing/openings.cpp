@@ -105,6 +105,16 @@ std::vector<Edge> edges_of(const Polygon& outline) {
   return edges;
 }
 
+// How much of the narrower one the two have in common.
+double common_share(const FoundOpening& a, const FoundOpening& b) {
+  if (a.edge != b.edge) return 0;
+  const double l = distance(a.from, a.to);
+  const Vec2 way = (a.to - a.from) * (1 / l);
+  const auto along = [&](Vec2 p) { return (p.x - a.from.x) * way.x + (p.y - a.from.y) * way.y; };
+  const double common = std::min(l, along(b.to)) - std::max(0.0, along(b.from));
+  return common / std::min(l, distance(b.from, b.to));
+}
+
 // The gap lies on the outline.
 void add_gap(std::vector<FoundOpening>& openings,
              const Bridge& bridge,
@@ -114,8 +124,12 @@ void add_gap(std::vector<FoundOpening>& openings,
   for (const Edge& edge : edges) {
     if (edge.away(bridge.from) > near || edge.away(bridge.to) > near) continue;
     const double a = edge.along(bridge.from), b = edge.along(bridge.to);
-    openings.push_back(
-        edge.opening(std::max(0.0, std::min(a, b)), std::min(edge.length, std::max(a, b))));
+    const FoundOpening gap =
+        edge.opening(std::max(0.0, std::min(a, b)), std::min(edge.length, std::max(a, b)));
+    if (distance(gap.from, gap.to) < narrowest_opening_mm) return;
+    const bool known = std::ranges::any_of(
+        openings, [&](const FoundOpening& one) { return common_share(one, gap) > same_opening; });
+    if (!known) openings.push_back(gap);
     return;
   }
 }
@@ -141,16 +155,6 @@ std::optional<FoundOpening> place_of(const Symbol& symbol, const std::vector<Edg
   return best;
 }
 
-// How much of the narrower one the two have in common.
-double common_share(const FoundOpening& a, const FoundOpening& b) {
-  if (a.edge != b.edge) return 0;
-  const double l = distance(a.from, a.to);
-  const Vec2 way = (a.to - a.from) * (1 / l);
-  const auto along = [&](Vec2 p) { return (p.x - a.from.x) * way.x + (p.y - a.from.y) * way.y; };
-  const double common = std::min(l, along(b.to)) - std::max(0.0, along(b.from));
-  return common / std::min(l, distance(b.from, b.to));
-}
-
 }  // namespace
 
 std::vector<FoundOpening> openings_of(const Sketch& sketch,
@@ -174,9 +178,6 @@ std::vector<FoundOpening> openings_of(const Sketch& sketch,
       same->role = drawn->role;
     }
   }
-  std::erase_if(openings, [](const FoundOpening& one) {
-    return distance(one.from, one.to) < narrowest_opening_mm;
-  });
   return openings;
 }
 

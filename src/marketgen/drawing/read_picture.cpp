@@ -16,6 +16,7 @@ namespace marketgen::drawing {
 namespace {
 
 constexpr int longest_side_px = 3000;  // larger pictures are read at this size
+constexpr double stub_px = 6;          // what is left of a thin line at a corner of a wall
 constexpr double specks_px = 12;       // ink of less area is dirt
 
 cv::Mat grey_of(const Image& image) {
@@ -148,7 +149,7 @@ class Tracer {
       Polygon polygon;
       for (const cv::Point2d& p : corners_of(contours[i], within_px))
         polygon.push_back({p.x + 0.5, -(p.y + 0.5)});
-      polygon = grown(polygon, hole ? -0.5 : 0.5);
+      polygon = sharpened(grown(polygon, hole ? -0.5 : 0.5), stub_px);
       if (polygon.size() >= 3) add(std::move(polygon), role);
     }
   }
@@ -220,7 +221,7 @@ Sketch sketch_of(const Image& image) {
   cv::distanceTransform(ink, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   const int half = half_thickness(depth, ink);
   Tracer tracer(px);
-  tracer.trace(half >= 2 ? thick_parts(ink, half) : ink, 1.6, Role::wall);
+  tracer.trace(half >= 3 ? thick_parts(ink, half) : ink, 1.6, Role::wall);
   tracer.trace_columns(ink, longer / 12);
   Sketch sketch;
   sketch.strokes = tracer.take();

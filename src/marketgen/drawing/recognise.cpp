@@ -79,6 +79,12 @@ Polygon clean(const Polygon& outline, double line_mm, std::vector<std::string>& 
 }
 
 Error no_outline(const Sketch& sketch, const Walls& walls, const std::string& where) {
+  if (sketch.picture)
+    return {"drawing.no_outline",
+            where,
+            "its dark lines enclose no floor of 12 m2 or more; draw the walls all round the shop "
+            "(gaps of "
+            "doors may be 0.5 to 8 m wide), and check --floor-plan-scale"};
   const std::string seen =
       walls.segments.empty()
           ? "there are no lines of walls in it"
@@ -86,13 +92,24 @@ Error no_outline(const Sketch& sketch, const Walls& walls, const std::string& wh
                 "its {} lines of {} enclose no floor of 12 m2 or more",
                 walls.segments.size(),
                 walls.named ? "layers, classes and ids that are named for walls" : "any kind");
-  const char* remedy =
-      sketch.picture
-          ? "draw the walls as dark lines that go all round the shop; gaps of doors may be "
-            "0.5 to 8 m wide"
-          : "close the walls all round the shop (gaps of doors may be 0.5 to 8 m wide), put "
-            "them on a layer named WALL, and check --floor-plan-scale";
-  return {"drawing.no_outline", where, seen + "; " + remedy};
+  return {"drawing.no_outline",
+          where,
+          seen +
+              "; close the walls all round the shop (gaps of doors may be 0.5 to 8 m wide), put "
+              "them on "
+              "a layer named WALL, and check --floor-plan-scale"};
+}
+
+Error too_many(const Sketch& sketch, const Walls& walls, const std::string& where) {
+  return {"drawing.no_outline",
+          where,
+          fmt::format("{} lines might be walls; at most {} are looked at: {}",
+                      walls.segments.size(),
+                      max_wall_segments,
+                      sketch.picture
+                          ? "is this the picture of a floor plan? Draw walls as dark lines on "
+                            "light ground"
+                          : "put the walls on a layer (or in a group) named WALL")};
 }
 
 }  // namespace
@@ -101,15 +118,8 @@ Result<Found> recognise(const Sketch& sketch,
                         const Tolerance& tolerance,
                         const std::string& where) {
   Walls walls = walls_of(sketch, tolerance);
-  if (walls.segments.size() > max_wall_segments)
-    return Error{
-        "drawing.no_outline",
-        where,
-        fmt::format("{} lines might be walls; at most {} are looked at: put the walls on a "
-                    "layer (or in a group) named WALL",
-                    walls.segments.size(),
-                    max_wall_segments)};
-  MARKETGEN_CHECK(check_crossings(sketch, walls, where));
+  if (walls.segments.size() > max_wall_segments) return too_many(sketch, walls, where);
+  if (!sketch.picture) MARKETGEN_CHECK(check_crossings(sketch, walls, where));
   bridge_gaps(walls, tolerance);
   std::vector<Polygon> lines;
   for (const Segment& segment : walls.segments)
@@ -123,9 +133,8 @@ Result<Found> recognise(const Sketch& sketch,
   found.walls_named = walls.named;
   found.outline = clean(floor->outline, tolerance.line_mm, found.warnings);
   if (found.outline.size() < 3) return no_outline(sketch, walls, where);
-  if (sketch.picture)
-    found.outline =
-        simplified(without_swings(found.outline, tolerance, walls.bridges), tolerance.line_mm);
+  if (sketch.picture) found.outline = without_swings(found.outline, tolerance, walls.bridges);
+  found.outline = simplified(without_recesses(found.outline, walls.bridges), tolerance.line_mm);
   note_rooms(faces, *floor, found.warnings);
   found.openings = openings_of(sketch, walls, found.outline, tolerance);
   found.columns = columns_of(sketch, found.outline, found.warnings);

@@ -34,6 +34,8 @@ struct Found {
 Result<Found> recognise(const Sketch& sketch, const Tolerance& tolerance, const std::string& where);
 
 // Steps of it.
+// Without the depth of the wall at gaps that are bridged at its outer face only.
+Polygon without_recesses(const Polygon& outline, std::vector<Bridge>& bridges);
 // Of a picture, where a door's leaf and swing are ink like the walls: the outline without them.
 // Each that is taken away becomes a bridge.
 Polygon without_swings(const Polygon& outline,

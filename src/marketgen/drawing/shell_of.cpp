@@ -251,14 +251,20 @@ void add_openings(FloorPlan& floor, std::vector<Placed> openings) {
   std::ranges::stable_sort(
       openings, {}, [](const Placed& one) { return static_cast<int>(one.drawn.kind); });
   std::map<OpeningKind, int> count;
+  std::vector<const Placed*> taken;
   for (Placed& one : openings) {
     const std::string kind(name_of(one.drawn.kind));
-    one.drawn.in_shell = one.wall.has_value() && floor.shell.openings.size() < most;
+    const bool free = std::ranges::none_of(taken, [&](const Placed* other) {
+      return other->wall == one.wall && one.begin < other->end && other->begin < one.end;
+    });
+    one.drawn.in_shell = one.wall.has_value() && free && taken.size() < most;
+    if (one.drawn.in_shell) taken.push_back(&one);
     floor.openings.push_back(one.drawn);
     if (!one.drawn.in_shell) {
       floor.warnings.push_back(fmt::format(
           "the {} {:.1f} m wide at x {:.1f}, y {:.1f} m is left out: a plan has openings in the "
-          "northern, southern, eastern and western side only, from 0.6 m on and at most {}",
+          "northern, southern, eastern and western side only, from 0.6 m on, side by side and at "
+          "most {}",
           one.window ? "window" : "door",
           one.width() * 1e-3,
           (one.drawn.from[0] + one.drawn.to[0]) * 5e-4,
@@ -323,6 +329,14 @@ Result<FloorPlan> shell_of(const Found& found,
   PolygonMm polygon = polygon_mm(outline, box, 2 * tolerance.line_mm);
   floor.shell.width_mm = rounded(box.high - box.low)[0];
   floor.shell.depth_mm = rounded(box.high - box.low)[1];
+  Polygon whole;
+  for (const PointMm& p : polygon)
+    whole.push_back({static_cast<double>(p[0]), static_cast<double>(p[1])});
+  if (polygon.size() < 4 || crossing_of(whole) != nullptr)
+    return Error{"drawing.bad_outline",
+                 where,
+                 "the floor has fewer than four corners or touches itself; draw walls that go "
+                 "round it once"};
   if (!is_rectangle(polygon)) floor.shell.outline_mm = polygon;
   const Affine place = moved(-box.low.x, -box.low.y) * turn_back;
   std::vector<Placed> openings;

@@ -54,7 +54,38 @@ class Ring {
   const Polygon& corners_;
 };
 
+// The corners from..from + 3 go round a gap in a thick wall, the far side of which is bridged.
+bool is_recess(const Ring& ring, std::size_t from, const std::vector<Bridge>& bridges) {
+  constexpr double near_mm = 120;
+  const Vec2 a = ring.at(from), b = ring.at(from + 1), c = ring.at(from + 2), d = ring.at(from + 3);
+  const double first = distance(a, b), second = distance(c, d);
+  if (std::max(first, second) > thickest_wall_mm || std::abs(first - second) > near_mm)
+    return false;
+  return std::ranges::any_of(bridges, [&](const Bridge& bridge) {
+    return (distance(bridge.from, b) < near_mm && distance(bridge.to, c) < near_mm) ||
+           (distance(bridge.from, c) < near_mm && distance(bridge.to, b) < near_mm);
+  });
+}
+
 }  // namespace
+
+Polygon without_recesses(const Polygon& outline, std::vector<Bridge>& bridges) {
+  Polygon left = outline;
+  for (std::size_t i = 0; i < left.size() && left.size() > 6; ++i) {
+    const Ring ring(left);
+    const std::size_t n = left.size();
+    const Vec2 u = ring.way(i + n - 1), v = ring.way(i + 3), gap = ring.at(i + 3) - ring.at(i);
+    const double across = std::abs(gap.x * u.y - gap.y * u.x);
+    if (u.x * v.x + u.y * v.y < in_line || across > 100 || !is_recess(ring, i, bridges)) continue;
+    bridges.push_back({ring.at(i), ring.at(i + 3)});
+    Polygon rest;
+    for (std::size_t m = i + 3; m <= i + n; ++m)
+      rest.push_back(ring.at(m));
+    left = std::move(rest);
+    i = 0;
+  }
+  return left;
+}
 
 Polygon without_swings(const Polygon& outline,
                        const Tolerance& tolerance,

@@ -196,7 +196,7 @@ Walls walls_of(const Sketch& sketch, const Tolerance& tolerance) {
   const Role role = role_of_walls(sketch);
   walls.named = role != Role::unknown;
   for (const Stroke& stroke : sketch.strokes) {
-    if (!is_wall(stroke, role)) continue;
+    if (!is_wall(stroke, role) || (sketch.picture && is_small_shape(stroke))) continue;
     if (stroke.line_width < thick_line_mm) {
       add_line(walls.segments, stroke.points, stroke.closed);
       continue;
