@@ -4,6 +4,7 @@
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog  tinyxml2::tinyxml2
 #   xsimd::xsimd  squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
 #   PNG::PNG  JPEG::JPEG  TinyEXR::TinyEXR  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
+#   polyclipping::polyclipping  OpenCV::Imgproc
 #   GTest::gtest  GTest::gtest_main  fcl::fcl (tests)
 #
 # All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI (cmake/FindMuJoCo.cmake). Whatever is missing is named at once, at the
@@ -67,6 +68,18 @@ marketgen_find_pkgconfig(libpango1.0-dev Cairo::Pango cairo pangocairo pangoft2)
 marketgen_find_pkgconfig(libfontconfig-dev Fontconfig::Fontconfig fontconfig)
 marketgen_find_pkgconfig(libutf8proc-dev utf8proc::utf8proc libutf8proc)
 marketgen_find_pkgconfig(libxxhash-dev xxHash::xxhash libxxhash)
+
+marketgen_find_pkgconfig(libpolyclipping-dev polyclipping::polyclipping polyclipping)
+
+# Debian's OpenCV asks, as one package, for every module; the program needs two.
+find_library(MARKETGEN_OPENCV_CORE opencv_core)
+find_library(MARKETGEN_OPENCV_IMGPROC opencv_imgproc)
+find_path(MARKETGEN_OPENCV_INCLUDE opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
+marketgen_need(libopencv-imgproc-dev MARKETGEN_OPENCV_CORE AND MARKETGEN_OPENCV_IMGPROC AND MARKETGEN_OPENCV_INCLUDE)
+add_library(OpenCV::Imgproc UNKNOWN IMPORTED)
+set_target_properties(OpenCV::Imgproc PROPERTIES
+  IMPORTED_LOCATION "${MARKETGEN_OPENCV_IMGPROC}" INTERFACE_INCLUDE_DIRECTORIES "${MARKETGEN_OPENCV_INCLUDE}"
+  INTERFACE_LINK_LIBRARIES "${MARKETGEN_OPENCV_CORE}")
 
 # Debian's libsquish.pc names folders that do not exist.
 find_library(MARKETGEN_SQUISH squish)

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "command.h"
+#include "intake/drawn_shell.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
@@ -17,7 +18,8 @@ namespace {
 struct GenerateFlags {
   CommonFlags common;
   std::vector<std::string> words;
-  std::string prompt_file, plan_file, size, profile, style, skin, planner = "offline", folder, record;
+  std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, skin,
+      planner = "offline", folder, record;
   std::vector<std::string> catalogs;
   planners::PlannerAccess planner_access;
   int count = 1;
@@ -51,6 +53,15 @@ Result<intake::Brief> brief_of(const GenerateFlags& flags) {
   if (!flags.plan_file.empty() && !brief.prompt.empty()) {
     return Error{"usage.bad_flag", "--plan", "a plan needs no prompt: it says everything itself"};
   }
+  if (!flags.plan_file.empty() && !flags.floor_plan.empty())
+    return Error{"usage.bad_flag",
+                 "--floor-plan",
+                 "a plan has its shell already: give one of --plan and --floor-plan"};
+  if (!flags.floor_plan_scale.empty() && flags.floor_plan.empty())
+    return Error{
+        "usage.bad_flag", "--floor-plan-scale", "there is no --floor-plan whose scale it would be"};
+  if (!flags.floor_plan.empty()) brief.floor_plan = flags.floor_plan;
+  if (!flags.floor_plan_scale.empty()) brief.floor_plan_scale = flags.floor_plan_scale;
   if (!flags.size.empty()) {
     MARKETGEN_TRY(brief.size_mm, intake::parse_size(flags.size, "--size"));
   }
@@ -192,9 +203,13 @@ Result<void> generate_one(const GenerateFlags& flags,
 
 Result<void> generate(const GenerateFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const intake::Brief brief, brief_of(flags));
+  MARKETGEN_TRY(intake::Brief asked, brief_of(flags));
   MARKETGEN_CHECK(probe_folders(flags));
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
+  MARKETGEN_TRY(const intake::Drawn drawn, intake::with_drawing(std::move(asked), catalog));
+  const intake::Brief& brief = drawn.brief;
+  for (const std::string& warning : drawn.warnings)
+    fmt::print(stderr, "warning: {}: {}\n", shown(flags.floor_plan), shown(warning));
   for (int variant = 0; variant < flags.count; ++variant)
     MARKETGEN_CHECK(generate_one(flags, brief, catalog, variant));
   return {};
@@ -231,6 +246,13 @@ Run add_generate(CLI::App& app) {
   command->add_option("--prompt-file", flags->prompt_file, "read the prompt from a file");
   command->add_option(
       "--plan", flags->plan_file, "start from a market-plan/1 file instead of a prompt");
+  command->add_option("--floor-plan",
+                      flags->floor_plan,
+                      "SVG, DXF, PNG or JPEG of the room: outline, doors and columns");
+  command->add_option(
+      "--floor-plan-scale",
+      flags->floor_plan_scale,
+      "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100");
   command->add_option("--size", flags->size, "size of the room, e.g. 24x15m");
   command->add_option("--profile",
                       flags->profile,

@@ -8,6 +8,7 @@
 #include "assets/usable_catalog.h"
 #include "binding.h"
 #include "intake/brief.h"
+#include "intake/drawn_shell.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/png.h"
@@ -39,6 +40,8 @@ StoreHandle generate(const std::string& prompt,
                      const std::optional<std::string>& profile,
                      const std::optional<std::string>& style,
                      const std::optional<std::string>& plan,
+                     const std::optional<std::string>& floor_plan,
+                     const std::optional<std::string>& floor_plan_scale,
                      const std::vector<std::string>& catalogs,
                      bool previews,
                      bool strict,
@@ -52,10 +55,18 @@ StoreHandle generate(const std::string& prompt,
   options.brief.planner = "offline";
   options.brief.profile = profile;
   options.brief.style = style;
+  options.brief.floor_plan = floor_plan;
+  options.brief.floor_plan_scale = floor_plan_scale;
   if (plan) options.plan_file = *plan;
   if (!size.empty()) options.brief.size_mm = value_or_raise(intake::parse_size(size, "size"));
   catalog::Catalog catalog =
       value_or_raise(assets::usable_catalog({catalogs.begin(), catalogs.end()}));
+  intake::Drawn drawn = value_or_raise(intake::with_drawing(options.brief, catalog));
+  options.brief = std::move(drawn.brief);
+  for (const std::string& warning : drawn.warnings) {
+    const std::string text = *floor_plan + ": " + warning;
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) < 0) throw nb::python_error();
+  }
   value_or_raise(telling(
       progress, [&](Progress& told) { return store::create_store(options, catalog, told); }));
   return opened(folder, std::move(catalog));

@@ -28,6 +28,10 @@ struct Brief {
   std::optional<std::string> style;           // --style
   std::string planner = "offline";            // --planner
   std::optional<std::string> skin;            // --skin: the style whose look the store gets
+  std::optional<std::string> floor_plan;      // --floor-plan: SVG, DXF, PNG or JPEG
+  std::optional<std::string> floor_plan_scale;  // --floor-plan-scale
+  std::optional<plan::Shell> shell;             // read from it (intake/drawn_shell.h); not saved
+  double shell_confidence = 1;
 
   static constexpr auto fields =
       field_list(field("prompt", &Brief::prompt, "the words", at_most_bytes(20000)),
@@ -36,7 +40,9 @@ struct Brief {
                  field("profile", &Brief::profile, "profile given by a flag"),
                  field("style", &Brief::style, "style given by a flag"),
                  field("planner", &Brief::planner, "who plans"),
-                 field("skin", &Brief::skin, "style that sets materials, colours and light only"));
+                 field("skin", &Brief::skin, "style that sets materials, colours and light only"),
+                 field("floor_plan", &Brief::floor_plan, "drawing of the shell"),
+                 field("floor_plan_scale", &Brief::floor_plan_scale, "scale given by a flag"));
 };
 
 struct UnparsedWord {

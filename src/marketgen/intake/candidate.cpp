@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace marketgen::intake {
 namespace {
 
+constexpr int entrance_door_mm = 1600;
 constexpr int service_door_mm = 1500;
 constexpr int emergency_door_mm = 1200;
 constexpr int window_mm = 2500;
@@ -99,10 +101,9 @@ class DoorPlacer {
       const double f = static_cast<double>(at_mm) / drafted.width_mm;
       return reversed ? 1 - f : f;
     };
-    place_door("entrance",
-               plan::OpeningKind::entrance,
-               fraction(drafted.entrance_mm),
-               drafted.entrance_width_mm);
+    const double entrance = fraction(drafted.entrance_mm);
+    if (take_drawn(entrance)) return;
+    place_door("entrance", plan::OpeningKind::entrance, entrance, drafted.entrance_width_mm);
     place_door("exit", plan::OpeningKind::exit, fraction(drafted.exit_mm), drafted.exit_width_mm);
     place_further(plan::OpeningKind::entrance, drafted.entrance_width_mm);
     place_further(plan::OpeningKind::exit, drafted.exit_width_mm);
@@ -112,6 +113,34 @@ class DoorPlacer {
   }
 
  private:
+  // The doors and windows of a floor plan, and those that the words ask for besides. False when it
+  // shows no way in: then all is placed as in a shop that nobody drew.
+  bool take_drawn(double drafted_entrance) {
+    if (!program_.shell || program_.shell->openings.empty()) return false;
+    candidate_.openings = program_.shell->openings;
+    if (candidate_.openings.front().kind != plan::OpeningKind::entrance) {
+      place_door("entrance", plan::OpeningKind::entrance, drafted_entrance, entrance_door_mm);
+      std::ranges::rotate(candidate_.openings, candidate_.openings.end() - 1);
+    }
+    const plan::Opening& entrance = candidate_.openings.front();
+    candidate_.door_off_m =
+        1e-3 * std::abs(entrance.center - drafted_entrance) * wall_length(front_, candidate_.floor);
+    for (const plan::OpeningKind kind : {plan::OpeningKind::exit,
+                                         plan::OpeningKind::service,
+                                         plan::OpeningKind::emergency,
+                                         plan::OpeningKind::window}) {
+      const auto drawn = [&](const plan::Opening& one) { return one.kind == kind; };
+      if (std::ranges::none_of(candidate_.openings, drawn)) place_wished(kind, width_of(kind));
+    }
+    return true;
+  }
+
+  static int width_of(plan::OpeningKind kind) {
+    if (kind == plan::OpeningKind::service) return service_door_mm;
+    if (kind == plan::OpeningKind::window) return window_mm;
+    return kind == plan::OpeningKind::emergency ? emergency_door_mm : entrance_door_mm;
+  }
+
   const plan::Requirement* wish_for(plan::OpeningKind kind) const {
     for (const plan::Requirement& wish : found_.requirements) {
       if (wish.kind == plan::RequirementKind::opening && wish.subject == name_of(kind))
@@ -140,11 +169,16 @@ class DoorPlacer {
   void place_door(const std::string& id, plan::OpeningKind kind, double center, int width_mm) {
     const plan::Wall wall =
         kind == plan::OpeningKind::exit ? wished_wall(kind).value_or(front_) : front_;
-    if (wall == front_) {
+    if (wall == front_ && program_.outside.empty()) {
       candidate_.openings.push_back(make_opening(id, kind, wall, center, width_mm));
       return;
     }
-    place_free(id, kind, wall, wished_center(kind).value_or(beside_tills(wall)), width_mm);
+    const std::size_t before = candidate_.openings.size();
+    const double wanted =
+        wished_center(kind).value_or(wall == front_ ? center : beside_tills(wall));
+    place_free(id, kind, wall, wanted, width_mm);
+    if (candidate_.openings.size() == before)  // every shop has its doors
+      candidate_.openings.push_back(make_opening(id, kind, wall, wanted, width_mm));
   }
 
   // The fraction along another wall at which the tills are nearest.
@@ -252,6 +286,18 @@ class DoorPlacer {
       const int away = other.width_mm / 2 + corner_margin_mm + half_mm;
       stretches.push_back({middle - away, middle + away});
     }
+    for (const RectMm& gone : program_.outside) {  // where there is no wall to be in
+      const RectMm& floor = candidate_.floor;
+      const bool at_wall = wall == plan::Wall::north   ? gone.y1 == floor.y1
+                           : wall == plan::Wall::south ? gone.y0 == floor.y0
+                           : wall == plan::Wall::east  ? gone.x1 == floor.x1
+                                                       : gone.x0 == floor.x0;
+      if (!at_wall) continue;
+      const int away = corner_margin_mm + half_mm;
+      const auto [from, to] =
+          runs_east(wall) ? std::pair{gone.x0, gone.x1} : std::pair{gone.y0, gone.y1};
+      stretches.push_back({from - away, to + away});
+    }
     std::ranges::sort(stretches);
     return stretches;
   }
@@ -292,6 +338,7 @@ class DoorPlacer {
 }  // namespace
 
 plan::Wall entrance_wall_of(const Understanding& found) {
+  if (found.drawn_front) return *found.drawn_front;
   for (const plan::Requirement& wish : found.requirements) {
     if (wish.kind != plan::RequirementKind::opening || wish.subject != "entrance") continue;
     if (const auto wall = value_named<plan::Wall>(wish.object)) return *wall;

@@ -16,6 +16,7 @@ struct Candidate {
   std::vector<RectMm> rects;            // by zone index
   std::vector<plan::Opening> openings;  // entrance and exit first
   DraftedFloor drafted;
+  double door_off_m = 0;  // of the drafted entrance from the one on the floor plan
 };
 
 // The wall that the entrance is to be in; south when nobody says.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "intake/relation_geometry.h"
 
@@ -21,6 +22,9 @@ constexpr double asked_area_tolerance = 0.1;
 constexpr double short_core_per_m = 8;  // gondola runs shorter than a few sections
 constexpr double aisle_missed = 12;     // each aisle more or less than asked for
 constexpr double min_run_mm = 3800;
+constexpr double tills_off_floor = 120,
+                 zone_off_floor = 40;  // altogether, on a floor that was drawn
+constexpr double door_off_per_m = 3;   // between the drafted entrance and the drawn one
 
 // Adjacency in shop design, in points: our own weights of what planners of shops advise.
 constexpr double produce_far_from_entrance = 7;  // over the diagonal
@@ -67,12 +71,23 @@ double wish_penalty(const Candidate& candidate,
     }
     if (wish.kind != plan::RequirementKind::opening || wish.second_object.empty()) continue;
     if (wish.subject != "entrance" && wish.subject != "exit") continue;
-    const plan::Opening& door = candidate.openings[wish.subject == "entrance" ? 0 : 1];
+    const std::size_t place = wish.subject == "entrance" ? 0 : 1;
+    if (place >= candidate.openings.size()) continue;  // a floor plan with one door
+    const plan::Opening& door = candidate.openings[place];
     const bool low_end = wish.second_object == "west" || wish.second_object == "south";
     const double wanted = wish.second_object == "center" ? 0.5 : (low_end ? 0.0 : 1.0);
     sum += weight * std::max(0.0, std::abs(door.center - wanted) - 0.35);
   }
   return sum;
+}
+
+// The share of a zone's rectangle that is no floor.
+double off_floor(const RectMm& rect, const StoreProgram& program) {
+  if (program.outside.empty() || rect.empty()) return 0;
+  std::int64_t gone = 0;
+  for (const RectMm& outside : program.outside)
+    if (const auto both = intersection(rect, outside)) gone += both->area_mm2();
+  return static_cast<double>(gone) / static_cast<double>(rect.area_mm2());
 }
 
 // Floor with its share of the aisles around it.
@@ -82,19 +97,22 @@ double area_with_aisles(const RectMm& rect, const RectMm& floor, int aisle_mm) {
 }
 
 double room_penalty(const Candidate& candidate, const ScoreInput& input) {
-  double sum =
-      crowding_per_m * candidate.drafted.crowding + waste_per_m2 * candidate.drafted.waste_m2;
+  double sum = crowding_per_m * candidate.drafted.crowding +
+               waste_per_m2 * candidate.drafted.waste_m2 + door_off_per_m * candidate.door_off_m;
   for (std::size_t i = 0; i < input.program.zones.size(); ++i) {
     const ProgramZone& zone = input.program.zones[i];
     const RectMm& rect = candidate.rects[i];
     if (rect.empty() || std::min(rect.width(), rect.depth()) < 1000) sum += unbuildable;
+    const double off = off_floor(rect, input.program);
+    sum += (zone.stance == Stance::front ? tills_off_floor : zone_off_floor) * off * off;
     if (is_type(zone, {"checkout", "self_checkout", "customer_service"})) continue;
     if (zone.wanted_m2) {
       const double off = std::abs(rect.area_m2() / *zone.wanted_m2 - 1);
       sum += asked_area_off * std::max(0.0, off - asked_area_tolerance);
       continue;
     }
-    const double area = area_with_aisles(rect, candidate.floor, candidate.drafted.run_aisle_mm);
+    const double area =
+        (1 - off) * area_with_aisles(rect, candidate.floor, candidate.drafted.run_aisle_mm);
     const double target = std::max(1.0, zone.target_m2);
     const double ratio = std::max(area / target, target / std::max(0.1, area));
     const bool stressed = zone.stressed && area < target;

@@ -5,6 +5,7 @@
 
 #include "intake/conflicts.h"
 #include "intake/draft_search.h"
+#include "intake/drawn_shell.h"
 #include "intake/limits.h"
 #include "intake/plan_writer.h"
 #include "intake/relation_geometry.h"
@@ -210,8 +211,10 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
   apply_flags(brief, found);
   const BeyondLimits beyond = keep_within_limits(found);
   Planned planned;
+  Brief settled = brief;
+  if (brief.shell) settled.shell = settled_shell(brief, found);
   MARKETGEN_TRY(StoreProgram program,
-                make_program(brief, found, catalog, concessions, planned.trace));
+                make_program(settled, found, catalog, concessions, planned.trace));
   keep_tills(found, program);
   if (concessions.plain) give_up_all_but_plain(program, found);
   while (program.zones.size() > std::max(min_zones, concessions.max_zones))
@@ -233,7 +236,8 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
   planned.requirements = as_asked(std::move(found.requirements), beyond);
   planned.unparsed = std::move(found.unparsed);
   planned.conflicts = std::move(found.conflicts);
-  planned.understood = found.understood;
+  const bool silent = brief.prompt.find_first_not_of(" \t\r\n\v\f") == std::string::npos;
+  planned.understood = found.understood || (silent && brief.shell);  // the drawing says it all
   trace_relations(planned, candidate, program, planned.trace);
   return planned;
 }

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "intake/brief.h"
+#include "intake/drawn_shell.h"
 #include "intake/store_size.h"
 
 namespace marketgen::intake {
@@ -60,7 +61,7 @@ Result<void> check_known(const std::vector<Row>& rows,
 }
 
 Result<void> check_brief(const Brief& brief, const catalog::Catalog& catalog) {
-  MARKETGEN_CHECK(check_prompt(brief.prompt));
+  if (!brief.floor_plan || !brief.prompt.empty()) MARKETGEN_CHECK(check_prompt(brief.prompt));
   if (!brief.image_files.empty()) {
     return Error{"usage.unavailable",
                  "--image " + brief.image_files[0],
@@ -81,7 +82,9 @@ Result<Planned> plan_from_brief(const Brief& brief,
                                 Seed seed,
                                 const Concessions& concessions) {
   MARKETGEN_CHECK(check_brief(brief, catalog));
-  MARKETGEN_TRY(Planned planned, planner.plan(brief, catalog, seed, concessions));
+  MARKETGEN_TRY(const Drawn drawn, with_drawing(brief, catalog));
+  MARKETGEN_TRY(Planned planned, planner.plan(drawn.brief, catalog, seed, concessions));
+  planned.trace.insert(planned.trace.begin(), drawn.warnings.begin(), drawn.warnings.end());
   MARKETGEN_CHECK(plan::validate_plan(planned.plan, "plan", catalog));
   return planned;
 }

@@ -17,6 +17,7 @@ class ProvenanceWriter {
 
   std::vector<plan::Provenance> run() {
     add_flags();
+    add_drawing();
     if (const auto& name = sources_.understanding.name) add("/name", name->span, said);
     for (const plan::Requirement& wish : sources_.understanding.requirements)
       add_wish(wish);
@@ -49,6 +50,31 @@ class ProvenanceWriter {
     }
     if (sources_.brief.profile) add_flag("/profile");
     if (sources_.brief.style) add_flag("/look");
+  }
+
+  void add_drawn(std::string path) {
+    plan::Provenance& entry = entries_.emplace_back();
+    entry.path = std::move(path);
+    entry.source = plan::Source::drawing;
+    entry.confidence = sources_.brief.shell_confidence;
+  }
+
+  // What a floor plan says, but for the size where somebody said another.
+  void add_drawing() {
+    if (!sources_.program.shell) return;
+    const plan::Shell& drawn = *sources_.program.shell;
+    const bool said = sources_.brief.size_mm || sources_.understanding.find(Kind::size) != nullptr;
+    if (!said) add_drawn("/shell/width_mm");
+    if (!said) add_drawn("/shell/depth_mm");
+    if (drawn.outline_mm) add_drawn("/shell/outline_mm");
+    if (!drawn.columns.empty()) add_drawn("/shell/columns");
+    for (std::size_t i = 0; i < plan_.shell.openings.size(); ++i) {
+      const auto same = [&](const plan::Opening& one) {
+        return one.id == plan_.shell.openings[i].id;
+      };
+      if (std::ranges::any_of(drawn.openings, same))
+        add_drawn("/shell/openings/" + std::to_string(i));
+    }
   }
 
   // An entry for `field` of each zone of the type; every zone when `type` is empty.

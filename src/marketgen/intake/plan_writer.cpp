@@ -14,7 +14,7 @@ namespace {
 constexpr int min_ceiling_mm = 2300, max_ceiling_mm = 12000;  // limits of Shell::ceiling_mm
 
 plan::Shell shell_of(const PlanSources& sources) {
-  plan::Shell shell;
+  plan::Shell shell = sources.program.shell.value_or(plan::Shell{});
   shell.width_mm = sources.program.width_mm;
   shell.depth_mm = sources.program.depth_mm;
   shell.ceiling_mm = sources.program.profile->ceiling_mm;

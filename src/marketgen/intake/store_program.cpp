@@ -5,6 +5,7 @@
 #include <map>
 
 #include "intake/store_size.h"
+#include "layout/floor.h"
 
 namespace marketgen::intake {
 namespace {
@@ -70,6 +71,7 @@ const plan::Requirement* area_wish(const Understanding& found, double& area_m2) 
 Result<std::array<int, 2>> size_of(const Brief& brief,
                                    const Understanding& found,
                                    const catalog::ProfileRow& profile) {
+  if (brief.shell) return std::array{brief.shell->width_mm, brief.shell->depth_mm};
   if (brief.size_mm) return *brief.size_mm;
   const double usual_m2 = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
   double area_m2 = 0;
@@ -334,6 +336,8 @@ Result<StoreProgram> make_program(const Brief& brief,
   MARKETGEN_TRY(const auto size, size_of(brief, found, *program.profile));
   program.width_mm = size[0];
   program.depth_mm = size[1];
+  program.shell = brief.shell;
+  if (brief.shell) program.outside = layout::make_floor(*brief.shell).outside;
   program.aisles = whole(found.find(Kind::aisle_count));
   program.aisle_mm = whole(found.find(Kind::aisle_width));
   if (program.aisle_mm)  // narrower ones are against the rules of any shop

@@ -36,11 +36,16 @@ struct StoreProgram {
   const catalog::ProfileRow* profile = nullptr;
   int width_mm = 0, depth_mm = 0;  // as built: east-west, north-south
   std::vector<ProgramZone> zones;
-  std::optional<int> aisles;    // aisles asked for
-  std::optional<int> aisle_mm;  // aisle width asked for
-  bool till_counter = false;    // no room for lanes
-  bool plain = false;           // no room for more than a till and ordinary shelves
-  double area_m2() const { return 1e-6 * width_mm * depth_mm; }
+  std::optional<int> aisles;         // aisles asked for
+  std::optional<int> aisle_mm;       // aisle width asked for
+  bool till_counter = false;         // no room for lanes
+  bool plain = false;                // no room for more than a till and ordinary shelves
+  std::optional<plan::Shell> shell;  // drawn
+  std::vector<RectMm> outside;       // what is no floor within its bounds
+  double area_m2() const {
+    if (shell && shell->outline_mm) return marketgen::area_m2(*shell->outline_mm);
+    return 1e-6 * width_mm * depth_mm;
+  }
 };
 
 // Decides what the understanding leaves open from the profile. Conflicts between flags and text are

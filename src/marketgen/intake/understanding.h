@@ -41,7 +41,8 @@ struct Understanding {
   double size_factor = 1;             // "small", "large": of the profile's usual floor area
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
-  bool understood = false;  // at least one word said something
+  bool understood = false;                // at least one word said something
+  std::optional<plan::Wall> drawn_front;  // the wall of the entrance on a floor plan
 
   // The first requirement of that kind (and subject), or null.
   const plan::Requirement* find(plan::RequirementKind kind) const;
