@@ -143,7 +143,7 @@ bool interpret_levels(Reading& reading, const Meaning& statement) {
   const Meaning& count = *statement.parts("count").front();
   plan::Requirement levels = reading.wish(Kind::levels, count.span);
   levels.subject = statement.text("zone");
-  add_number(reading, levels, count, true);
+  add_limit(reading, levels, &plan::Requirement::subject, count, true);
   mention_parts(reading, statement.parts("things"));
   for (const language::MeaningPtr& zone : statement.parts("mentions"))
     reading.add(Kind::zone_present, zone->span).subject = zone->text("value");
@@ -170,15 +170,29 @@ bool interpret_aisles(Reading& reading, const Meaning& statement) {
 }
 
 bool interpret_aisle_width(Reading& reading, const Meaning& statement) {
-  add_number(
-      reading, reading.wish(Kind::aisle_width, statement.span), measure_of(statement), false);
+  if (!reading.about.empty()) return false;  // an aisle runs past many zones
+  plan::Requirement width = reading.wish(Kind::aisle_width, statement.span);
+  width.except = reading.except;
+  add_number(reading, width, measure_of(statement), false);
   return true;
 }
 
 bool interpret_height(Reading& reading, const Meaning& statement) {
   plan::Requirement height = reading.wish(Kind::height, statement.span);
   height.subject = statement.text("of");
-  add_number(reading, height, measure_of(statement), false);
+  if (height.subject == "ceiling")
+    add_number(reading, height, measure_of(statement), false);
+  else
+    add_limit(reading, height, &plan::Requirement::object, measure_of(statement), false);
+  return true;
+}
+
+bool interpret_shelf_pitch(Reading& reading, const Meaning& statement) {
+  constexpr double closest_mm = 80, widest_mm = 1500;  // limits of FixtureSpec::spacing_mm
+  const Meaning measure = measure_of(statement);
+  if (measure.number("value") < closest_mm || measure.number("value") > widest_mm) return false;
+  plan::Requirement pitch = reading.wish(Kind::shelf_pitch, statement.span);
+  add_limit(reading, pitch, &plan::Requirement::subject, measure, false);
   return true;
 }
 

@@ -12,12 +12,26 @@ namespace {
 using Kind = plan::RequirementKind;
 
 constexpr std::string_view usual_profile = "supermarket-eu";
+constexpr std::string_view profile_without_tills = "checkout-free";  // when none was named
 constexpr double zones_in_any_store = 5;
 constexpr double further_zone_m2 = 36;  // of store for each zone more; smaller ones hold no run
 constexpr std::size_t max_zones = 22;   // of max_bsp_leaves
 constexpr double lanes_from_m2 = 70;    // smaller shops take money over a counter
 constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
 constexpr double checkout_zones_share = 0.09;    // tills take their own floor first
+
+// Neither lanes nor machines.
+bool wants_no_tills(const Understanding& found) {
+  const plan::Requirement* machines = found.find(Kind::fixture_count, "self_checkout");
+  const bool some = machines != nullptr && machines->comparison != plan::Comparison::at_most;
+  return found.find(Kind::zone_absent, "checkout") != nullptr && !some &&
+         found.find(Kind::zone_present, "self_checkout") == nullptr;
+}
+
+// Some kinds of shop have no tills, or can do without.
+bool may_lack_tills(const catalog::ProfileRow& profile) {
+  return profile.checkouts_per_100_m2 <= 0;
+}
 
 const catalog::ProfileRow& profile_of(const Brief& brief,
                                       const Understanding& found,
@@ -26,6 +40,7 @@ const catalog::ProfileRow& profile_of(const Brief& brief,
   const catalog::ProfileRow* row = nullptr;
   if (brief.profile) row = catalog.profile(*brief.profile);
   if (row == nullptr && wish != nullptr) row = catalog.profile(wish->object);
+  if (row == nullptr && wants_no_tills(found)) row = catalog.profile(profile_without_tills);
   if (row == nullptr) row = catalog.profile(usual_profile);
   return row != nullptr ? *row : catalog.profiles.front();
 }
@@ -171,7 +186,9 @@ NamedZones chosen_zones(const Understanding& found,
   NamedZones chosen = program.plain ? plain_zones(program, catalog) : named_zones(found, catalog);
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
                              chosen.count.contains("self_checkout");
-  if (!only_machines) chosen.add("checkout");
+  const bool none = may_lack_tills(*program.profile) && wants_no_tills(found);
+  const bool usual = std::ranges::find(program.profile->zones, "checkout") != program.profile->zones.end();
+  if (!only_machines && !none && usual) chosen.add("checkout");
   const auto wanted =
       static_cast<std::size_t>(zones_in_any_store + program.area_m2() / further_zone_m2);
   const std::size_t most = std::min(wanted, max_zones);
