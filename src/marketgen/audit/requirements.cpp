@@ -211,9 +211,8 @@ bool holds_for(const Facts& facts,
 // The shelves of a zone, or all gondolas.
 bool levels_count(const Facts& facts, const plan::Requirement& r, std::size_t i) {
   const layout::Fixture& fixture = facts.scene.layout.fixtures[i];
-  const bool meant = r.subject.empty()
-                         ? is_shelving(facts, fixture) && fixture.kind == "gondola"
-                         : facts.scene.fixtures[i].shelf_count > 0;
+  const bool meant = r.subject.empty() ? is_shelving(facts, fixture) && fixture.kind == "gondola"
+                                       : facts.scene.fixtures[i].shelf_count > 0;
   return meant && fixture.endcap_of.empty() && holds_for(facts, r, r.subject, fixture);
 }
 

@@ -228,7 +228,8 @@ class DoorPlacer {
     const auto wall_of = [&](const Spot& spot) { return spot.wall.value_or(usual); };
     for (std::size_t i = 0; i < spots.size(); ++i) {
       const auto same_wall = [&](const Spot& other) { return wall_of(other) == wall_of(spots[i]); };
-      const auto before = std::count_if(spots.begin(), spots.begin() + static_cast<std::ptrdiff_t>(i), same_wall);
+      const auto before =
+          std::count_if(spots.begin(), spots.begin() + static_cast<std::ptrdiff_t>(i), same_wall);
       const auto count = std::ranges::count_if(spots, same_wall);
       const double spread = (static_cast<double>(before) + 1) / (static_cast<double>(count) + 1);
       std::string id(name_of(kind));

@@ -58,6 +58,8 @@ struct StatementKind {
 };
 constexpr StatementKind statement_kinds[] = {
     {"floor", interpret_floor},
+    {"floor_of_last", interpret_floor_of_last},
+    {"floor_each", interpret_floor_each},
     {"side", interpret_side},
     {"profile", interpret_profile},
     {"shop", interpret_nothing},
@@ -68,6 +70,7 @@ constexpr StatementKind statement_kinds[] = {
     {"mention", interpret_mention},
     {"absent", interpret_absent},
     {"only", interpret_only},
+    {"only_named", interpret_only_named},
     {"doors", interpret_doors},
     {"held", interpret_held},
     {"placed", interpret_placed},
@@ -75,6 +78,7 @@ constexpr StatementKind statement_kinds[] = {
     {"correction", interpret_correction},
     {"levels", interpret_levels},
     {"shelf_pitch", interpret_shelf_pitch},
+    {"gap", interpret_gap},
     {"rows", interpret_rows},
     {"aisles", interpret_aisles},
     {"aisle_width", interpret_aisle_width},
@@ -127,7 +131,7 @@ void add_number(Reading& reading,
 
 void add_limit(Reading& reading,
                const plan::Requirement& wish,
-               std::string plan::Requirement::* zone,
+               std::string plan::Requirement::*zone,
                const Meaning& number,
                bool whole) {
   plan::Requirement limit = wish;

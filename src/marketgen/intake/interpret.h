@@ -32,7 +32,7 @@ struct Reading {
   plan::Strength strength = plan::Strength::must;  // of the clause
   Memory* memory = nullptr;                        // of the statements before
   std::vector<int> senseless = {};                 // words of a statement, part of which made sense
-  double profile_weight = 0;  // how specific the sentence's word for the kind of shop is
+  double profile_weight = 0;             // how specific the sentence's word for the kind of shop is
   std::vector<std::string> about = {};   // zone types that a limit is said of; none: of all
   std::vector<std::string> except = {};  // but of these
 
@@ -83,7 +83,7 @@ bool add_floor(Reading& reading,
 // Reading::about has, else of all but Reading::except.
 void add_limit(Reading& reading,
                const plan::Requirement& wish,
-               std::string plan::Requirement::* zone,
+               std::string plan::Requirement::*zone,
                const language::Meaning& number,
                bool whole);
 
@@ -97,9 +97,12 @@ void remember(const Reading& reading, const language::Parts& things);
 
 // By kind; each adds what it says.
 bool interpret_floor(Reading& reading, const language::Meaning& statement);
+bool interpret_floor_of_last(Reading& reading, const language::Meaning& statement);
+bool interpret_floor_each(Reading& reading, const language::Meaning& statement);
 bool interpret_side(Reading& reading, const language::Meaning& statement);
 bool interpret_levels(Reading& reading, const language::Meaning& statement);
 bool interpret_shelf_pitch(Reading& reading, const language::Meaning& statement);
+bool interpret_gap(Reading& reading, const language::Meaning& statement);
 bool interpret_limited(Reading& reading, const language::Meaning& statement);
 bool interpret_excepting(Reading& reading, const language::Meaning& statement);
 bool interpret_respectively(Reading& reading, const language::Meaning& statement);
@@ -113,6 +116,7 @@ bool interpret_height(Reading& reading, const language::Meaning& statement);
 bool interpret_mention(Reading& reading, const language::Meaning& statement);
 bool interpret_absent(Reading& reading, const language::Meaning& statement);
 bool interpret_only(Reading& reading, const language::Meaning& statement);
+bool interpret_only_named(Reading& reading, const language::Meaning& statement);
 bool interpret_doors(Reading& reading, const language::Meaning& statement);
 bool interpret_held(Reading& reading, const language::Meaning& statement);
 bool interpret_placed(Reading& reading, const language::Meaning& statement);

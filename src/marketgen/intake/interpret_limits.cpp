@@ -37,7 +37,7 @@ bool interpret_states(Reading& reading, const Parts& states, std::vector<std::st
 }
 
 // The field that holds a requirement's zone, of the kinds that a zone can have for itself.
-std::string plan::Requirement::* zone_field(Kind kind) {
+std::string plan::Requirement::*zone_field(Kind kind) {
   if (kind == Kind::levels || kind == Kind::shelf_pitch) return &plan::Requirement::subject;
   if (kind == Kind::height || kind == Kind::stock) return &plan::Requirement::object;
   return nullptr;
@@ -113,11 +113,12 @@ bool interpret_respectively(Reading& reading, const Meaning& statement) {
   for (std::size_t i = 0; i < things.size(); ++i) {
     const std::string& type = things[i]->text("zone");
     if (type.empty()) return false;
-    plan::Requirement wish = reading.wish(
-        statement.is("of", "area") ? Kind::area : Kind::levels, statement.span);
+    plan::Requirement wish =
+        reading.wish(statement.is("of", "area") ? Kind::area : Kind::levels, statement.span);
     wish.subject = type;
     Meaning number = *numbers[i];
-    if (statement.has("per")) number.slots["value"] = number.number("value") * statement.number("per");
+    if (statement.has("per"))
+      number.slots["value"] = number.number("value") * statement.number("per");
     add_number(reading, wish, number, true);
   }
   mention_zones(reading, things);
@@ -131,7 +132,7 @@ bool interpret_same_as(Reading& reading, const Meaning& statement) {
   if (zones.empty() || models.size() != 1) return false;
   std::vector<plan::Requirement> copies;
   for (const plan::Requirement& wish : reading.found.requirements) {
-    std::string plan::Requirement::* const field = zone_field(wish.kind);
+    std::string plan::Requirement::*const field = zone_field(wish.kind);
     const bool asked = !statement.has("of") || name_of(wish.kind) == statement.text("of");
     if (field == nullptr || wish.*field != models.front() || !asked) continue;
     for (const std::string& zone : zones) {

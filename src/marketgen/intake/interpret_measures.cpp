@@ -128,6 +128,26 @@ bool interpret_floor(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+// "And has 90 m2": what was named last, once the shop's own floor is known.
+bool interpret_floor_of_last(Reading& reading, const Meaning& statement) {
+  const std::vector<language::Parts>& recent = reading.memory->recent;
+  if (recent.empty() || recent.back().size() != 1) return false;
+  if (reading.first_sentence && !shop_is_measured(reading)) return false;
+  const Meaning& zone = *recent.back().front();
+  return !zone.text("zone").empty() &&
+         add_floor(reading, *statement.parts("floor").front(), &zone, false);
+}
+
+bool interpret_floor_each(Reading& reading, const Meaning& statement) {
+  bool any = false;
+  for (const language::MeaningPtr& zone : statement.parts("things")) {
+    if (zone->text("zone").empty()) continue;
+    any = add_floor(reading, *statement.parts("floor").front(), zone.get(), true) || any;
+    mention(reading, *zone);
+  }
+  return any;
+}
+
 bool interpret_side(Reading& reading, const Meaning& statement) {
   const Meaning& side = *statement.parts("side").front();
   const double value = side.number("value");
@@ -185,6 +205,14 @@ bool interpret_height(Reading& reading, const Meaning& statement) {
   else
     add_limit(reading, height, &plan::Requirement::object, measure_of(statement), false);
   return true;
+}
+
+// "1.1 m between them": shelves, or boards when people could not pass.
+bool interpret_gap(Reading& reading, const Meaning& statement) {
+  constexpr double narrowest_aisle_mm = 600;
+  if (measure_of(statement).number("value") < narrowest_aisle_mm)
+    return interpret_shelf_pitch(reading, statement);
+  return interpret_aisle_width(reading, statement);
 }
 
 bool interpret_shelf_pitch(Reading& reading, const Meaning& statement) {

@@ -108,12 +108,13 @@ bool sells(const catalog::Catalog& catalog, const catalog::ZoneTypeRow& row) {
          (kind != nullptr && kind->role == catalog::FixtureRole::shelving);
 }
 
-// Every zone type that sells something, and is none of theirs.
-void forbid_others(Reading& reading, const Parts& things, IntRange span) {
+// Every zone type that sells something, and is none of theirs; a shop that sells one thing only has
+// tills.
+void forbid_others(Reading& reading, const std::vector<std::string>& zones, IntRange span) {
   for (const catalog::ZoneTypeRow& row : reading.catalog.zone_types) {
-    const bool asked = std::ranges::any_of(
-        things, [&](const MeaningPtr& thing) { return thing->text("zone") == row.type; });
-    if (!asked && sells(reading.catalog, row))
+    const bool asked = std::ranges::find(zones, row.type) != zones.end();
+    const bool till = row.type == "checkout" || row.type == "self_checkout";
+    if (!asked && !till && sells(reading.catalog, row))
       reading.add(plan::RequirementKind::zone_absent, span).subject = row.type;
   }
 }
@@ -170,7 +171,20 @@ bool interpret_only(Reading& reading, const Meaning& statement) {
     const catalog::ZoneTypeRow* zone = reading.catalog.zone_type(thing->text("zone"));
     return !thing->is("type", "fixture") && zone != nullptr && sells(reading.catalog, *zone);
   });
-  if (goods) forbid_others(reading, things, statement.span);  // "one till only" is but a number
+  if (goods)
+    forbid_others(reading, zones_of(things), statement.span);  // "one till only" is but a number
+  return true;
+}
+
+// "No other category": none but those that were named before.
+bool interpret_only_named(Reading& reading, const Meaning& statement) {
+  std::vector<std::string> named;
+  for (const plan::Requirement& wish : reading.found.requirements) {
+    if (wish.kind == plan::RequirementKind::zone_present) named.push_back(wish.subject);
+    if (wish.kind == plan::RequirementKind::product_present) named.push_back(wish.object);
+  }
+  if (named.empty()) return false;
+  forbid_others(reading, named, statement.span);
   return true;
 }
 
@@ -229,7 +243,8 @@ bool add_place(Reading& reading, const Meaning& place, const Parts& things, bool
   }
   const Parts objects = resolved(reading, place.parts("objects"));
   if (objects.empty()) return false;
-  for (const MeaningPtr& object : objects) note_object(reading, object);
+  for (const MeaningPtr& object : objects)
+    note_object(reading, object);
   return add_relations(reading, relation, denied, nouns_of(things), nouns_of(objects));
 }
 
@@ -282,11 +297,9 @@ bool interpret_mutual(Reading& reading, const Meaning& statement) {
   std::vector<PlaceNoun> others = nouns_of(things);
   bool any = false;
   for (std::size_t i = 0; i + 1 < others.size(); ++i)
-    any = add_relation(reading,
-                       {statement.text("relation"),
-                        statement.has("denied"),
-                        others[i],
-                        {others[i + 1]}}) ||
+    any = add_relation(
+              reading,
+              {statement.text("relation"), statement.has("denied"), others[i], {others[i + 1]}}) ||
           any;
   return any;
 }

@@ -18,7 +18,7 @@ constexpr double min_area_share = 0.6;  // of the target
 constexpr double untidy_jitter = 0.5;   // from here on, items stand in wrong places too
 constexpr double untidy_misplaced = 0.03;
 constexpr double no_gap_from_fill = 0.99;  // "to the brim": nothing is sold out, either
-constexpr int usual_pitch_mm = 350;
+constexpr int canopy_mm = 160;             // of wall units, over the highest level's goods
 
 class ZoneWriter {
  public:
@@ -79,8 +79,9 @@ class ZoneWriter {
   void choose_gondola(plan::FixtureSpec& spec, const ProgramZone& zone, const RectMm& rect) const {
     const catalog::FixtureKind& kind = *zone.kind;
     const int usual = program_.profile->gondola_height_mm;
-    spec.height_mm = std::clamp(
-        wished_height(zone, usual).value_or(usual), kind.height_range_mm[0], kind.height_range_mm[1]);
+    spec.height_mm = std::clamp(wished_height(zone, usual).value_or(usual),
+                                kind.height_range_mm[0],
+                                kind.height_range_mm[1]);
     spec.levels = *spec.height_mm >= six_levels_from_mm ? 6 : 5;
     const int run = runs_along_y() ? rect.depth() : rect.width();
     spec.endcaps =
@@ -97,9 +98,7 @@ class ZoneWriter {
   using Wishes = std::vector<const plan::Requirement*>;
 
   // What is asked of a zone type: by name, or else of every zone that is not excepted.
-  Wishes wishes_of(Kind kind,
-                   std::string plan::Requirement::* zone,
-                   const std::string& type) const {
+  Wishes wishes_of(Kind kind, std::string plan::Requirement::*zone, const std::string& type) const {
     Wishes own, general;
     for (const plan::Requirement& wish : found_.requirements) {
       if (wish.kind != kind) continue;
@@ -154,33 +153,33 @@ class ZoneWriter {
     const Wishes wishes = shelf_wishes(Kind::levels, zone);
     if (wishes.empty() || zone.kind->level_range[1] < 2) return;
     const int usual = spec.levels.value_or(zone.kind->levels);
-    spec.levels = std::clamp(bounded(wishes, usual),
-                             std::max(1, zone.kind->level_range[0]),
-                             zone.kind->level_range[1]);
+    spec.levels = std::clamp(
+        bounded(wishes, usual), std::max(1, zone.kind->level_range[0]), zone.kind->level_range[1]);
   }
 
   // As many levels at that distance as were asked for, or as the height holds; a height that nobody
-  // asked for gives way to the levels.
+  // asked for gives way to the levels. Levels or a height that were asked for set the distance,
+  // too: then the shelves along the walls are built like the others (layout/module_spec.cpp).
   void choose_pitch(plan::FixtureSpec& spec, const ProgramZone& zone) const {
+    const catalog::FixtureKind& kind = *zone.kind;
+    const int height = spec.height_mm.value_or(kind.height_mm);
+    const int usual = spec.levels.value_or(kind.levels);
     const Wishes wishes = shelf_wishes(Kind::shelf_pitch, zone);
-    if (wishes.empty() || zone.kind->level_range[1] < 2) return;
-    constexpr int top_mm = 60;  // board and rail of the highest level
-    const int pitch = bounded(wishes, usual_pitch_mm);
-    const int height = spec.height_mm.value_or(zone.kind->height_mm);
     const bool levels_asked = !shelf_wishes(Kind::levels, zone).empty();
     const bool height_asked = wished_height(zone, height).has_value();
-    const auto height_for = [&](int levels) {
-      return zone.kind->base_mm + (levels - 1) * pitch + top_mm;
-    };
-    const int most = 1 + (zone.kind->height_range_mm[1] - zone.kind->base_mm - top_mm) / pitch;
-    const int within = 1 + (height - zone.kind->base_mm - top_mm) / pitch;
-    int levels = levels_asked ? spec.levels.value_or(zone.kind->levels) : within;
-    levels = std::min(levels, height_asked ? within : most);
-    levels = std::clamp(levels, zone.kind->level_range[0], zone.kind->level_range[1]);
-    if (height_for(levels) > zone.kind->height_range_mm[1]) return;  // no room for two of them
+    const bool asked = !wishes.empty() || (is_gondola(zone) && (levels_asked || height_asked));
+    if (!asked || kind.level_range[1] < 2 || usual < 2) return;
+    const int pitch = bounded(wishes, (height - kind.base_mm - canopy_mm) / usual);
+    const auto levels_in = [&](int mm) { return (mm - kind.base_mm - canopy_mm) / pitch; };
+    int levels = levels_asked || wishes.empty() ? usual : levels_in(height);
+    levels = std::min(levels, levels_in(height_asked ? height : kind.height_range_mm[1]));
+    levels = std::clamp(levels, kind.level_range[0], kind.level_range[1]);
+    const int needed = kind.base_mm + levels * pitch + canopy_mm;
+    constexpr int closest_mm = 80;  // of FixtureSpec::spacing_mm
+    if (needed > kind.height_range_mm[1] || pitch < closest_mm) return;  // no room for them
     spec.levels = levels;
     spec.spacing_mm = pitch;
-    spec.height_mm = std::max(height, height_for(levels));
+    spec.height_mm = std::max(height, needed);
   }
 
   plan::StockSpec stock_of(const std::string& type) const {

@@ -82,6 +82,17 @@ const plan::Requirement* area_wish(const Understanding& found, double& area_m2) 
   return first;
 }
 
+// The store that zones of the areas that were asked for leave room in for others.
+double floor_for_zones(const Understanding& found) {
+  constexpr double share_of_asked = 0.5;
+  double sum = 0;
+  for (const plan::Requirement& wish : found.requirements)
+    if (wish.kind == Kind::area && !wish.subject.empty() &&
+        wish.comparison != plan::Comparison::at_most)
+      sum += wish.value;
+  return sum / share_of_asked;
+}
+
 Result<std::array<int, 2>> size_of(const Brief& brief,
                                    const Understanding& found,
                                    const catalog::ProfileRow& profile) {
@@ -89,7 +100,7 @@ Result<std::array<int, 2>> size_of(const Brief& brief,
   const double usual_m2 = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
   double area_m2 = 0;
   const plan::Requirement* area = area_wish(found, area_m2);
-  if (area == nullptr) area_m2 = usual_m2 * found.size_factor;
+  if (area == nullptr) area_m2 = std::max(usual_m2 * found.size_factor, floor_for_zones(found));
   if (const plan::Requirement* size = found.find(Kind::size)) {
     // One side that was not said is what the area leaves.
     const auto other = [&](double side_mm) {
@@ -187,8 +198,10 @@ NamedZones chosen_zones(const Understanding& found,
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
                              chosen.count.contains("self_checkout");
   const bool none = may_lack_tills(*program.profile) && wants_no_tills(found);
-  const bool usual = std::ranges::find(program.profile->zones, "checkout") != program.profile->zones.end();
+  const bool usual =
+      std::ranges::find(program.profile->zones, "checkout") != program.profile->zones.end();
   if (!only_machines && !none && usual) chosen.add("checkout");
+  if (none || !usual) chosen.add("customer_service");  // a desk in the place of the tills
   const auto wanted =
       static_cast<std::size_t>(zones_in_any_store + program.area_m2() / further_zone_m2);
   const std::size_t most = std::min(wanted, max_zones);
