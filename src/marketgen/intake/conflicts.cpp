@@ -114,9 +114,11 @@ bool openings_clash(const plan::Requirement& a, const plan::Requirement& b) {
 
 // "No frozen food" and "eight chest freezers": what is wanted belongs to a zone that is not.
 bool belongs_to_absent(const plan::Requirement& absent, const plan::Requirement& wish) {
+  constexpr std::array<std::string_view, 3> own = {"frozen", "checkout", "self_checkout"};
   const bool goods = wish.kind == Kind::product_present;
   const bool fixtures = wish.kind == Kind::fixture_count &&
-                        wish.comparison != plan::Comparison::at_most && wish.value > 0;
+                        wish.comparison != plan::Comparison::at_most && wish.value > 0 &&
+                        std::ranges::find(own, wish.object) != own.end();  // shelves hold anything
   return absent.kind == Kind::zone_absent && (goods || fixtures) && wish.object == absent.subject;
 }
 

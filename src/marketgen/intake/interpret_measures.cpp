@@ -128,14 +128,15 @@ bool interpret_floor(Reading& reading, const Meaning& statement) {
   return true;
 }
 
-// "And has 90 m2": what was named last, once the shop's own floor is known.
+// "And has 90 m2": the zone that was named last, once the shop's own floor is known; else the shop.
 bool interpret_floor_of_last(Reading& reading, const Meaning& statement) {
   const std::vector<language::Parts>& recent = reading.memory->recent;
-  if (recent.empty() || recent.back().size() != 1) return false;
-  if (reading.first_sentence && !shop_is_measured(reading)) return false;
-  const Meaning& zone = *recent.back().front();
-  return !zone.text("zone").empty() &&
-         add_floor(reading, *statement.parts("floor").front(), &zone, false);
+  const bool one = !recent.empty() && recent.back().size() == 1;
+  const bool of_shop = !one || (reading.first_sentence && !shop_is_measured(reading));
+  const Meaning* zone = of_shop ? nullptr : recent.back().front().get();
+  if (zone == nullptr && floor_is_known(reading)) return false;
+  if (zone != nullptr && zone->text("zone").empty()) return false;
+  return add_floor(reading, *statement.parts("floor").front(), zone, false);
 }
 
 bool interpret_floor_each(Reading& reading, const Meaning& statement) {

@@ -71,7 +71,7 @@ bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
   std::optional<std::size_t> first;
   for (const MeaningPtr& place : places) {
     for (const MeaningPtr& spot : resolved(reading, place->parts("objects"))) {
-      note_object(reading, spot);
+      if (!first || spot->number("wall") != 0) note_object(reading, spot);
       const std::size_t made = wishes.size();
       add_relation(reading, {place->text("relation"), false, door, {noun_of(*spot)}});
       if (wishes.size() == made || wishes[made].kind != plan::RequirementKind::opening) continue;
@@ -102,7 +102,9 @@ bool add_relations(Reading& reading,
   return any;
 }
 
+// Sweets at the till do not make it a department.
 bool sells(const catalog::Catalog& catalog, const catalog::ZoneTypeRow& row) {
+  if (row.type == "checkout" || row.type == "self_checkout") return false;
   const catalog::FixtureKind* kind = catalog.fixture_kind(row.fixture);
   return !row.categories.empty() ||
          (kind != nullptr && kind->role == catalog::FixtureRole::shelving);
@@ -113,8 +115,7 @@ bool sells(const catalog::Catalog& catalog, const catalog::ZoneTypeRow& row) {
 void forbid_others(Reading& reading, const std::vector<std::string>& zones, IntRange span) {
   for (const catalog::ZoneTypeRow& row : reading.catalog.zone_types) {
     const bool asked = std::ranges::find(zones, row.type) != zones.end();
-    const bool till = row.type == "checkout" || row.type == "self_checkout";
-    if (!asked && !till && sells(reading.catalog, row))
+    if (!asked && sells(reading.catalog, row))
       reading.add(plan::RequirementKind::zone_absent, span).subject = row.type;
   }
 }
@@ -277,8 +278,11 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   if (things.empty()) return false;
   reading.memory->last_object = nullptr;
   bool any = mention_placed(reading, statement);
-  if (things.front()->is("type", "opening") && !denied)
-    return add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
+  if (things.front()->is("type", "opening") && !denied) {
+    any = add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
+    reading.memory->recent.push_back({things.front()});  // "the tills next to it"
+    return any;
+  }
   for (const MeaningPtr& place : statement.parts("at")) {
     if (add_place(reading, *place, things, denied))
       any = true;

@@ -166,7 +166,9 @@ NamedZones named_zones(const Understanding& found, const catalog::Catalog& catal
     if (wish.kind == Kind::zone_count) named.add(wish.subject, static_cast<int>(wish.value));
     if (wish.kind == Kind::area || wish.kind == Kind::levels) add_if_zone(wish.subject);
     if (wish.kind == Kind::product_present) named.add(wish.object);
-    if (wish.kind == Kind::fixture_count && !asks_for_none(wish)) add_if_zone(wish.object);
+    const bool refused = found.find(Kind::zone_absent, wish.object) != nullptr;
+    if (wish.kind == Kind::fixture_count && !asks_for_none(wish) && !refused)
+      add_if_zone(wish.object);
     if (!names_zone_in_relation(wish)) continue;
     for (const std::string* name : {&wish.subject, &wish.object, &wish.second_object}) {
       add_if_zone(*name);

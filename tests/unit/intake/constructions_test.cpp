@@ -49,6 +49,9 @@ const std::vector<ConstructionCase> cases = {
     {"the bakery is nearly empty", {"zone_present bakery", "stock fill bakery <=0.15"}},
     {"half the snacks are sold out", {"zone_present snacks", "stock out_of_stock snacks 0.5"}},
     {"a quarter of the bread is left", {"zone_present bakery", "stock fill bakery 0.25"}},
+    {"10 % of the products are missing", {"stock out_of_stock 0.1"}},
+    {"everything except the bakery should be full",
+     {"stock fill but bakery >=1", "zone_present bakery"}},
     {"nothing misplaced", {"stock misplaced <=0"}},
     {"a few things on the wrong shelf", {"stock misplaced >=0.02"}},
     {"The bakery is nearly empty. Everything else full.",
@@ -86,6 +89,8 @@ const std::vector<ConstructionCase> cases = {
       "relation along meat_fish north"}},
     {"bakery on the left and near the entrance",
      {"zone_present bakery", "relation at bakery west", "relation near bakery entrance"}},
+    {"The entrance on the east wall, with the checkouts next to it.",
+     {"opening entrance east", "zone_present checkout", "relation near checkout entrance"}},
     // ---- Openings ----
     {"two entrances, one west and one east",
      {"opening entrance 2", "opening entrance west 1", "opening entrance east 1"}},
