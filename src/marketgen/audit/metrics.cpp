@@ -37,6 +37,28 @@ int walkable_gaps(const std::vector<std::array<int, 2>>& stretches) {
 
 }  // namespace
 
+StockCount stock_on(const scene::Scene& scene, const std::vector<bool>& fixtures) {
+  StockCount count;
+  const auto counts = [&](const scene::SceneShelf& shelf) { return fixtures[shelf.fixture]; };
+  const auto shelf_of = [&](const scene::Facing& facing) -> const scene::SceneShelf& {
+    return scene.shelves[facing.shelf];
+  };
+  for (const scene::SceneShelf& shelf : scene.shelves)
+    if (counts(shelf)) count.front_m += shelf.width_m;
+  for (const scene::Facing& facing : scene.facings) {
+    if (!counts(shelf_of(facing))) continue;
+    ++count.blocks;
+    count.empty_blocks += facing.product_count == 0 ? 1 : 0;
+    count.stocked_m += facing.product_count > 0 ? facing.width_m : 0;
+  }
+  for (const scene::SceneProduct& product : scene.products) {
+    if (!counts(shelf_of(scene.facings[product.facing]))) continue;
+    ++count.items;
+    count.misplaced += (product.flags & scene::product_misplaced) != 0 ? 1 : 0;
+  }
+  return count;
+}
+
 double shelf_fill(const scene::Scene& scene) {
   double available = 0, occupied = 0;
   for (const scene::SceneShelf& shelf : scene.shelves)

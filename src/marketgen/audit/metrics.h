@@ -1,9 +1,20 @@
 // The smaller metrics of a store; docs/metrics.md defines them.
 #pragma once
+#include <cstddef>
+#include <vector>
+
 #include "catalog/catalog.h"
 #include "scene/scene.h"
 
 namespace marketgen::audit {
+
+// What stands on some of the fixtures.
+struct StockCount {
+  std::size_t items = 0, misplaced = 0, blocks = 0, empty_blocks = 0;
+  double front_m = 0, stocked_m = 0;  // width of their shelves, and of the blocks with goods
+};
+// `fixtures`: which ones count, by row of scene.fixtures.
+StockCount stock_on(const scene::Scene& scene, const std::vector<bool>& fixtures);
 
 // Width of the stocked blocks over the usable width of all shelves.
 double shelf_fill(const scene::Scene& scene);

@@ -198,27 +198,69 @@ bool is_shelving(const Facts& facts, const layout::Fixture& fixture) {
          kind->temperature == catalog::Storage::ambient && kind->level_range[1] >= several;
 }
 
-Verdict check_levels(const Facts& facts, const plan::Requirement& r) {
-  std::set<int> seen;
-  for (std::size_t i = 0; i < facts.scene.fixtures.size(); ++i) {
-    const layout::Fixture& fixture = facts.scene.layout.fixtures[i];
-    const bool counted =
-        r.subject.empty()
-            ? is_shelving(facts, fixture) && fixture.endcap_of.empty() && fixture.kind == "gondola"
-            : in_zone(facts, fixture, r.subject) && facts.scene.fixtures[i].shelf_count > 0 &&
-                  fixture.endcap_of.empty();
-    if (!counted) continue;
-    const scene::SceneFixture& row = facts.scene.fixtures[i];
-    int levels = 0;
-    for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s)
-      levels += facts.scene.shelves[s].side == 0 ? 1 : 0;
-    seen.insert(levels);
+// Whether what is asked of `zone` ("": of all but some) is asked of what stands there.
+bool holds_for(const Facts& facts,
+               const plan::Requirement& r,
+               const std::string& zone,
+               const layout::Fixture& fixture) {
+  return in_zone(facts, fixture, zone) &&
+         std::ranges::none_of(
+             r.except, [&](const std::string& name) { return in_zone(facts, fixture, name); });
+}
+
+// The shelves of a zone, or all gondolas.
+bool levels_count(const Facts& facts, const plan::Requirement& r, std::size_t i) {
+  const layout::Fixture& fixture = facts.scene.layout.fixtures[i];
+  const bool meant = r.subject.empty() ? is_shelving(facts, fixture) && fixture.kind == "gondola"
+                                       : facts.scene.fixtures[i].shelf_count > 0;
+  return meant && fixture.endcap_of.empty() && holds_for(facts, r, r.subject, fixture);
+}
+
+// Heights of the boards of one side over the floor, lowest first.
+std::vector<double> boards_mm(const Facts& facts, std::size_t i) {
+  const scene::SceneFixture& row = facts.scene.fixtures[i];
+  std::vector<double> heights;
+  for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s) {
+    if (facts.scene.shelves[s].side == 0)
+      heights.push_back(1e3 * static_cast<double>(facts.scene.shelves[s].position_m[2]));
   }
-  const bool met =
-      !seen.empty() && std::all_of(seen.begin(), seen.end(), [&](int n) { return compares(r, n); });
+  std::ranges::sort(heights);
+  return heights;
+}
+
+Verdict check_levels(const Facts& facts, const plan::Requirement& r) {
+  std::set<std::size_t> seen;
+  for (std::size_t i = 0; i < facts.scene.fixtures.size(); ++i) {
+    if (levels_count(facts, r, i)) seen.insert(boards_mm(facts, i).size());
+  }
+  const bool met = !seen.empty() && std::ranges::all_of(seen, [&](std::size_t n) {
+    return compares(r, static_cast<double>(n));
+  });
   return {met,
           fmt::format("shelves have {} levels; asked for {}{:g}",
                       fmt::join(seen, " or "),
+                      sign(r.comparison),
+                      r.value)};
+}
+
+Verdict check_shelf_pitch(const Facts& facts, const plan::Requirement& r) {
+  constexpr double tolerance_mm = 5;  // boards hang in slots
+  std::set<long> seen;                // whole millimetres
+  bool met = true;
+  for (std::size_t i = 0; i < facts.scene.fixtures.size(); ++i) {
+    if (!levels_count(facts, r, i)) continue;
+    const std::vector<double> heights = boards_mm(facts, i);
+    for (std::size_t k = 1; k < heights.size(); ++k) {
+      const double pitch = heights[k] - heights[k - 1];
+      met = met && compares(r, pitch, tolerance_mm);
+      seen.insert(std::lround(pitch));
+    }
+  }
+  if (seen.empty()) return {false, "there are no such shelves with several levels"};
+  return {met,
+          fmt::format("boards are {} to {} mm apart; asked for {}{:g} mm",
+                      *seen.begin(),
+                      *seen.rbegin(),
                       sign(r.comparison),
                       r.value)};
 }
@@ -333,7 +375,7 @@ Verdict check_height(const Facts& facts, const plan::Requirement& r) {
                                  facts.catalog.fixture_kind(r.subject) == nullptr
                              ? f.kind == "gondola"
                              : f.kind == r.subject;
-    if (!counted) continue;
+    if (!counted || !holds_for(facts, r, r.object, f)) continue;
     lowest = lowest == 0 ? f.height_mm : std::min<double>(lowest, f.height_mm);
     highest = std::max<double>(highest, f.height_mm);
   }
@@ -360,36 +402,42 @@ Verdict check_aisle_width(const Facts& facts, const plan::Requirement& r) {
   return number_verdict(at_least, narrowest, "narrowest aisle between shelves", " mm", 10);
 }
 
-// Disorder shows as items in the wrong place: some when it was asked for, no more than the share
-// that was allowed.
-Verdict check_order(const Facts& facts, const plan::Requirement& r) {
-  const auto& products = facts.scene.products;
-  const auto wrong =
-      std::count_if(products.begin(), products.end(), [](const scene::SceneProduct& p) {
-        return (p.flags & scene::product_misplaced) != 0;
-      });
-  const bool wanted = r.comparison == plan::Comparison::at_least ||
-                      (r.comparison == plan::Comparison::equal && r.value > 0);
-  const double most = r.value * static_cast<double>(products.size());
-  return {wanted ? wrong > 0 : static_cast<double>(wrong) <= most,
-          fmt::format("{} items stand in the wrong place", wrong)};
+// On the fixtures that the wish is about.
+StockCount stock_meant(const Facts& facts, const plan::Requirement& r) {
+  std::vector<bool> meant;
+  for (const layout::Fixture& fixture : facts.scene.layout.fixtures)
+    meant.push_back(holds_for(facts, r, r.object, fixture));
+  return stock_on(facts.scene, meant);
 }
 
-Verdict check_gaps(const Facts& facts, const plan::Requirement& r) {
-  const auto& facings = facts.scene.facings;
-  const auto empty = std::count_if(
-      facings.begin(), facings.end(), [](const scene::Facing& f) { return f.product_count == 0; });
+double share_of(double part, double whole) {
+  return whole > 0 ? part / whole : 0;
+}
+
+// Disorder shows as items in the wrong place: some when it was asked for, no more than the share
+// that was allowed.
+Verdict check_order(const plan::Requirement& r, const StockCount& count) {
+  const bool wanted = r.comparison == plan::Comparison::at_least ||
+                      (r.comparison == plan::Comparison::equal && r.value > 0);
+  const double most = r.value * static_cast<double>(count.items);
+  return {wanted ? count.misplaced > 0 : static_cast<double>(count.misplaced) <= most,
+          fmt::format("{} items stand in the wrong place", count.misplaced)};
+}
+
+Verdict check_gaps(const plan::Requirement& r, const StockCount& count) {
   const double share =
-      facings.empty() ? 0 : static_cast<double>(empty) / static_cast<double>(facings.size());
+      share_of(static_cast<double>(count.empty_blocks), static_cast<double>(count.blocks));
   const double tolerance = 0.01 + r.value / 4;  // which blocks are sold out is drawn by chance
   return {compares(r, share, tolerance),
           fmt::format("{:.0f} % of the facing blocks are sold out", 100 * share)};
 }
 
 Verdict check_stock(const Facts& facts, const plan::Requirement& r) {
-  if (r.subject == "misplaced" || r.subject == "jitter") return check_order(facts, r);
-  if (r.subject == "out_of_stock") return check_gaps(facts, r);
-  const double fill = shelf_fill(facts.scene);
+  const StockCount count = stock_meant(facts, r);
+  if (count.blocks == 0) return {false, "no goods stand there"};
+  if (r.subject == "misplaced" || r.subject == "jitter") return check_order(r, count);
+  if (r.subject == "out_of_stock") return check_gaps(r, count);
+  const double fill = share_of(count.stocked_m, count.front_m);
   constexpr double tolerance = 0.12;  // packs do not divide a shelf evenly
   return {compares(r, fill, tolerance),
           fmt::format("{:.0f} % of the shelf front is stocked", 100 * fill)};
@@ -448,6 +496,8 @@ Verdict verdict_of(const Facts& facts, const plan::Requirement& r) {
       return check_stock(facts, r);
     case plan::RequirementKind::light:
       return check_light(facts, r);
+    case plan::RequirementKind::shelf_pitch:
+      return check_shelf_pitch(facts, r);
   }
   return {false, "unknown kind of requirement"};
 }

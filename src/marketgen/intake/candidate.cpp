@@ -141,41 +141,54 @@ class DoorPlacer {
     return kind == plan::OpeningKind::emergency ? emergency_door_mm : entrance_door_mm;
   }
 
-  const plan::Requirement* wish_for(plan::OpeningKind kind) const {
-    for (const plan::Requirement& wish : found_.requirements) {
-      if (wish.kind == plan::RequirementKind::opening && wish.subject == name_of(kind))
-        return &wish;
-    }
-    return nullptr;
-  }
+  // Where one opening was asked for, as far as it was said.
+  struct Spot {
+    std::optional<plan::Wall> wall;
+    std::optional<double> center;  // along its wall
+  };
 
-  std::optional<plan::Wall> wished_wall(plan::OpeningKind kind) const {
-    const plan::Requirement* wish = wish_for(kind);
-    return wish != nullptr ? value_named<plan::Wall>(wish->object) : std::nullopt;
-  }
-
-  // Where along its wall a wish puts an opening.
-  std::optional<double> wished_center(plan::OpeningKind kind) const {
-    const plan::Requirement* wish = wish_for(kind);
-    if (wish == nullptr || wish->second_object.empty()) return std::nullopt;
+  // Where along a wall a wish puts an opening.
+  static std::optional<double> wished_center(const std::string& side) {
     constexpr double near_end = 0.15;
-    const std::string& side = wish->second_object;
+    if (side.empty()) return std::nullopt;
     if (side == "west" || side == "south") return near_end;
     if (side == "east" || side == "north") return 1 - near_end;
     return 0.5;
   }
 
+  // One for each opening that was asked for, those with a place first.
+  std::vector<Spot> spots_of(plan::OpeningKind kind) const {
+    std::vector<Spot> spots;
+    std::size_t wanted = 0;
+    for (const plan::Requirement& wish : found_.requirements) {
+      const bool none = wish.comparison == plan::Comparison::at_most;
+      if (wish.kind != plan::RequirementKind::opening || wish.subject != name_of(kind) || none)
+        continue;
+      const auto count = static_cast<std::size_t>(std::max(1.0, wish.value));
+      wanted = std::max(wanted, count);
+      if (wish.object.empty() && wish.second_object.empty()) continue;
+      const Spot spot{value_named<plan::Wall>(wish.object), wished_center(wish.second_object)};
+      const auto same = std::ranges::count_if(spots, [&](const Spot& other) {
+        return other.wall == spot.wall && other.center == spot.center;
+      });
+      for (auto made = static_cast<std::size_t>(same); made < count; ++made)
+        spots.push_back(spot);
+    }
+    spots.resize(std::max(spots.size(), wanted));
+    return spots;
+  }
+
   // Entrance and exit stand where the draft has them, unless the exit is to be in another wall.
   void place_door(const std::string& id, plan::OpeningKind kind, double center, int width_mm) {
-    const plan::Wall wall =
-        kind == plan::OpeningKind::exit ? wished_wall(kind).value_or(front_) : front_;
+    const std::vector<Spot> spots = spots_of(kind);
+    const Spot spot = spots.empty() ? Spot{} : spots.front();
+    const plan::Wall wall = kind == plan::OpeningKind::exit ? spot.wall.value_or(front_) : front_;
     if (wall == front_ && program_.outside.empty()) {
       candidate_.openings.push_back(make_opening(id, kind, wall, center, width_mm));
       return;
     }
     const std::size_t before = candidate_.openings.size();
-    const double wanted =
-        wished_center(kind).value_or(wall == front_ ? center : beside_tills(wall));
+    const double wanted = spot.center.value_or(wall == front_ ? center : beside_tills(wall));
     place_free(id, kind, wall, wanted, width_mm);
     if (candidate_.openings.size() == before)  // every shop has its doors
       candidate_.openings.push_back(make_opening(id, kind, wall, wanted, width_mm));
@@ -194,29 +207,28 @@ class DoorPlacer {
 
   // A second entrance or exit, and more.
   void place_further(plan::OpeningKind kind, int width_mm) {
-    double wanted = 0;
-    for (const plan::Requirement& wish : found_.requirements) {
-      const bool further = wish.kind == plan::RequirementKind::opening &&
-                           wish.subject == name_of(kind) &&
-                           wish.comparison != plan::Comparison::at_most;
-      if (further) wanted = std::max(wanted, wish.value);
-    }
-    for (int i = 2; i <= static_cast<int>(wanted); ++i) {
-      const std::string id = std::string(name_of(kind)) + "-" + std::to_string(i);
-      place_free(id, kind, front_, kind == plan::OpeningKind::entrance ? 0.08 : 0.92, width_mm);
-    }
+    const std::vector<Spot> spots = spots_of(kind);
+    const double usual = kind == plan::OpeningKind::entrance ? 0.08 : 0.92;
+    for (std::size_t i = 1; i < spots.size(); ++i)
+      place_free(std::string(name_of(kind)) + "-" + std::to_string(i + 1),
+                 kind,
+                 spots[i].wall.value_or(front_),
+                 spots[i].center.value_or(usual),
+                 width_mm);
   }
 
   void place_service() {
-    const plan::Requirement* wish = wish_for(plan::OpeningKind::service);
-    if (wish == nullptr && program_.area_m2() < service_door_from_m2) return;
+    std::vector<Spot> spots = spots_of(plan::OpeningKind::service);
+    if (spots.empty() && program_.area_m2() < service_door_from_m2) return;
+    if (spots.empty()) spots.emplace_back();
     const plan::Wall back = opposite(front_);
     const double fallback = behind_longest(back);
-    place_free("dock",
-               plan::OpeningKind::service,
-               wished_wall(plan::OpeningKind::service).value_or(back),
-               wished_center(plan::OpeningKind::service).value_or(fallback),
-               service_door_mm);
+    for (std::size_t i = 0; i < spots.size(); ++i)
+      place_free(i == 0 ? "dock" : "dock-" + std::to_string(i + 1),
+                 plan::OpeningKind::service,
+                 spots[i].wall.value_or(back),
+                 spots[i].center.value_or(fallback),
+                 service_door_mm);
   }
 
   // The fraction along a wall where a door costs least: at an end of the longest zone there, the
@@ -242,22 +254,20 @@ class DoorPlacer {
     return (low_corner_nearer ? best_from + half : best_to - half) / length;
   }
 
+  // Those without an end of their wall share the wall out among them.
   void place_wished(plan::OpeningKind kind, int width_mm) {
-    const plan::Requirement* wish = wish_for(kind);
-    const bool refused =
-        wish != nullptr && wish->comparison == plan::Comparison::at_most && wish->value == 0;
-    if (wish == nullptr || refused) return;
+    const std::vector<Spot> spots = spots_of(kind);
     const plan::Wall usual = kind == plan::OpeningKind::window ? front_ : opposite(front_);
-    const int count = std::max(1, static_cast<int>(wish->value));
-    for (int i = 0; i < count; ++i) {
-      const double spread = (i + 1.0) / (count + 1.0);
+    const auto wall_of = [&](const Spot& spot) { return spot.wall.value_or(usual); };
+    for (std::size_t i = 0; i < spots.size(); ++i) {
+      const auto same_wall = [&](const Spot& other) { return wall_of(other) == wall_of(spots[i]); };
+      const auto before =
+          std::count_if(spots.begin(), spots.begin() + static_cast<std::ptrdiff_t>(i), same_wall);
+      const auto count = std::ranges::count_if(spots, same_wall);
+      const double spread = (static_cast<double>(before) + 1) / (static_cast<double>(count) + 1);
       std::string id(name_of(kind));
       if (i > 0) id += "-" + std::to_string(i + 1);
-      place_free(id,
-                 kind,
-                 wished_wall(kind).value_or(usual),
-                 wished_center(kind).value_or(spread),
-                 width_mm);
+      place_free(id, kind, wall_of(spots[i]), spots[i].center.value_or(spread), width_mm);
     }
   }
 

@@ -20,7 +20,8 @@ bool is_number(Kind kind) {
                                 Kind::stock,
                                 Kind::light,
                                 Kind::endcaps,
-                                Kind::size};
+                                Kind::size,
+                                Kind::shelf_pitch};
   return std::ranges::find(kinds, kind) != kinds.end();
 }
 
@@ -101,12 +102,28 @@ bool openings_clash(const plan::Requirement& a, const plan::Requirement& b) {
     return !x.empty() && !y.empty() && x != y;
   };
   if (a.subject != b.subject) return false;
-  if (a.value > 0 && b.value > 0) return numbers_clash(a, b);
+  if (a.value > 0 && b.value > 0)
+    return a.object == b.object && a.second_object == b.second_object && numbers_clash(a, b);
+  const auto none = [](const plan::Requirement& wish) {
+    return wish.comparison == plan::Comparison::at_most && wish.value == 0;
+  };
+  if (none(a) != none(b)) return true;
   return a.value == 0 && b.value == 0 &&
          (differ(a.object, b.object) || differ(a.second_object, b.second_object));
 }
 
+// "No frozen food" and "eight chest freezers": what is wanted belongs to a zone that is not.
+bool belongs_to_absent(const plan::Requirement& absent, const plan::Requirement& wish) {
+  constexpr std::array<std::string_view, 3> own = {"frozen", "checkout", "self_checkout"};
+  const bool goods = wish.kind == Kind::product_present;
+  const bool fixtures = wish.kind == Kind::fixture_count &&
+                        wish.comparison != plan::Comparison::at_most && wish.value > 0 &&
+                        std::ranges::find(own, wish.object) != own.end();  // shelves hold anything
+  return absent.kind == Kind::zone_absent && (goods || fixtures) && wish.object == absent.subject;
+}
+
 bool clash(const plan::Requirement& a, const plan::Requirement& b) {
+  if (belongs_to_absent(a, b) || belongs_to_absent(b, a)) return true;
   if (a.kind == Kind::relation && b.kind == Kind::relation) return relations_clash(a, b);
   if (a.kind == Kind::size && b.kind == Kind::area) return floor_clashes(a, b);
   if (a.kind == Kind::area && b.kind == Kind::size) return floor_clashes(b, a);
@@ -117,13 +134,16 @@ bool clash(const plan::Requirement& a, const plan::Requirement& b) {
   if (a.kind != b.kind) return false;
   if (a.kind == Kind::opening) return openings_clash(a, b);
   if (is_choice(a.kind)) return a.subject == b.subject && a.object != b.object;
+  const bool of_a_zone = a.kind == Kind::height || a.kind == Kind::stock;  // its zone is the object
+  if (of_a_zone && a.object != b.object) return false;
   return is_number(a.kind) && a.subject == b.subject && numbers_clash(a, b);
 }
 
 bool same_wish(const plan::Requirement& a, const plan::Requirement& b) {
   return a.kind == b.kind && a.subject == b.subject && a.object == b.object &&
          a.second_object == b.second_object && a.relation == b.relation &&
-         a.comparison == b.comparison && a.value == b.value && a.second_value == b.second_value;
+         a.comparison == b.comparison && a.value == b.value && a.second_value == b.second_value &&
+         a.except == b.except;
 }
 
 // What the two wishes are about.

@@ -25,6 +25,8 @@ constexpr double min_run_mm = 3800;
 constexpr double tills_off_floor = 120,
                  zone_off_floor = 40;  // altogether, on a floor that was drawn
 constexpr double door_off_per_m = 3;   // between the drafted entrance and the drawn one
+// What people call the end and the middle of a wall, as shares of its length.
+constexpr double end_of_wall = 0.32, middle_of_wall = 0.1;
 
 // Adjacency in shop design, in points: our own weights of what planners of shops advise.
 constexpr double produce_far_from_entrance = 7;  // over the diagonal
@@ -74,9 +76,12 @@ double wish_penalty(const Candidate& candidate,
     const std::size_t place = wish.subject == "entrance" ? 0 : 1;
     if (place >= candidate.openings.size()) continue;  // a floor plan with one door
     const plan::Opening& door = candidate.openings[place];
+    if (!wish.object.empty() && wish.object != name_of(door.wall)) continue;  // of another one
     const bool low_end = wish.second_object == "west" || wish.second_object == "south";
-    const double wanted = wish.second_object == "center" ? 0.5 : (low_end ? 0.0 : 1.0);
-    sum += weight * std::max(0.0, std::abs(door.center - wanted) - 0.35);
+    const bool middle = wish.second_object == "center";
+    const double wanted = middle ? 0.5 : (low_end ? 0.0 : 1.0);
+    const double off = std::abs(door.center - wanted) - (middle ? middle_of_wall : end_of_wall);
+    if (off > 0) sum += weight * (1 + off);
   }
   return sum;
 }

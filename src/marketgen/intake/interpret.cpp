@@ -51,16 +51,6 @@ bool interpret_light(Reading& reading, const Meaning& said) {
   return true;
 }
 
-// Full shelves and gaps are floors, order is a ceiling; the row says which side its number is on.
-bool interpret_stock(Reading& reading, const Meaning& said) {
-  plan::Requirement& stock = reading.add(plan::RequirementKind::stock, said.span);
-  stock.subject = said.text("value");
-  stock.value = said.number("number");
-  stock.comparison =
-      value_named<plan::Comparison>(said.text("comparison")).value_or(plan::Comparison::equal);
-  return true;
-}
-
 using Interpreter = bool (*)(Reading&, const Meaning&);
 struct StatementKind {
   std::string_view name;
@@ -68,6 +58,8 @@ struct StatementKind {
 };
 constexpr StatementKind statement_kinds[] = {
     {"floor", interpret_floor},
+    {"floor_of_last", interpret_floor_of_last},
+    {"floor_each", interpret_floor_each},
     {"side", interpret_side},
     {"profile", interpret_profile},
     {"shop", interpret_nothing},
@@ -78,17 +70,27 @@ constexpr StatementKind statement_kinds[] = {
     {"mention", interpret_mention},
     {"absent", interpret_absent},
     {"only", interpret_only},
+    {"only_named", interpret_only_named},
     {"doors", interpret_doors},
     {"held", interpret_held},
     {"placed", interpret_placed},
+    {"mutual", interpret_mutual},
+    {"correction", interpret_correction},
     {"levels", interpret_levels},
+    {"shelf_pitch", interpret_shelf_pitch},
+    {"gap", interpret_gap},
     {"rows", interpret_rows},
     {"aisles", interpret_aisles},
     {"aisle_width", interpret_aisle_width},
     {"height", interpret_height},
+    {"limited", interpret_limited},
+    {"excepting", interpret_excepting},
+    {"respectively", interpret_respectively},
+    {"same_as", interpret_same_as},
     {"surface", interpret_surface},
     {"light", interpret_light},
     {"stock", interpret_stock},
+    {"stocks", interpret_stocks},
     {"swap", interpret_swap},
     {"resize", interpret_resize},
     {"more", interpret_more},
@@ -118,15 +120,42 @@ void add_number(Reading& reading,
                 const Meaning& number,
                 bool whole) {
   plan::Requirement made = wish;
-  made.value = number.number("value") + (whole ? number.number("shift") : 0);
+  const bool falls = number.has("upper") && number.number("upper") < number.number("value");
+  made.value = falls ? number.number("upper")  // "from 2 to 1.6 m"
+                     : number.number("value") + (whole ? number.number("shift") : 0);
   made.comparison =
       value_named<plan::Comparison>(number.text("comparison")).value_or(plan::Comparison::equal);
-  if (number.has("upper")) made.comparison = plan::Comparison::at_least;
+  const bool range = number.has("upper") && !falls;
+  if (range) made.comparison = plan::Comparison::at_least;
   reading.found.requirements.push_back(made);
-  if (!number.has("upper")) return;
+  if (!range) return;
   made.value = number.number("upper");
   made.comparison = plan::Comparison::at_most;
   reading.found.requirements.push_back(std::move(made));
+}
+
+void add_limit(Reading& reading,
+               const plan::Requirement& wish,
+               std::string plan::Requirement::*zone,
+               const Meaning& number,
+               bool whole) {
+  plan::Requirement limit = wish;
+  const bool of_all = (limit.*zone).empty() && reading.about.empty();
+  if (of_all) limit.except = reading.except;
+  if (of_all || !(limit.*zone).empty()) return add_number(reading, limit, number, whole);
+  for (const std::string& type : reading.about) {
+    limit.*zone = type;
+    add_number(reading, limit, number, whole);
+  }
+}
+
+std::vector<std::string> zones_of(const language::Parts& things) {
+  std::vector<std::string> zones;
+  for (const language::MeaningPtr& thing : things) {
+    const std::string& type = thing->text("zone");
+    if (!type.empty() && std::ranges::find(zones, type) == zones.end()) zones.push_back(type);
+  }
+  return zones;
 }
 
 }  // namespace marketgen::intake

@@ -2,6 +2,7 @@
 //
 // Each statement of data/grammar has a kind, and each kind one function here.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,16 @@
 
 namespace marketgen::intake {
 
+// What pronouns and corrections look back to.
+struct Memory {
+  std::vector<language::Parts> recent;  // things, statement by statement
+  language::MeaningPtr last_object;     // the thing that was named last, wherever it stood
+  language::MeaningPtr last_place;      // wall or side
+  // The last statement, as far as a correction may change it, and the wishes that it made.
+  language::MeaningPtr last;
+  std::size_t first_wish = 0, past_wish = 0;
+};
+
 // The sentence that is read, and what is understood so far.
 struct Reading {
   std::string_view prompt;
@@ -19,9 +30,11 @@ struct Reading {
   const std::vector<Segment>* segments = nullptr;  // of the sentence
   bool first_sentence = false;                     // what a prompt names first is what is asked for
   plan::Strength strength = plan::Strength::must;  // of the clause
-  std::vector<language::Parts>* recent = nullptr;  // things of the prompt, statement by statement
+  Memory* memory = nullptr;                        // of the statements before
   std::vector<int> senseless = {};                 // words of a statement, part of which made sense
-  double profile_weight = 0;  // how specific the sentence's word for the kind of shop is
+  double profile_weight = 0;             // how specific the sentence's word for the kind of shop is
+  std::vector<std::string> about = {};   // zone types that a limit is said of; none: of all
+  std::vector<std::string> except = {};  // but of these
 
   std::string words(IntRange span) const {
     return std::string(prompt.substr(static_cast<std::size_t>(span[0]),
@@ -66,10 +79,36 @@ bool add_floor(Reading& reading,
                const language::Meaning* zone,
                bool after);
 
+// Adds a number that is said of some zones: of its own (field `zone`), else of those that
+// Reading::about has, else of all but Reading::except.
+void add_limit(Reading& reading,
+               const plan::Requirement& wish,
+               std::string plan::Requirement::*zone,
+               const language::Meaning& number,
+               bool whole);
+
+// Zone types of things, each once.
+std::vector<std::string> zones_of(const language::Parts& things);
+
+// With what pronouns stand for in their place.
+language::Parts resolved(const Reading& reading, const language::Parts& nouns);
+// For the pronouns of what follows.
+void remember(const Reading& reading, const language::Parts& things);
+
 // By kind; each adds what it says.
 bool interpret_floor(Reading& reading, const language::Meaning& statement);
+bool interpret_floor_of_last(Reading& reading, const language::Meaning& statement);
+bool interpret_floor_each(Reading& reading, const language::Meaning& statement);
 bool interpret_side(Reading& reading, const language::Meaning& statement);
 bool interpret_levels(Reading& reading, const language::Meaning& statement);
+bool interpret_shelf_pitch(Reading& reading, const language::Meaning& statement);
+bool interpret_gap(Reading& reading, const language::Meaning& statement);
+bool interpret_limited(Reading& reading, const language::Meaning& statement);
+bool interpret_excepting(Reading& reading, const language::Meaning& statement);
+bool interpret_respectively(Reading& reading, const language::Meaning& statement);
+bool interpret_same_as(Reading& reading, const language::Meaning& statement);
+bool interpret_stock(Reading& reading, const language::Meaning& statement);
+bool interpret_stocks(Reading& reading, const language::Meaning& statement);
 bool interpret_rows(Reading& reading, const language::Meaning& statement);
 bool interpret_aisles(Reading& reading, const language::Meaning& statement);
 bool interpret_aisle_width(Reading& reading, const language::Meaning& statement);
@@ -77,9 +116,12 @@ bool interpret_height(Reading& reading, const language::Meaning& statement);
 bool interpret_mention(Reading& reading, const language::Meaning& statement);
 bool interpret_absent(Reading& reading, const language::Meaning& statement);
 bool interpret_only(Reading& reading, const language::Meaning& statement);
+bool interpret_only_named(Reading& reading, const language::Meaning& statement);
 bool interpret_doors(Reading& reading, const language::Meaning& statement);
 bool interpret_held(Reading& reading, const language::Meaning& statement);
 bool interpret_placed(Reading& reading, const language::Meaning& statement);
+bool interpret_mutual(Reading& reading, const language::Meaning& statement);
+bool interpret_correction(Reading& reading, const language::Meaning& statement);
 bool interpret_surface(Reading& reading, const language::Meaning& statement);
 // Of edits (data/grammar/edit.grammar).
 bool interpret_swap(Reading& reading, const language::Meaning& said);

@@ -128,6 +128,27 @@ bool interpret_floor(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+// "And has 90 m2": the zone that was named last, once the shop's own floor is known; else the shop.
+bool interpret_floor_of_last(Reading& reading, const Meaning& statement) {
+  const std::vector<language::Parts>& recent = reading.memory->recent;
+  const bool one = !recent.empty() && recent.back().size() == 1;
+  const bool of_shop = !one || (reading.first_sentence && !shop_is_measured(reading));
+  const Meaning* zone = of_shop ? nullptr : recent.back().front().get();
+  if (zone == nullptr && floor_is_known(reading)) return false;
+  if (zone != nullptr && zone->text("zone").empty()) return false;
+  return add_floor(reading, *statement.parts("floor").front(), zone, false);
+}
+
+bool interpret_floor_each(Reading& reading, const Meaning& statement) {
+  bool any = false;
+  for (const language::MeaningPtr& zone : statement.parts("things")) {
+    if (zone->text("zone").empty()) continue;
+    any = add_floor(reading, *statement.parts("floor").front(), zone.get(), true) || any;
+    mention(reading, *zone);
+  }
+  return any;
+}
+
 bool interpret_side(Reading& reading, const Meaning& statement) {
   const Meaning& side = *statement.parts("side").front();
   const double value = side.number("value");
@@ -143,7 +164,7 @@ bool interpret_levels(Reading& reading, const Meaning& statement) {
   const Meaning& count = *statement.parts("count").front();
   plan::Requirement levels = reading.wish(Kind::levels, count.span);
   levels.subject = statement.text("zone");
-  add_number(reading, levels, count, true);
+  add_limit(reading, levels, &plan::Requirement::subject, count, true);
   mention_parts(reading, statement.parts("things"));
   for (const language::MeaningPtr& zone : statement.parts("mentions"))
     reading.add(Kind::zone_present, zone->span).subject = zone->text("value");
@@ -170,15 +191,37 @@ bool interpret_aisles(Reading& reading, const Meaning& statement) {
 }
 
 bool interpret_aisle_width(Reading& reading, const Meaning& statement) {
-  add_number(
-      reading, reading.wish(Kind::aisle_width, statement.span), measure_of(statement), false);
+  if (!reading.about.empty()) return false;  // an aisle runs past many zones
+  plan::Requirement width = reading.wish(Kind::aisle_width, statement.span);
+  width.except = reading.except;
+  add_number(reading, width, measure_of(statement), false);
   return true;
 }
 
 bool interpret_height(Reading& reading, const Meaning& statement) {
   plan::Requirement height = reading.wish(Kind::height, statement.span);
   height.subject = statement.text("of");
-  add_number(reading, height, measure_of(statement), false);
+  if (height.subject == "ceiling")
+    add_number(reading, height, measure_of(statement), false);
+  else
+    add_limit(reading, height, &plan::Requirement::object, measure_of(statement), false);
+  return true;
+}
+
+// "1.1 m between them": shelves, or boards when people could not pass.
+bool interpret_gap(Reading& reading, const Meaning& statement) {
+  constexpr double narrowest_aisle_mm = 600;
+  if (measure_of(statement).number("value") < narrowest_aisle_mm)
+    return interpret_shelf_pitch(reading, statement);
+  return interpret_aisle_width(reading, statement);
+}
+
+bool interpret_shelf_pitch(Reading& reading, const Meaning& statement) {
+  constexpr double closest_mm = 80, widest_mm = 1500;  // limits of FixtureSpec::spacing_mm
+  const Meaning measure = measure_of(statement);
+  if (measure.number("value") < closest_mm || measure.number("value") > widest_mm) return false;
+  plan::Requirement pitch = reading.wish(Kind::shelf_pitch, statement.span);
+  add_limit(reading, pitch, &plan::Requirement::subject, measure, false);
   return true;
 }
 

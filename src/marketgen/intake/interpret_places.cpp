@@ -10,14 +10,30 @@ using language::Meaning;
 using language::MeaningPtr;
 using language::Parts;
 
+bool is_thing(const Meaning& noun) {
+  return !noun.is("type", "opening") && !noun.is("type", "place") && !noun.is("type", "pronoun");
+}
+
+// The n-th of the last list that has so many, counted from 1.
+Parts nth_of_list(const std::vector<Parts>& recent, std::size_t n) {
+  for (std::size_t i = recent.size(); i-- > 0;)
+    if (recent[i].size() >= std::max<std::size_t>(n, 2)) return {recent[i][n - 1]};
+  return {};
+}
+
 // "it" is what was named last, "them" all that were named in one, "both" the last two, "the former"
-// and "the latter" either of them.
+// and "the latter" either of them, "the second" one of a list, "which" the last thing of all.
 Parts referred(const Reading& reading, const Meaning& pronoun) {
   const std::string& refers = pronoun.text("refers");
-  if (reading.recent->empty()) return {};
-  if (refers == "them") return reading.recent->back();
+  const Memory& memory = *reading.memory;
+  if (refers == "which") return memory.last_object ? Parts{memory.last_object} : Parts{};
+  if (refers == "wall") return memory.last_place ? Parts{memory.last_place} : Parts{};
+  if (memory.recent.empty()) return {};
+  if (refers == "them") return memory.recent.back();
+  if (refers == "nth")
+    return nth_of_list(memory.recent, static_cast<std::size_t>(pronoun.number("number", 1)));
   Parts recent;
-  for (const Parts& things : *reading.recent)
+  for (const Parts& things : memory.recent)
     recent.insert(recent.end(), things.begin(), things.end());
   if (refers == "last" || refers == "latter") return {recent.back()};
   if (recent.size() < 2) return {};
@@ -25,38 +41,16 @@ Parts referred(const Reading& reading, const Meaning& pronoun) {
   return refers == "former" ? Parts{former} : Parts{former, recent.back()};
 }
 
-// With what pronouns stand for in their place.
-Parts resolved(const Reading& reading, const Parts& nouns) {
-  Parts found;
-  for (const MeaningPtr& noun : nouns) {
-    const bool pronoun = noun->is("type", "pronoun");
-    if (!pronoun) found.push_back(noun);
-    for (const MeaningPtr& named : pronoun ? referred(reading, *noun) : Parts{}) {
-      auto said = std::make_shared<Meaning>(*named);
-      said->span = noun->span;
-      found.push_back(std::move(said));
-    }
-  }
-  return found;
-}
-
-bool is_thing(const Meaning& noun) {
-  return !noun.is("type", "opening") && !noun.is("type", "place") && !noun.is("type", "pronoun");
-}
-
-// For the pronouns of what follows.
-void remember(const Reading& reading, const Parts& things) {
-  Parts named;
-  std::ranges::copy_if(
-      things, std::back_inserter(named), [](const MeaningPtr& thing) { return is_thing(*thing); });
-  if (!named.empty()) reading.recent->push_back(std::move(named));
-}
-
 std::vector<PlaceNoun> nouns_of(const Parts& parts) {
   std::vector<PlaceNoun> nouns;
   for (const MeaningPtr& part : parts)
     nouns.push_back(noun_of(*part));
   return nouns;
+}
+
+void note_object(const Reading& reading, const MeaningPtr& object) {
+  if (is_thing(*object)) reading.memory->last_object = object;
+  if (object->is("type", "place")) reading.memory->last_place = object;
 }
 
 // A wall and an end of it are one place. False when both say the same thing differently.
@@ -76,7 +70,8 @@ bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
   std::vector<plan::Requirement>& wishes = reading.found.requirements;
   std::optional<std::size_t> first;
   for (const MeaningPtr& place : places) {
-    for (const MeaningPtr& spot : place->parts("objects")) {
+    for (const MeaningPtr& spot : resolved(reading, place->parts("objects"))) {
+      if (!first || spot->number("wall") != 0) note_object(reading, spot);
       const std::size_t made = wishes.size();
       add_relation(reading, {place->text("relation"), false, door, {noun_of(*spot)}});
       if (wishes.size() == made || wishes[made].kind != plan::RequirementKind::opening) continue;
@@ -107,23 +102,49 @@ bool add_relations(Reading& reading,
   return any;
 }
 
+// Sweets at the till do not make it a department.
 bool sells(const catalog::Catalog& catalog, const catalog::ZoneTypeRow& row) {
+  if (row.type == "checkout" || row.type == "self_checkout") return false;
   const catalog::FixtureKind* kind = catalog.fixture_kind(row.fixture);
   return !row.categories.empty() ||
          (kind != nullptr && kind->role == catalog::FixtureRole::shelving);
 }
 
-// Every zone type that sells something, and is none of theirs.
-void forbid_others(Reading& reading, const Parts& things, IntRange span) {
+// Every zone type that sells something, and is none of theirs; a shop that sells one thing only has
+// tills.
+void forbid_others(Reading& reading, const std::vector<std::string>& zones, IntRange span) {
   for (const catalog::ZoneTypeRow& row : reading.catalog.zone_types) {
-    const bool asked = std::ranges::any_of(
-        things, [&](const MeaningPtr& thing) { return thing->text("zone") == row.type; });
+    const bool asked = std::ranges::find(zones, row.type) != zones.end();
     if (!asked && sells(reading.catalog, row))
       reading.add(plan::RequirementKind::zone_absent, span).subject = row.type;
   }
 }
 
 }  // namespace
+
+Parts resolved(const Reading& reading, const Parts& nouns) {
+  Parts found;
+  for (const MeaningPtr& noun : nouns) {
+    const bool pronoun = noun->is("type", "pronoun");
+    if (!pronoun) found.push_back(noun);
+    for (const MeaningPtr& named : pronoun ? referred(reading, *noun) : Parts{}) {
+      auto said = std::make_shared<Meaning>(*named);
+      said->slots.erase("count");  // the number was said already
+      said->span = noun->span;
+      found.push_back(std::move(said));
+    }
+  }
+  return found;
+}
+
+void remember(const Reading& reading, const Parts& things) {
+  Parts named;
+  std::ranges::copy_if(
+      things, std::back_inserter(named), [](const MeaningPtr& thing) { return is_thing(*thing); });
+  if (named.empty()) return;
+  reading.memory->last_object = named.back();
+  reading.memory->recent.push_back(std::move(named));
+}
 
 bool interpret_mention(Reading& reading, const Meaning& statement) {
   for (const MeaningPtr& thing : statement.parts("things"))
@@ -151,7 +172,20 @@ bool interpret_only(Reading& reading, const Meaning& statement) {
     const catalog::ZoneTypeRow* zone = reading.catalog.zone_type(thing->text("zone"));
     return !thing->is("type", "fixture") && zone != nullptr && sells(reading.catalog, *zone);
   });
-  if (goods) forbid_others(reading, things, statement.span);  // "one till only" is but a number
+  if (goods)
+    forbid_others(reading, zones_of(things), statement.span);  // "one till only" is but a number
+  return true;
+}
+
+// "No other category": none but those that were named before.
+bool interpret_only_named(Reading& reading, const Meaning& statement) {
+  std::vector<std::string> named;
+  for (const plan::Requirement& wish : reading.found.requirements) {
+    if (wish.kind == plan::RequirementKind::zone_present) named.push_back(wish.subject);
+    if (wish.kind == plan::RequirementKind::product_present) named.push_back(wish.object);
+  }
+  if (named.empty()) return false;
+  forbid_others(reading, named, statement.span);
   return true;
 }
 
@@ -175,9 +209,16 @@ bool interpret_held(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+// "Two entrances": how many. "Two entrances, one west and one east": and so many in each place.
 bool interpret_doors(Reading& reading, const Meaning& statement) {
-  for (const MeaningPtr& door : statement.parts("things"))
-    if (door->has("count")) add_count(reading, *door);
+  const MeaningPtr& door = statement.parts("things").front();
+  if (door->has("count")) add_count(reading, *door);
+  std::vector<plan::Requirement>& wishes = reading.found.requirements;
+  for (const MeaningPtr& part : statement.parts("parts")) {
+    const std::size_t made = wishes.size();
+    add_door(reading, noun_of(*door), part->parts("at"));
+    if (wishes.size() == made + 1) wishes.back().value = part->number("number");
+  }
   return true;
 }
 
@@ -202,7 +243,31 @@ bool add_place(Reading& reading, const Meaning& place, const Parts& things, bool
       if (is_thing(*object)) mention(reading, *object);
   }
   const Parts objects = resolved(reading, place.parts("objects"));
+  if (objects.empty()) return false;
+  for (const MeaningPtr& object : objects)
+    note_object(reading, object);
   return add_relations(reading, relation, denied, nouns_of(things), nouns_of(objects));
+}
+
+// What stood where counts before what it stood by, for "it"; a pronoun names nothing new.
+void remember_subjects(const Reading& reading, const Parts& things) {
+  const MeaningPtr object = reading.memory->last_object;
+  remember(reading, things);
+  if (object) reading.memory->last_object = object;
+}
+
+// The one thing that was counted, with the number that is meant.
+bool recount(Meaning& again, const Meaning& correction) {
+  if (again.has("count") && !again.has("things")) {
+    again.slots["count"] = correction.parts("count");
+    return true;
+  }
+  const Parts& things = again.parts("things");
+  if (things.size() != 1 || !things.front()->has("count")) return false;
+  auto thing = std::make_shared<Meaning>(*things.front());
+  thing->slots["count"] = correction.parts("count");
+  again.slots["things"] = Parts{std::move(thing)};
+  return true;
 }
 
 }  // namespace
@@ -211,17 +276,54 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   const bool denied = statement.has("denied");
   const Parts things = resolved(reading, statement.parts("things"));
   if (things.empty()) return false;
+  reading.memory->last_object = nullptr;
   bool any = mention_placed(reading, statement);
-  if (things.front()->is("type", "opening") && !denied)
-    return add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
+  if (things.front()->is("type", "opening") && !denied) {
+    any = add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
+    reading.memory->recent.push_back({things.front()});  // "the tills next to it"
+    return any;
+  }
   for (const MeaningPtr& place : statement.parts("at")) {
     if (add_place(reading, *place, things, denied))
       any = true;
     else
       reading.senseless.insert(reading.senseless.end(), place->words.begin(), place->words.end());
   }
-  remember(reading, statement.parts("things"));
+  remember_subjects(reading, statement.parts("things"));
   return any;
+}
+
+// "Dairy and bakery opposite each other."
+bool interpret_mutual(Reading& reading, const Meaning& statement) {
+  const Parts things = resolved(reading, statement.parts("things"));
+  if (things.size() < 2) return false;
+  interpret_mention(reading, statement);
+  std::vector<PlaceNoun> others = nouns_of(things);
+  bool any = false;
+  for (std::size_t i = 0; i + 1 < others.size(); ++i)
+    any = add_relation(
+              reading,
+              {statement.text("relation"), statement.has("denied"), others[i], {others[i + 1]}}) ||
+          any;
+  return any;
+}
+
+// "No, along the right": the last statement again, with another place or number; what it asked for
+// before is no wish. "Scrap that": it is not said again.
+bool interpret_correction(Reading& reading, const Meaning& statement) {
+  Memory& memory = *reading.memory;
+  std::vector<plan::Requirement>& wishes = reading.found.requirements;
+  if (!memory.last || memory.past_wish != wishes.size()) return false;
+  const MeaningPtr last = memory.last;
+  Meaning again = *last;
+  const bool places = statement.has("at");
+  if (places && !last->has("at")) return false;
+  if (places) again.slots["at"] = statement.parts("at");
+  if (statement.has("count") && !recount(again, statement)) return false;
+  wishes.erase(wishes.begin() + static_cast<std::ptrdiff_t>(memory.first_wish), wishes.end());
+  if (!places && !statement.has("count")) return true;
+  again.span = joined(last->span, statement.span);
+  return interpret(reading, again);
 }
 
 }  // namespace marketgen::intake

@@ -39,11 +39,14 @@ bool is_named(const Understanding& found, const ProgramZone& zone) {
   return wish_for(found, zone) != nullptr;
 }
 
-// A shop keeps its lanes, or its machines where it has no lanes.
+// A shop keeps its lanes, or its machines where it has no lanes, or the desk where it has neither.
 bool is_kept(const StoreProgram& program, const ProgramZone& zone) {
-  const bool lanes = std::ranges::any_of(
-      program.zones, [](const ProgramZone& other) { return other.type->type == "checkout"; });
-  return zone.type->type == (lanes ? "checkout" : "self_checkout");
+  for (const std::string_view type : {"checkout", "self_checkout", "customer_service"}) {
+    const bool has = std::ranges::any_of(
+        program.zones, [&](const ProgramZone& other) { return other.type->type == type; });
+    if (has) return zone.type->type == type;
+  }
+  return false;
 }
 
 // The zone that is given up first: the least important one that nobody asked for, else the last one

@@ -49,8 +49,10 @@ void fit_under_ceiling(plan::Plan& plan) {
   constexpr int clearance_mm = 300;
   for (plan::Zone& zone : plan.zones) {
     if (!zone.fixture.height_mm) continue;
-    zone.fixture.height_mm =
-        std::min(*zone.fixture.height_mm, plan.shell.ceiling_mm - clearance_mm);
+    const int highest = plan.shell.ceiling_mm - clearance_mm;
+    if (*zone.fixture.height_mm <= highest) continue;
+    zone.fixture.height_mm = highest;
+    zone.fixture.spacing_mm.reset();  // the boards share what height is left
   }
 }
 

@@ -15,6 +15,8 @@ constexpr int six_levels_from_mm = 1900;     // gondolas this high hold a sixth 
 constexpr int endcaps_front_from_mm = 5200;  // runs this long spare the floor for an endcap
 constexpr int endcaps_both_from_mm = 8000;
 constexpr double min_area_share = 0.6;  // of the target
+constexpr double no_gap_from_fill = 0.99;  // "to the brim": nothing is sold out, either
+constexpr int canopy_mm = 160;             // of wall units, over the highest level's goods
 
 class ZoneWriter {
  public:
@@ -33,7 +35,7 @@ class ZoneWriter {
     zone.anchor = from.type->anchor;
     zone.temperature = from.kind != nullptr ? from.kind->temperature : from.type->temperature;
     zone.fixture = fixture_of(from, rect);
-    zone.stock = stock_of();
+    zone.stock = stock_of(zone.type);
     return zone;
   }
 
@@ -63,16 +65,19 @@ class ZoneWriter {
       spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
     }
     spec.color = shelf_color(found_);
-    if (is_gondola(zone)) choose_gondola(spec, *zone.kind, rect);
+    if (is_gondola(zone))
+      choose_gondola(spec, zone, rect);
+    else
+      spec.height_mm = wished_height(zone, zone.kind->height_mm);
     choose_levels(spec, zone);
+    choose_pitch(spec, zone);
     return spec;
   }
 
-  void choose_gondola(plan::FixtureSpec& spec,
-                      const catalog::FixtureKind& kind,
-                      const RectMm& rect) const {
-    const catalog::ProfileRow& profile = *program_.profile;
-    spec.height_mm = std::clamp(wished_height(kind).value_or(profile.gondola_height_mm),
+  void choose_gondola(plan::FixtureSpec& spec, const ProgramZone& zone, const RectMm& rect) const {
+    const catalog::FixtureKind& kind = *zone.kind;
+    const int usual = program_.profile->gondola_height_mm;
+    spec.height_mm = std::clamp(wished_height(zone, usual).value_or(usual),
                                 kind.height_range_mm[0],
                                 kind.height_range_mm[1]);
     spec.levels = *spec.height_mm >= six_levels_from_mm ? 6 : 5;
@@ -88,40 +93,101 @@ class ZoneWriter {
       spec.endcaps = plan::Endcaps::front;
   }
 
-  std::optional<int> wished_height(const catalog::FixtureKind& kind) const {
+  using Wishes = std::vector<const plan::Requirement*>;
+
+  // What is asked of a zone type: by name, or else of every zone that is not excepted.
+  Wishes wishes_of(Kind kind, std::string plan::Requirement::*zone, const std::string& type) const {
+    Wishes own, general;
     for (const plan::Requirement& wish : found_.requirements) {
-      if (wish.kind != Kind::height) continue;
-      if (wish.subject != "fixture" && wish.subject != kind.kind) continue;
-      const int height = static_cast<int>(std::lround(wish.value));
-      const int usual = program_.profile->gondola_height_mm;
-      if (wish.comparison == plan::Comparison::at_most) return std::min(height, usual);
-      if (wish.comparison == plan::Comparison::at_least) return std::max(height, usual);
-      return height;
+      if (wish.kind != kind) continue;
+      if (wish.*zone == type) own.push_back(&wish);
+      const bool excepted = std::ranges::find(wish.except, type) != wish.except.end();
+      if ((wish.*zone).empty() && !excepted) general.push_back(&wish);
     }
-    return std::nullopt;
+    return own.empty() ? general : own;
   }
 
-  // A wish about one zone beats a wish about all shelves.
+  // The number nearest to the usual one that all of them allow; the last said counts.
+  static int bounded(const Wishes& wishes, int usual) {
+    for (const plan::Requirement* wish : wishes) {
+      const int value = static_cast<int>(std::lround(wish->value));
+      if (wish->comparison == plan::Comparison::at_least)
+        usual = std::max(usual, value);
+      else if (wish->comparison == plan::Comparison::at_most)
+        usual = std::min(usual, value);
+      else
+        usual = value;
+    }
+    return usual;
+  }
+
+  std::optional<int> wished_height(const ProgramZone& zone, int usual) const {
+    Wishes wishes = wishes_of(Kind::height, &plan::Requirement::object, zone.type->type);
+    std::erase_if(wishes, [&](const plan::Requirement* wish) {
+      // What is no gondola is as high as its kind is, unless that is too high.
+      const bool shelves = wish->subject == "fixture" &&
+                           (is_plain(zone) || wish->comparison == plan::Comparison::at_most);
+      return !shelves && wish->subject != zone.kind->kind;
+    });
+    if (wishes.empty()) return std::nullopt;
+    return std::clamp(
+        bounded(wishes, usual), zone.kind->height_range_mm[0], zone.kind->height_range_mm[1]);
+  }
+
+  // Boards over one another, without doors: what people mean by shelves.
+  static bool is_plain(const ProgramZone& zone) {
+    return is_gondola(zone) || (zone.kind != nullptr && zone.kind->generator == "wall_unit");
+  }
+
+  // Of levels and of their distance: a wish about all shelves is one about plain ones.
+  Wishes shelf_wishes(Kind kind, const ProgramZone& zone) const {
+    Wishes wishes = wishes_of(kind, &plan::Requirement::subject, zone.type->type);
+    if (!is_plain(zone))
+      std::erase_if(wishes, [](const plan::Requirement* wish) { return wish->subject.empty(); });
+    return wishes;
+  }
+
   void choose_levels(plan::FixtureSpec& spec, const ProgramZone& zone) const {
-    const plan::Requirement* wish = found_.find(Kind::levels, zone.type->type);
-    if (wish == nullptr && is_gondola(zone)) wish = found_.find(Kind::levels, "");
-    if (wish == nullptr || zone.kind->level_range[1] < 2) return;
+    const Wishes wishes = shelf_wishes(Kind::levels, zone);
+    if (wishes.empty() || zone.kind->level_range[1] < 2) return;
     const int usual = spec.levels.value_or(zone.kind->levels);
-    int levels = static_cast<int>(wish->value);
-    if (wish->comparison == plan::Comparison::at_least) levels = std::max(levels, usual);
-    if (wish->comparison == plan::Comparison::at_most) levels = std::min(levels, usual);
-    spec.levels =
-        std::clamp(levels, std::max(1, zone.kind->level_range[0]), zone.kind->level_range[1]);
+    spec.levels = std::clamp(
+        bounded(wishes, usual), std::max(1, zone.kind->level_range[0]), zone.kind->level_range[1]);
   }
 
-  plan::StockSpec stock_of() const {
+  // As many levels at that distance as were asked for, or as the height holds; a height that nobody
+  // asked for gives way to the levels. Levels or a height that were asked for set the distance,
+  // too: then the shelves along the walls are built like the others (layout/module_spec.cpp).
+  void choose_pitch(plan::FixtureSpec& spec, const ProgramZone& zone) const {
+    const catalog::FixtureKind& kind = *zone.kind;
+    const int height = spec.height_mm.value_or(kind.height_mm);
+    const int usual = spec.levels.value_or(kind.levels);
+    const Wishes wishes = shelf_wishes(Kind::shelf_pitch, zone);
+    const bool levels_asked = !shelf_wishes(Kind::levels, zone).empty();
+    const bool height_asked = wished_height(zone, height).has_value();
+    const bool asked = !wishes.empty() || (is_gondola(zone) && (levels_asked || height_asked));
+    if (!asked || kind.level_range[1] < 2 || usual < 2) return;
+    const int pitch = bounded(wishes, (height - kind.base_mm - canopy_mm) / usual);
+    const auto levels_in = [&](int mm) { return (mm - kind.base_mm - canopy_mm) / pitch; };
+    int levels = levels_asked || wishes.empty() ? usual : levels_in(height);
+    levels = std::min(levels, levels_in(height_asked ? height : kind.height_range_mm[1]));
+    levels = std::clamp(levels, kind.level_range[0], kind.level_range[1]);
+    const int needed = kind.base_mm + levels * pitch + canopy_mm;
+    constexpr int closest_mm = 80;  // of FixtureSpec::spacing_mm
+    if (needed > kind.height_range_mm[1] || pitch < closest_mm) return;  // no room for them
+    spec.levels = levels;
+    spec.spacing_mm = pitch;
+    spec.height_mm = std::max(height, needed);
+  }
+
+  plan::StockSpec stock_of(const std::string& type) const {
     plan::StockSpec stock;
     stock.fill = program_.profile->stock_fill;
     for (const plan::Requirement& wish : found_.requirements) {
       if (wish.kind == Kind::product_absent) stock.exclude.push_back(wish.subject);
       if (wish.kind == Kind::zone_absent) exclude_goods_of(wish.subject, stock);
-      if (wish.kind == Kind::stock) apply_stock(wish, stock);
     }
+    apply_stock_wishes(type, stock);
     std::ranges::sort(stock.exclude);
     const auto repeated = std::ranges::unique(stock.exclude);
     stock.exclude.erase(repeated.begin(), repeated.end());
@@ -130,11 +196,22 @@ class ZoneWriter {
     return stock;
   }
 
-  static void apply_stock(const plan::Requirement& wish, plan::StockSpec& stock) {
-    if (wish.subject == "fill" && wish.comparison == plan::Comparison::at_least) {
-      stock.fill = std::max(stock.fill, wish.value);
-    } else if (wish.subject == "fill") {
-      stock.fill = wish.value;
+  // Wishes about all goods first, those about the zone's own after them.
+  void apply_stock_wishes(const std::string& type, plan::StockSpec& stock) const {
+    for (const bool own : {false, true}) {
+      for (const plan::Requirement& wish : found_.requirements) {
+        const bool excepted = std::ranges::find(wish.except, type) != wish.except.end();
+        if (wish.kind == Kind::stock && wish.object == (own ? type : "") && !excepted)
+          apply_stock(wish, stock, own);
+      }
+    }
+  }
+
+  static void apply_stock(const plan::Requirement& wish, plan::StockSpec& stock, bool own) {
+    if (wish.subject == "fill") {
+      const bool floor = wish.comparison == plan::Comparison::at_least;
+      stock.fill = floor && !own ? std::max(stock.fill, wish.value) : wish.value;
+      if (wish.value >= no_gap_from_fill) stock.out_of_stock = 0;
     }
     if (wish.subject == "out_of_stock") stock.out_of_stock = wish.value;
     if (wish.subject == "misplaced") stock.misplaced = wish.value;

@@ -13,12 +13,26 @@ namespace {
 using Kind = plan::RequirementKind;
 
 constexpr std::string_view usual_profile = "supermarket-eu";
+constexpr std::string_view profile_without_tills = "checkout-free";  // when none was named
 constexpr double zones_in_any_store = 5;
 constexpr double further_zone_m2 = 36;  // of store for each zone more; smaller ones hold no run
 constexpr std::size_t max_zones = 22;   // of max_bsp_leaves
 constexpr double lanes_from_m2 = 70;    // smaller shops take money over a counter
 constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
 constexpr double checkout_zones_share = 0.09;    // tills take their own floor first
+
+// Neither lanes nor machines.
+bool wants_no_tills(const Understanding& found) {
+  const plan::Requirement* machines = found.find(Kind::fixture_count, "self_checkout");
+  const bool some = machines != nullptr && machines->comparison != plan::Comparison::at_most;
+  return found.find(Kind::zone_absent, "checkout") != nullptr && !some &&
+         found.find(Kind::zone_present, "self_checkout") == nullptr;
+}
+
+// Some kinds of shop have no tills, or can do without.
+bool may_lack_tills(const catalog::ProfileRow& profile) {
+  return profile.checkouts_per_100_m2 <= 0;
+}
 
 const catalog::ProfileRow& profile_of(const Brief& brief,
                                       const Understanding& found,
@@ -27,6 +41,7 @@ const catalog::ProfileRow& profile_of(const Brief& brief,
   const catalog::ProfileRow* row = nullptr;
   if (brief.profile) row = catalog.profile(*brief.profile);
   if (row == nullptr && wish != nullptr) row = catalog.profile(wish->object);
+  if (row == nullptr && wants_no_tills(found)) row = catalog.profile(profile_without_tills);
   if (row == nullptr) row = catalog.profile(usual_profile);
   return row != nullptr ? *row : catalog.profiles.front();
 }
@@ -68,6 +83,17 @@ const plan::Requirement* area_wish(const Understanding& found, double& area_m2) 
   return first;
 }
 
+// The store that zones of the areas that were asked for leave room in for others.
+double floor_for_zones(const Understanding& found) {
+  constexpr double share_of_asked = 0.5;
+  double sum = 0;
+  for (const plan::Requirement& wish : found.requirements)
+    if (wish.kind == Kind::area && !wish.subject.empty() &&
+        wish.comparison != plan::Comparison::at_most)
+      sum += wish.value;
+  return sum / share_of_asked;
+}
+
 Result<std::array<int, 2>> size_of(const Brief& brief,
                                    const Understanding& found,
                                    const catalog::ProfileRow& profile) {
@@ -76,7 +102,7 @@ Result<std::array<int, 2>> size_of(const Brief& brief,
   const double usual_m2 = 1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1];
   double area_m2 = 0;
   const plan::Requirement* area = area_wish(found, area_m2);
-  if (area == nullptr) area_m2 = usual_m2 * found.size_factor;
+  if (area == nullptr) area_m2 = std::max(usual_m2 * found.size_factor, floor_for_zones(found));
   if (const plan::Requirement* size = found.find(Kind::size)) {
     // One side that was not said is what the area leaves.
     const auto other = [&](double side_mm) {
@@ -142,7 +168,9 @@ NamedZones named_zones(const Understanding& found, const catalog::Catalog& catal
     if (wish.kind == Kind::zone_count) named.add(wish.subject, static_cast<int>(wish.value));
     if (wish.kind == Kind::area || wish.kind == Kind::levels) add_if_zone(wish.subject);
     if (wish.kind == Kind::product_present) named.add(wish.object);
-    if (wish.kind == Kind::fixture_count && !asks_for_none(wish)) add_if_zone(wish.object);
+    const bool refused = found.find(Kind::zone_absent, wish.object) != nullptr;
+    if (wish.kind == Kind::fixture_count && !asks_for_none(wish) && !refused)
+      add_if_zone(wish.object);
     if (!names_zone_in_relation(wish)) continue;
     for (const std::string* name : {&wish.subject, &wish.object, &wish.second_object}) {
       add_if_zone(*name);
@@ -173,7 +201,11 @@ NamedZones chosen_zones(const Understanding& found,
   NamedZones chosen = program.plain ? plain_zones(program, catalog) : named_zones(found, catalog);
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
                              chosen.count.contains("self_checkout");
-  if (!only_machines) chosen.add("checkout");
+  const bool none = may_lack_tills(*program.profile) && wants_no_tills(found);
+  const bool usual =
+      std::ranges::find(program.profile->zones, "checkout") != program.profile->zones.end();
+  if (!only_machines && !none && usual) chosen.add("checkout");
+  if (none || !usual) chosen.add("customer_service");  // a desk in the place of the tills
   const auto wanted =
       static_cast<std::size_t>(zones_in_any_store + program.area_m2() / further_zone_m2);
   const std::size_t most = std::min(wanted, max_zones);

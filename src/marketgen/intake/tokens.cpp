@@ -204,6 +204,7 @@ class Tokenizer {
     if (code == 0xD7) token.text = "x";  // multiplication sign
     if (is_double_quote(code)) token.text = "\"";
     if (is_apostrophe(code)) token.text = "'";
+    if (code == '.' && ends_inches()) return;
     if (ends_sentence(code)) token.kind = TokenKind::sentence_end;
     token.stem = token.text;
     tokens_.push_back(std::move(token));
@@ -221,6 +222,15 @@ class Tokenizer {
   bool between_digits(std::size_t dash) const {
     const auto digit = [&](std::size_t i) { return characters_[i].glyph == Glyph::digit; };
     return dash > 0 && dash + 1 < characters_.size() && digit(dash - 1) && digit(dash + 1);
+  }
+
+  // "14 in.": the word before is a unit and the dot belongs to it.
+  bool ends_inches() {
+    const std::size_t count = tokens_.size();
+    const bool unit = count >= 2 && tokens_[count - 1].text == "in" &&
+                      tokens_[count - 2].kind == TokenKind::number;
+    if (unit) tokens_[count - 1].text = tokens_[count - 1].stem = "inch";
+    return unit;
   }
 
   bool ends_sentence(int code) const {

@@ -103,10 +103,12 @@ class SentenceReader {
     bool understood = false;
     for (const auto& statement : best_cover(chart, language_.statement, input)) {
       reading_.strength = strengths[static_cast<std::size_t>(statement->begin)];
+      const std::size_t first_wish = reading_.found.requirements.size();
       if (!interpret(reading_, *statement->meaning)) {
         reading_.senseless.clear();
         continue;
       }
+      remember_statement(statement->meaning, first_wish);
       understood = true;
       for (const int word : statement->meaning->words)
         used[static_cast<std::size_t>(word)] = true;
@@ -118,6 +120,15 @@ class SentenceReader {
   }
 
  private:
+  // For a correction: what it says is the same as what was corrected, said otherwise.
+  void remember_statement(const language::MeaningPtr& statement, std::size_t first_wish) {
+    Memory& memory = *reading_.memory;
+    memory.past_wish = reading_.found.requirements.size();
+    if (statement->is("kind", "correction")) return;
+    memory.last = statement;
+    memory.first_wish = first_wish;
+  }
+
   void collect_unparsed(const std::vector<bool>& used) {
     for (const Segment& segment : segments_) {
       for (std::size_t at = segment.first; at < segment.last; ++at) {
@@ -148,6 +159,21 @@ constexpr std::array<Compass, 4> compasses = {{
     {{"west", "east", "north", "south"}},
 }};
 
+// For someone inside who faces the wall: its left end is on the left hand.
+const Compass& facing(plan::Wall wall) {
+  switch (wall) {
+    case plan::Wall::north:
+      return compasses[static_cast<std::size_t>(plan::Wall::south)];
+    case plan::Wall::south:
+      return compasses[static_cast<std::size_t>(plan::Wall::north)];
+    case plan::Wall::east:
+      return compasses[static_cast<std::size_t>(plan::Wall::west)];
+    case plan::Wall::west:
+      break;
+  }
+  return compasses[static_cast<std::size_t>(plan::Wall::east)];
+}
+
 std::string absolute(const std::string& place, const Compass& compass) {
   constexpr std::array<std::string_view, 4> relative = {"front", "back", "left", "right"};
   for (std::size_t i = 0; i < relative.size(); ++i) {
@@ -172,7 +198,9 @@ void resolve_directions(Understanding& found, plan::Wall entrance) {
         wish.kind == plan::RequirementKind::relation || wish.kind == plan::RequirementKind::opening;
     if (!placed) continue;
     wish.object = absolute(wish.object, compass);
-    wish.second_object = absolute(wish.second_object, compass);
+    const auto wall = value_named<plan::Wall>(wish.object);
+    const bool end_of_wall = wish.kind == plan::RequirementKind::opening && wall.has_value();
+    wish.second_object = absolute(wish.second_object, end_of_wall ? facing(*wall) : compass);
   }
 }
 
@@ -200,10 +228,10 @@ Understanding understand(std::string_view prompt,
   found.name = take_store_name(prompt, tokens, language.lexicon);
   found.understood = found.name.has_value();
   bool first = true;
-  std::vector<language::Parts> recent;
+  Memory memory;
   for (const Tokens& sentence : sentences_of(tokens, language)) {
     Reading reading{prompt, catalog, found};
-    reading.recent = &recent;
+    reading.memory = &memory;
     reading.first_sentence = std::exchange(first, false);
     if (SentenceReader(sentence, language, std::move(reading)).run()) found.understood = true;
   }

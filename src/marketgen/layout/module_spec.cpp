@@ -140,6 +140,17 @@ int sum(const std::vector<int>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0);
 }
 
+// A zone that says how far its boards are apart has all its shelves alike: wall units, too, take
+// levels, distance and height.
+plan::FixtureSpec wish_along_walls(const plan::Zone& zone, const catalog::FixtureKind& kind) {
+  plan::FixtureSpec wish;
+  if (kind.generator != "wall_unit" || !zone.fixture.spacing_mm) return wish;
+  wish.height_mm = zone.fixture.height_mm;
+  wish.levels = zone.fixture.levels;
+  wish.spacing_mm = zone.fixture.spacing_mm;
+  return wish;
+}
+
 // The zone's module by itself, as it would be built.
 Result<assets::FixtureModel> model_of(const Design& design,
                                       const plan::Zone& zone,
@@ -224,7 +235,7 @@ ModuleSpec module_spec(const Design& design,
                        const plan::Zone& zone,
                        const catalog::FixtureKind& kind) {
   const ZoneKinds kinds = kinds_of(zone, design.catalog);
-  const plan::FixtureSpec wish = &kind == kinds.main ? zone.fixture : plan::FixtureSpec{};
+  const plan::FixtureSpec wish = &kind == kinds.main ? zone.fixture : wish_along_walls(zone, kind);
   ModuleSpec spec;
   spec.kind = &kind;
   spec.sides = wish.double_sided.value_or(kind.double_sided) && kind.double_sided ? 2 : 1;

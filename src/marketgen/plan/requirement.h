@@ -5,6 +5,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/fields.h"
 #include "plan/plan.h"
@@ -32,14 +33,15 @@ enum class RequirementKind {
   height,
   aisle_width,
   stock,
-  light
+  light,
+  shelf_pitch
 };
-constexpr std::array<std::string_view, 21> names_of(RequirementKind) {
+constexpr std::array<std::string_view, 22> names_of(RequirementKind) {
   return {"size",          "area",        "zone_present", "zone_absent",     "zone_count",
           "fixture_count", "aisle_count", "levels",       "relation",        "style",
           "profile",       "material",    "color",        "product_present", "product_absent",
           "opening",       "endcaps",     "height",       "aisle_width",     "stock",
-          "light"};
+          "light",         "shelf_pitch"};
 }
 
 enum class Comparison { equal, at_least, at_most };
@@ -56,9 +58,11 @@ constexpr std::array<std::string_view, 3> names_of(Comparison) {
 //                   value: how many modules
 //   aisle_count     value: aisles between gondolas, the outermost included
 //   aisle_width     value: mm
-//   levels          subject: zone type, or "" for all gondolas and wall units; value: stocked
-//   levels height          subject: "fixture" (all gondolas), a fixture kind, or "ceiling"; value:
-//   mm relation        relation, subject a, object b, second_object c: names of places
+//   levels          subject: zone type, or "" for all gondolas and wall units; value: stocked levels
+//   shelf_pitch     subject: as of levels; value: mm from board to board
+//   height          subject: "fixture" (all gondolas), a fixture kind, or "ceiling"; object: zone
+//                   type, or "" for every zone; value: mm
+//   relation        relation, subject a, object b, second_object c: names of places
 //                   (plan/floor_places.h)
 //   style, profile  object: id
 //   material        subject: floor wall ceiling fixture; object: material id
@@ -68,8 +72,10 @@ constexpr std::array<std::string_view, 3> names_of(Comparison) {
 //   opening         subject: opening kind; object: its wall or ""; second_object: the end of that
 //                   wall (a side, or center) or ""; value: how many, 0 = any
 //   endcaps         value: 1 wanted, 0 not
-//   stock           subject: fill, jitter, out_of_stock or misplaced; value: share
+//   stock           subject: fill, jitter, out_of_stock or misplaced; object: zone type, or "" for
+//                   every zone; value: share
 //   light           subject: light_kelvin or light_lux; value
+// What is asked of every zone does not hold for those in `except`.
 struct Requirement {
   std::string text;     // the words it came from
   IntRange span{0, 0};  // bytes of the prompt
@@ -78,6 +84,7 @@ struct Requirement {
       subject;  // zone type, fixture kind, material part, product word, opening kind, relation "a"
   std::string object;         // style, material, colour, profile, relation "b" …
   std::string second_object;  // relation `between`
+  std::vector<std::string> except;  // zone types that it does not hold for
   RelationKind relation = RelationKind::near;
   Comparison comparison = Comparison::equal;
   double value = 0, second_value = 0;  // counts, mm, m2, levels; size: width and depth in mm
@@ -90,6 +97,7 @@ struct Requirement {
                  field("subject", &Requirement::subject, "of what"),
                  field("object", &Requirement::object, "what it should be or relate to"),
                  field("second_object", &Requirement::second_object, "second reference"),
+                 field("except", &Requirement::except, "zone types that it does not hold for", at_most_items(40)),
                  field("relation", &Requirement::relation, "for relations"),
                  field("comparison", &Requirement::comparison, "for numbers"),
                  field("value", &Requirement::value, "number asked for"),

@@ -89,6 +89,10 @@ std::vector<WishCase> cases() {
       {wish(Kind::levels, "dairy", "", 4, at_least), true},
       {wish(Kind::levels, "dairy", "", 5, at_least), false},
       {wish(Kind::levels, "deli", "", 4), false},  // there is none
+      {wish(Kind::shelf_pitch, "", "", 350), true},
+      {wish(Kind::shelf_pitch, "", "", 300), false},
+      {wish(Kind::shelf_pitch, "dairy", "", 400, at_most), true},
+      {wish(Kind::shelf_pitch, "deli", "", 350), false},  // there is none
       {relation_wish("dairy", plan::RelationKind::along, "north"), true},
       {relation_wish("dairy", plan::RelationKind::near, "checkout"), false},
       {relation_wish("produce", plan::RelationKind::near, "entrance"),
@@ -140,6 +144,13 @@ std::vector<WishCase> cases() {
       {wish(Kind::stock, "misplaced", "", 0.05, at_most), true},
       {wish(Kind::stock, "jitter", "", 0.05, at_most), true},
       {wish(Kind::stock, "jitter", "", 0.8, at_least), false},
+      {wish(Kind::stock, "out_of_stock", "dairy", 0.25), true},  // one of its four blocks
+      {wish(Kind::stock, "out_of_stock", "canned", 0.25), false},
+      {wish(Kind::stock, "fill", "dairy", 0.6), true},
+      {wish(Kind::stock, "fill", "dairy", 0.8), false},
+      {wish(Kind::stock, "fill", "deli", 0.6), false},  // there is none
+      {wish(Kind::height, "multideck", "dairy", 2000, at_most), true},
+      {wish(Kind::height, "multideck", "canned", 2000, at_most), false},  // there is none
       {wish(Kind::light, "light_kelvin", "", 3000), true},
       {wish(Kind::light, "light_kelvin", "", 6500), false},
       {wish(Kind::light, "light_lux", "", 800), true},
@@ -213,6 +224,18 @@ TEST(Requirements, OneLowGondolaBreaksAtLeast) {
   const auto results = audit::check_requirements(
       scene, committed_catalog(), {wish(Kind::height, "fixture", "", 1800, at_least)});
   EXPECT_FALSE(results[0].met) << results[0].why;
+}
+
+// What is asked of every zone but one is not asked of that one.
+TEST(Requirements, ExceptedZonesDoNotCount) {
+  AuditedShop shop;
+  plan::Requirement fill = wish(Kind::stock, "fill", "", 0.5, at_most);
+  EXPECT_FALSE(audit::check_requirements(shop.scene, committed_catalog(), {fill})[0].met);
+  fill.except = {"canned"};
+  EXPECT_TRUE(audit::check_requirements(shop.scene, committed_catalog(), {fill})[0].met);
+  plan::Requirement levels = wish(Kind::levels, "", "", 5);
+  levels.except = {"canned"};  // no gondola is left
+  EXPECT_FALSE(audit::check_requirements(shop.scene, committed_catalog(), {levels})[0].met);
 }
 
 TEST(Requirements, DisorderShowsAsMisplacedItems) {

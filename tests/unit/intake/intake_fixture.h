@@ -47,6 +47,8 @@ inline std::string line_of(const plan::Requirement& wish) {
     if (implied && text != &wish.subject) continue;  // the zone that goes with it
     if (!text->empty()) line += " " + *text;
   }
+  for (const std::string& zone : wish.except)
+    line += " but " + zone;
   if (wish.kind == plan::RequirementKind::size) {
     return line + " " + number(wish.value) + "x" + number(wish.second_value);
   }

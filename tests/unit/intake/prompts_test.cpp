@@ -31,9 +31,7 @@ const std::vector<PromptCase> cases = {
     {"a shop of at least 250 sqm", {"area >=250"}, {}},
     {"a shop with a bakery of 20 m2", {"zone_present bakery", "area bakery 20"}, {}},
     {"a bakery of 20 m2", {"zone_present bakery", "area 20"}, {}},
-    {"a kiosk of 30 m2 selling snacks",
-     {"area 30", "profile convenience-us", "zone_present snacks"},
-     {}},
+    {"a kiosk of 30 m2 selling snacks", {"area 30", "profile kiosk", "zone_present snacks"}, {}},
     {"shop with a 3.2 m ceiling", {"height ceiling 3200"}, {}},
     {"ceiling height of 4 m", {"height ceiling 4000"}, {}},
     // ---- Counts ----

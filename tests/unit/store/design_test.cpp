@@ -73,6 +73,28 @@ bool has_till(const layout::Layout& layout) {
   });
 }
 
+// Kinds of shop that can do without tills have none, and need none to be lawful; others keep one.
+TEST(Designs, HaveNoTillsWhereTheirKindCanDoWithout) {
+  const auto tills = [](const store::Designed& store) {
+    return std::ranges::count_if(store.layout.fixtures, [](const layout::Fixture& fixture) {
+      return fixture.kind == "checkout_lane" || fixture.kind == "self_checkout" ||
+             fixture.kind == "till-counter";
+    });
+  };
+  const std::vector<std::string> without = {"a dark store with frozen food",
+                                            "a kiosk with snacks and drinks, no tills",
+                                            "snacks and canned food only, no checkouts"};
+  for (const std::string& prompt : without) {
+    const auto store = designed(prompt, 1);
+    ASSERT_TRUE(store.ok()) << prompt << ": " << to_string(store.error());
+    EXPECT_EQ(hard_faults(store->layout), "") << prompt;
+    EXPECT_EQ(tills(*store), 0) << prompt;
+  }
+  const auto kept = designed("a hypermarket without checkouts", 1);
+  ASSERT_TRUE(kept.ok()) << to_string(kept.error());
+  EXPECT_GT(tills(*kept), 0);
+}
+
 TEST(Designs, SayWhatWasGivenUp) {
   const auto store = designed("a 5 x 38 m supermarket with six checkouts", 1);
   ASSERT_TRUE(store.ok());

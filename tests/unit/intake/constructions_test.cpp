@@ -1,0 +1,118 @@
+// What is said of some zones and not of others, what is corrected, and what pronouns stand for.
+#include "intake/understanding.h"
+#include "intake_fixture.h"
+
+namespace marketgen {
+namespace {
+
+struct ConstructionCase {
+  const char* prompt;
+  std::vector<std::string> wishes;  // any order
+};
+
+void PrintTo(const ConstructionCase& row, std::ostream* out) {
+  *out << row.prompt;
+}
+
+const std::vector<ConstructionCase> cases = {
+    // ---- Limits of single zones ----
+    {"Canned goods: shelf pitch 9 inches, six boards high.",
+     {"zone_present canned", "shelf_pitch canned 228.6", "levels canned 6"}},
+    {"Household gets four levels.", {"zone_present household", "levels household 4"}},
+    {"In snacks we want six levels.", {"zone_present snacks", "levels snacks 6"}},
+    {"Shelves spaced 35 cm apart", {"shelf_pitch 350"}},
+    {"30 cm between the shelves", {"shelf_pitch 300"}},
+    {"14 in. pitch", {"shelf_pitch 355.6"}},
+    {"five levels everywhere but in the snacks aisle, where three will do",
+     {"levels but snacks 5", "levels snacks 3", "zone_present snacks"}},
+    {"shelf levels stay at five except for canned, which gets a sixth",
+     {"levels but canned 5", "levels canned 6", "zone_present canned"}},
+    {"snacks and household get five and four levels respectively",
+     {"levels snacks 5", "levels household 4", "zone_present snacks", "zone_present household"}},
+    {"Produce and dairy take up 120 and 80 m2 respectively.",
+     {"area produce 120", "area dairy 80", "zone_present produce", "zone_present dairy"}},
+    {"Snacks get six levels. Household exactly as the snacks.",
+     {"levels snacks 6", "levels household 6", "zone_present snacks", "zone_present household"}},
+    {"shelves 1.8 m high except in snacks, where they are 1.4 m",
+     {"height fixture but snacks 1800", "height fixture snacks 1400", "zone_present snacks"}},
+    {"The shop has 300 m2. Snacks and drinks get 30 m2 each.",
+     {"area 300",
+      "area snacks 30",
+      "area beverages 30",
+      "zone_present snacks",
+      "zone_present beverages"}},
+    {"nothing higher than 1.6 m", {"height fixture <=1600"}},
+    {"ceiling nine foot six", {"height ceiling 2895.6"}},
+    {"gondolas come down from 2.0 to 1.6 metres", {"height gondola 1600"}},
+    // ---- Stock ----
+    {"snacks untidy", {"zone_present snacks", "stock jitter snacks >=0.8"}},
+    {"the bakery is nearly empty", {"zone_present bakery", "stock fill bakery <=0.15"}},
+    {"half the snacks are sold out", {"zone_present snacks", "stock out_of_stock snacks 0.5"}},
+    {"a quarter of the bread is left", {"zone_present bakery", "stock fill bakery 0.25"}},
+    {"10 % of the products are missing", {"stock out_of_stock 0.1"}},
+    {"everything except the bakery should be full",
+     {"stock fill but bakery >=1", "zone_present bakery"}},
+    {"nothing misplaced", {"stock misplaced <=0"}},
+    {"a few things on the wrong shelf", {"stock misplaced >=0.02"}},
+    {"The bakery is nearly empty. Everything else full.",
+     {"zone_present bakery", "stock fill bakery <=0.15", "stock fill but bakery >=1"}},
+    {"everything full apart from the bakery, which is nearly empty",
+     {"zone_present bakery", "stock fill but bakery >=1", "stock fill bakery <=0.15"}},
+    // ---- Corrections ----
+    {"The entrance in the south wall. I mean the east wall.", {"opening entrance east"}},
+    {"dairy on the left, no, on the right", {"zone_present dairy", "relation at dairy east"}},
+    {"three checkouts, no, make that five", {"fixture_count checkout_lane 5"}},
+    // ---- Pronouns and places ----
+    {"Windows in the west wall. The cafe along that same wall.",
+     {"opening window west", "zone_present cafe", "relation along cafe west"}},
+    {"the deli facing the wine section, which is left of the bakery",
+     {"zone_present deli",
+      "zone_present alcohol",
+      "zone_present bakery",
+      "relation facing deli alcohol",
+      "relation left_of alcohol bakery"}},
+    {"produce at the front, with the bakery on its right",
+     {"zone_present produce",
+      "zone_present bakery",
+      "relation at produce south",
+      "relation right_of bakery produce"}},
+    {"dairy and bakery opposite each other",
+     {"zone_present dairy", "zone_present bakery", "relation facing dairy bakery"}},
+    {"produce is the first thing you see",
+     {"zone_present produce", "relation near produce entrance"}},
+    {"snacks a long way from the entrance",
+     {"zone_present snacks", "relation far snacks entrance"}},
+    {"Left wall: dairy. Back wall: meat.",
+     {"zone_present dairy",
+      "zone_present meat_fish",
+      "relation along dairy west",
+      "relation along meat_fish north"}},
+    {"bakery on the left and near the entrance",
+     {"zone_present bakery", "relation at bakery west", "relation near bakery entrance"}},
+    {"The entrance on the east wall, with the checkouts next to it.",
+     {"opening entrance east", "zone_present checkout", "relation near checkout entrance"}},
+    // ---- Openings ----
+    {"two entrances, one west and one east",
+     {"opening entrance 2", "opening entrance west 1", "opening entrance east 1"}},
+    {"the entrance at the left end of the south wall", {"opening entrance south east"}},
+    {"no windows", {"opening window <=0"}},
+    // ---- Present and absent ----
+    {"snacks; bins are not allowed", {"zone_present snacks", "fixture_count bin <=0"}},
+    {"don't leave out the eggs", {"product_present eggs"}},
+};
+
+class Constructions : public testing::TestWithParam<ConstructionCase> {};
+
+TEST_P(Constructions, AreUnderstood) {
+  const intake::Understanding found =
+      intake::understand(GetParam().prompt, shipped_language(), committed_catalog());
+  std::vector<std::string> wishes = GetParam().wishes;
+  std::ranges::sort(wishes);
+  EXPECT_EQ(sorted_lines(found.requirements), wishes);
+  EXPECT_TRUE(found.conflicts.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, Constructions, testing::ValuesIn(cases));
+
+}  // namespace
+}  // namespace marketgen
