@@ -76,7 +76,9 @@ struct Concessions {
   bool plain = false;                    // nothing but a till and ordinary shelves
   int draw = 0;                          // which of the floors that the seed can give
   int plans_before = 0;                  // of the same brief: each plan may take half the work
-  std::map<std::string, int> max_count;  // of tills and desks, by zone type
+  // Of a zone's own fixtures, by its type; of those beside them, by "type/kind"; of runs, with
+  // "/runs" behind that; of equipment at the doors, by its kind.
+  std::map<std::string, int> max_count;
 
   friend bool operator==(const Concessions&, const Concessions&) = default;
 };

@@ -13,6 +13,7 @@ bool is_number(Kind kind) {
   constexpr std::array kinds = {Kind::area,
                                 Kind::zone_count,
                                 Kind::fixture_count,
+                                Kind::run_count,
                                 Kind::aisle_count,
                                 Kind::levels,
                                 Kind::height,
@@ -116,6 +117,8 @@ bool clash(const plan::Requirement& a, const plan::Requirement& b) {
   if (b.kind == Kind::zone_absent && a.kind == Kind::relation) return clash(b, a);
   if (a.kind != b.kind) return false;
   if (a.kind == Kind::opening) return openings_clash(a, b);
+  const bool elsewhere = a.kind == Kind::fixture_count || a.kind == Kind::run_count;
+  if (elsewhere && a.second_object != b.second_object) return false;
   if (is_choice(a.kind)) return a.subject == b.subject && a.object != b.object;
   return is_number(a.kind) && a.subject == b.subject && numbers_clash(a, b);
 }

@@ -20,13 +20,14 @@ struct CoreColumn {
   std::vector<int> zones;
   int runs = 1;
   int max_runs = 99;
+  bool counted = false;  // the words count them: they may stand one behind the other
   int line_mm = 0;
   double target_m2 = 0;
 
   int width(int aisle) const { return runs * line_mm + (runs - 1) * aisle + fit_margin_mm; }
 };
 
-CoreColumn column_of(int zone, const StoreProgram& program) {
+CoreColumn column_of(int zone, const StoreProgram& program, int depth_mm) {
   const ProgramZone& row = program.zones[static_cast<std::size_t>(zone)];
   CoreColumn column;
   column.zones = {zone};
@@ -35,6 +36,8 @@ CoreColumn column_of(int zone, const StoreProgram& program) {
   // An island freezer is two rows back to back.
   const bool island = row.kind != nullptr && row.kind->generator == "island_freezer";
   if (row.rows) column.runs = column.max_runs = island ? (*row.rows + 1) / 2 : *row.rows;
+  if (const auto lines = counted_lines(row, depth_mm)) column.runs = column.max_runs = *lines;
+  column.counted = row.main.runs.has_value();
   return column;
 }
 
@@ -70,6 +73,21 @@ void merge_smallest(std::vector<CoreColumn>& columns) {
   }
   columns[best] = merged(columns[best], columns[best + 1]);
   columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+}
+
+// Puts the counted runs of the widest column one behind the other. False when none may.
+bool put_behind(std::vector<CoreColumn>& columns, const StoreProgram& program, const CoreRoom& room) {
+  CoreColumn* widest = nullptr;
+  for (CoreColumn& column : columns) {
+    const int wanted = column.max_runs, behind = (wanted + column.runs - 1) / column.runs + 1;
+    const int least = behind * min_cell_mm + (behind - 1) * program.profile->cross_aisle_mm;
+    const bool may = column.counted && column.runs > 1 && least <= room.depth_mm;
+    if (may && (widest == nullptr || column.runs > widest->runs)) widest = &column;
+  }
+  if (widest == nullptr) return false;
+  const int behind = (widest->max_runs + widest->runs - 1) / widest->runs + 1;
+  widest->runs = (widest->max_runs + behind - 1) / behind;
+  return true;
 }
 
 std::vector<CoreColumn> stacked_columns(std::vector<CoreColumn> columns, int depth_mm) {
@@ -130,11 +148,12 @@ Core make_core(const std::vector<int>& zones,
                bool stacked) {
   std::vector<CoreColumn> columns;
   for (const int zone : zones)
-    columns.push_back(column_of(zone, program));
+    columns.push_back(column_of(zone, program, room.depth_mm));
   if (stacked) columns = stacked_columns(std::move(columns), room.depth_mm);
   const auto on_wall = [](bool wall, int aisle) { return wall ? wall_shelf_mm + aisle : 0; };
   const int width = room.width_mm - on_wall(room.wall_west, room.run_aisle_mm) -
                     on_wall(room.wall_east, room.run_aisle_mm);
+  while (width_of(columns, room.run_aisle_mm) > width && put_behind(columns, program, room)) {}
   while (columns.size() > 1 && width_of(columns, room.run_aisle_mm) > width) {
     merge_smallest(columns);
   }

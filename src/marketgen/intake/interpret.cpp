@@ -74,6 +74,7 @@ constexpr StatementKind statement_kinds[] = {
     {"mention", interpret_mention}, {"absent", interpret_absent},
     {"only", interpret_only},       {"doors", interpret_doors},
     {"held", interpret_held},       {"placed", interpret_placed},
+    {"equipped", interpret_equipped},
     {"levels", interpret_levels},   {"rows", interpret_rows},
     {"aisles", interpret_aisles},   {"aisle_width", interpret_aisle_width},
     {"height", interpret_height},   {"surface", interpret_surface},

@@ -79,6 +79,7 @@ bool interpret_absent(Reading& reading, const language::Meaning& statement);
 bool interpret_only(Reading& reading, const language::Meaning& statement);
 bool interpret_doors(Reading& reading, const language::Meaning& statement);
 bool interpret_held(Reading& reading, const language::Meaning& statement);
+bool interpret_equipped(Reading& reading, const language::Meaning& statement);
 bool interpret_placed(Reading& reading, const language::Meaning& statement);
 bool interpret_surface(Reading& reading, const language::Meaning& statement);
 

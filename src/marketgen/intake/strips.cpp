@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "intake/zone_sizes.h"
+
 namespace marketgen::intake {
 namespace {
 
@@ -14,6 +16,12 @@ const ProgramZone& zone_at(const StoreProgram& program, int index) {
 
 int min_length(const StripRoom& room) {
   return std::max(room.min_mm, static_cast<int>(room.length_mm * min_share));
+}
+
+// What is counted along the wall fits there.
+int min_length(const StripRoom& room, const ProgramZone& zone) {
+  const int counted = zone.stance == Stance::wall ? counted_wall_mm(zone) : 0;
+  return std::max(min_length(room), counted);
 }
 
 // Lengths of all zones; those below the least are raised at the cost of the others.
@@ -43,8 +51,9 @@ std::vector<int> lengths_of(const std::vector<int>& zones,
       if (settled[i]) continue;
       const double target = std::max(0.1, zone_at(program, zones[i]).target_m2);
       lengths[i] = static_cast<int>(std::max(0, left) * target / targets);
-      if (lengths[i] >= min_length(room)) continue;
-      lengths[i] = min_length(room);
+      const int least = min_length(room, zone_at(program, zones[i]));
+      if (lengths[i] >= least) continue;
+      lengths[i] = least;
       settled[i] = changed = true;
       left -= lengths[i];
       break;

@@ -16,12 +16,41 @@ constexpr int lane_margin_mm = 100;  // so that rounding never costs a lane
 constexpr int packing_floor_mm = 1300;  // behind the tills: a packed trolley turns round
 constexpr int exit_floor_mm = 2050;     // kept free inside a door (layout: approach_depth_mm)
 constexpr double small_store_m2 = 450;  // below, lanes are short
+constexpr int lawful_aisle_mm = 1000;   // the least before any front (layout: min_aisle_mm)
+constexpr int usual_run_mm = 6000;      // what a run is measured for when nobody says how long
+constexpr int longest_run_mm = 12000;   // without a cross aisle (FixtureSpec::run_max_mm)
 
 bool has_staff_side(const catalog::FixtureKind& kind) {
   return kind.generator == "serve_over";
 }
 
-// The kind that lines the walls of a zone whose own fixtures stand free.
+// Free floor before a kind's front (layout: ModuleSpec::clear_mm).
+int clear_mm(const catalog::FixtureKind& kind) {
+  return std::max(lawful_aisle_mm + static_cast<int>(kind.door_swing_mm),
+                  static_cast<int>(kind.front_clearance_mm));
+}
+
+// How many of a kind the floor is measured for.
+int modules_of(const KindWish& wish) {
+  if (wish.count || !wish.runs) return wish.count.value_or(wish.least);
+  return *wish.runs * std::max(1, usual_run_mm / wish.kind->module_widths_mm.front());
+}
+
+double floor_m2(const KindWish& wish, const catalog::ProfileRow& profile) {
+  if (wish.kind == nullptr) return 0;
+  constexpr double loose = 1.2;  // what modules leave over at the ends of their runs
+  const catalog::FixtureKind& kind = *wish.kind;
+  const bool two_faces = kind.double_sided && wish.sides != 1;
+  const int depth = kind.generator == "gondola" && two_faces
+                        ? 2 * profile.gondola_shelf_mm + back_panel_mm
+                        : kind.depth_mm;
+  const int aisle = std::max(clear_mm(kind), profile.secondary_aisle_mm);
+  const int deep = depth + (two_faces || wish.sides == 1 ? aisle : aisle / 2);
+  return loose * 1e-6 * modules_of(wish) * kind.module_widths_mm.front() * deep;
+}
+
+}  // namespace
+
 const catalog::FixtureKind* kind_on_walls(const catalog::FixtureKind& kind,
                                           const catalog::Catalog& catalog) {
   if (kind.against_wall || kind.generator == "produce_table" || has_staff_side(kind)) return &kind;
@@ -30,7 +59,37 @@ const catalog::FixtureKind* kind_on_walls(const catalog::FixtureKind& kind,
   return catalog.fixture_kind("wall_unit");
 }
 
-}  // namespace
+double counted_floor_m2(const ProgramZone& zone, const catalog::ProfileRow& profile) {
+  double m2 = floor_m2(zone.main, profile);
+  for (const KindWish& wish : zone.beside)
+    m2 += floor_m2(wish, profile);
+  return m2;
+}
+
+int counted_wall_mm(const ProgramZone& zone) {
+  const auto length = [](const KindWish& wish) {
+    const bool on_wall =
+        wish.kind != nullptr && (wish.kind->against_wall || has_staff_side(*wish.kind));
+    if (!on_wall) return 0;
+    const int entry = has_staff_side(*wish.kind) ? passage_mm : 0;
+    return modules_of(wish) * wish.kind->module_widths_mm.front() + entry;
+  };
+  int mm = length(zone.main);
+  for (const KindWish& wish : zone.beside)
+    mm += length(wish);
+  return mm > 0 ? mm + wall_margin_mm : 0;
+}
+
+std::optional<int> counted_lines(const ProgramZone& zone, int depth_mm) {
+  const KindWish& wish = zone.main;
+  if (wish.kind == nullptr || (!wish.runs && !wish.count)) return std::nullopt;
+  const bool pairs = !wish.kind->double_sided && wish.sides != 1;  // two lines back to back
+  const int width = wish.kind->module_widths_mm.front();
+  const int in_line = std::max(1, std::min(depth_mm, longest_run_mm) / width);
+  const int lines = wish.runs ? *wish.runs * (pairs && wish.sides == 2 ? 2 : 1)
+                              : (*wish.count + in_line - 1) / in_line;
+  return pairs ? (lines + 1) / 2 : lines;
+}
 
 int line_depth_mm(const ProgramZone& zone, const catalog::ProfileRow& profile) {
   if (zone.kind == nullptr) return plan::min_node_side_mm;
@@ -45,6 +104,13 @@ int wall_depth_mm(const ProgramZone& zone, const catalog::Catalog& catalog) {
   const catalog::FixtureKind* kind = kind_on_walls(*zone.kind, catalog);
   int depth = (kind != nullptr ? kind->depth_mm : zone.kind->depth_mm) + wall_margin_mm;
   if (has_staff_side(*zone.kind)) depth += staff_floor_mm + staff_floor_mm / 2;
+  int free_standing = 0;  // what stands before the wall, and the aisle between
+  for (const KindWish& wish : zone.beside) {
+    if (wish.count == 0 || wish.kind->against_wall || has_staff_side(*wish.kind)) continue;
+    const int aisle = std::max(kind != nullptr ? clear_mm(*kind) : 0, clear_mm(*wish.kind));
+    free_standing = std::max(free_standing, aisle + wish.kind->depth_mm);
+  }
+  depth += free_standing;
   return std::max(depth, plan::min_node_side_mm + wall_margin_mm);
 }
 

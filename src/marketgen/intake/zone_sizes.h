@@ -25,6 +25,20 @@ int till_width_mm(const ProgramZone& zone, int front_depth_mm);
 // inside the exit. Part of the floor before the lanes lies in the gap of `gap_mm` beyond.
 int front_depth_mm(const StoreProgram& program, const catalog::Catalog& catalog, int gap_mm);
 
+// The kind that lines the walls of a zone whose own fixtures stand free.
+const catalog::FixtureKind* kind_on_walls(const catalog::FixtureKind& kind,
+                                          const catalog::Catalog& catalog);
+
+constexpr int usual_front_mm = 6000;  // what tills are measured for before the floor is cut
+
+// What the counted fixtures of a zone take: floor with its share of the aisles, and wall where they
+// stand along one. 0 when none is counted.
+double counted_floor_m2(const ProgramZone& zone, const catalog::ProfileRow& profile);
+int counted_wall_mm(const ProgramZone& zone);
+// Lines of the zone's main fixtures side by side on a floor so deep; nothing when the words leave
+// it open.
+std::optional<int> counted_lines(const ProgramZone& zone, int depth_mm);
+
 // From the wall at the staff's back to a desk's front.
 int desk_room_mm(const catalog::FixtureKind& kind);
 

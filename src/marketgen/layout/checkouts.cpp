@@ -176,7 +176,7 @@ void place_machines(Build& build, GroundBuild& ground) {
     const int most = rows == 2 ? (wish + 1 - i) / 2 : wish;
     const RectMm band =
         strip_inside(floor.rect, backs[static_cast<std::size_t>(i)], spec.depth_mm, spare);
-    const Row row{zone.zone->id + "/run-" + std::to_string(zone.next_run),
+    const Row row{zone.run_id(),
                   zone.zone,
                   &spec,
                   opposite(backs[static_cast<std::size_t>(i)]),
@@ -200,7 +200,7 @@ void place_desks(Build& build, GroundBuild& ground) {
     if (wish - zone.main_modules <= 0) return;
     const int behind_mm = spec.kind->is_desk() ? desk_staff_mm : 20;
     const RectMm band = strip_inside(ground.ground.rect, back, spec.depth_mm, behind_mm);
-    const Row row{zone.zone->id + "/run-" + std::to_string(zone.next_run),
+    const Row row{zone.run_id(),
                   zone.zone,
                   &spec,
                   opposite(back),

@@ -13,10 +13,25 @@
 namespace marketgen::layout {
 namespace {
 
+// A kind that stands in a group does not line the zone's walls besides.
+void add_groups(Build& build, std::size_t index) {
+  ZoneBuild& zone = build.zones[index];
+  if (!zone.zone->also) return;
+  for (const plan::FixtureSpec& also : *zone.zone->also) {
+    const ZoneKinds kinds = kinds_beside(also, build.design.catalog);
+    if (zone.kinds.wall == kinds.main && zone.kinds.wall != zone.kinds.main)
+      zone.kinds.wall = nullptr;
+    if (also.count == 0) continue;
+    const plan::Zone& own = build.group_zones.emplace_back(with_fixtures(*zone.zone, also));
+    build.groups.push_back({index, {&own, kinds, zone.zone->id + "/" + also.kind}});
+  }
+}
+
 Build start_build(const Design& design, Seed seed) {
   Build build{design, Site(design), {}, {}, seed};
   for (const plan::Zone& zone : design.plan.zones) {
-    build.zones.push_back({&zone, kinds_of(zone, design.catalog)});
+    build.zones.push_back({&zone, kinds_of(zone, design.catalog), zone.id});
+    add_groups(build, build.zones.size() - 1);
   }
   for (Ground& ground : zone_grounds(design.plan, design.floor)) {
     const std::size_t zone = ground.zone;
@@ -29,7 +44,9 @@ std::vector<Fixture> furnish(const Design& design, Seed seed) {
   Build build = start_build(design, seed);
   place_checkouts(build);
   place_entrance(build);
+  line_walls_with_groups(build);
   line_walls(build);
+  stand_groups(build);
   fill_floor(build);
   fill_empty_zones(build);
   return opened_up(design, build.site.take_fixtures());
