@@ -217,10 +217,8 @@ Verdict check_run_count(const Facts& facts, const plan::Requirement& r) {
   if (r.second_value == 0) return number_verdict(r, static_cast<double>(runs.size()), "runs:", "");
   const int both = twofold + paired / 2;
   const bool two = r.second_value == 2;
-  Verdict verdict = number_verdict(r,
-                                   two ? both : single,
-                                   two ? "double-sided runs:" : "single-sided runs:",
-                                   "");
+  Verdict verdict =
+      number_verdict(r, two ? both : single, two ? "double-sided runs:" : "single-sided runs:", "");
   const int others = two ? single : both;
   if (others == 0) return verdict;
   return {false, verdict.why + fmt::format("; {} others", others)};

@@ -20,11 +20,14 @@ struct CoreColumn {
   std::vector<int> zones;
   int runs = 1;
   int max_runs = 99;
+  int beside_mm = 0;     // of what stands there besides, its aisle included
   bool counted = false;  // the words count them: they may stand one behind the other
   int line_mm = 0;
   double target_m2 = 0;
 
-  int width(int aisle) const { return runs * line_mm + (runs - 1) * aisle + fit_margin_mm; }
+  int width(int aisle) const {
+    return runs * line_mm + (runs - 1) * aisle + beside_mm + fit_margin_mm;
+  }
 };
 
 CoreColumn column_of(int zone, const StoreProgram& program, int depth_mm) {
@@ -38,6 +41,7 @@ CoreColumn column_of(int zone, const StoreProgram& program, int depth_mm) {
   if (row.rows) column.runs = column.max_runs = island ? (*row.rows + 1) / 2 : *row.rows;
   if (const auto lines = counted_lines(row, depth_mm)) column.runs = column.max_runs = *lines;
   column.counted = row.main.runs.has_value();
+  column.beside_mm = beside_depth_mm(row, depth_mm);
   return column;
 }
 
@@ -47,6 +51,7 @@ CoreColumn merged(const CoreColumn& a, const CoreColumn& b) {
   column.runs = std::max(a.runs, b.runs);
   column.max_runs = std::min(a.max_runs, b.max_runs);
   column.line_mm = std::max(a.line_mm, b.line_mm);
+  column.beside_mm = std::max(a.beside_mm, b.beside_mm);
   column.target_m2 += b.target_m2;
   return column;
 }
@@ -76,7 +81,9 @@ void merge_smallest(std::vector<CoreColumn>& columns) {
 }
 
 // Puts the counted runs of the widest column one behind the other. False when none may.
-bool put_behind(std::vector<CoreColumn>& columns, const StoreProgram& program, const CoreRoom& room) {
+bool put_behind(std::vector<CoreColumn>& columns,
+                const StoreProgram& program,
+                const CoreRoom& room) {
   CoreColumn* widest = nullptr;
   for (CoreColumn& column : columns) {
     const int wanted = column.max_runs, behind = (wanted + column.runs - 1) / column.runs + 1;
@@ -124,7 +131,7 @@ int fitted_aisle(const std::vector<CoreColumn>& columns,
   if (gaps <= 0 || program.aisle_mm) return room.run_aisle_mm;
   int fixtures = walls * wall_shelf_mm;
   for (const CoreColumn& column : columns)
-    fixtures += column.runs * column.line_mm + fit_margin_mm;
+    fixtures += column.runs * column.line_mm + column.beside_mm + fit_margin_mm;
   const int fitted = (room.width_mm - fixtures) / gaps;
   const int least = std::min(room.run_aisle_mm, program.profile->minimum_aisle_mm + 100);
   const int most = static_cast<int>(room.run_aisle_mm * widest_aisle);
@@ -153,7 +160,8 @@ Core make_core(const std::vector<int>& zones,
   const auto on_wall = [](bool wall, int aisle) { return wall ? wall_shelf_mm + aisle : 0; };
   const int width = room.width_mm - on_wall(room.wall_west, room.run_aisle_mm) -
                     on_wall(room.wall_east, room.run_aisle_mm);
-  while (width_of(columns, room.run_aisle_mm) > width && put_behind(columns, program, room)) {}
+  while (width_of(columns, room.run_aisle_mm) > width && put_behind(columns, program, room)) {
+  }
   while (columns.size() > 1 && width_of(columns, room.run_aisle_mm) > width) {
     merge_smallest(columns);
   }

@@ -92,10 +92,23 @@ const plan::Requirement* runs_of_store(const Understanding& found, std::string_v
   return nullptr;
 }
 
+bool wants_no_tills(const Understanding& found) {
+  const auto refused = [&](std::string_view zone, std::string_view kind) {
+    const plan::Requirement* count = found.find(Kind::fixture_count, kind);
+    return found.find(Kind::zone_absent, zone) != nullptr ||
+           (count != nullptr && asks_for_none(*count));
+  };
+  const plan::Requirement* machines = found.find(Kind::fixture_count, "self_checkout");
+  const bool with_machines = found.find(Kind::zone_present, "self_checkout") != nullptr ||
+                             (machines != nullptr && !asks_for_none(*machines));
+  return refused("checkout", "checkout_lane") && !with_machines;
+}
+
 std::vector<plan::EquipmentSpec> equipment_of(const Understanding& found,
                                               const catalog::Catalog& catalog) {
   constexpr int max_equipment = 20;  // of EquipmentSpec::count
   std::vector<plan::EquipmentSpec> equipment;
+  if (wants_no_tills(found)) equipment.push_back({"checkout_lane", 0, std::nullopt});
   for (const plan::Requirement& wish : found.requirements) {
     const catalog::FixtureKind* kind =
         wish.kind == Kind::fixture_count ? catalog.fixture_kind(wish.subject) : nullptr;

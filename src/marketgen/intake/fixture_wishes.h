@@ -35,6 +35,9 @@ bool is_refused(const Understanding& found, const catalog::FixtureKind& kind);
 // Lines of a kind that are counted in the store as a whole; null when they are not.
 const plan::Requirement* runs_of_store(const Understanding& found, std::string_view kind);
 
+// Neither lanes nor machines: shoppers go to a desk.
+bool wants_no_tills(const Understanding& found);
+
 // What is to stand at the doors otherwise than usual.
 std::vector<plan::EquipmentSpec> equipment_of(const Understanding& found,
                                               const catalog::Catalog& catalog);

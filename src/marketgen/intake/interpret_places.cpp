@@ -109,6 +109,7 @@ bool add_relations(Reading& reading,
 
 bool sells(const catalog::Catalog& catalog, const catalog::ZoneTypeRow& row) {
   const catalog::FixtureKind* kind = catalog.fixture_kind(row.fixture);
+  if (kind != nullptr && kind->role == catalog::FixtureRole::checkout) return false;
   return !row.categories.empty() ||
          (kind != nullptr && kind->role == catalog::FixtureRole::shelving);
 }
@@ -180,9 +181,8 @@ bool mention_in_zone(Reading& reading, const Parts& things, const Parts& places)
 
 // "Wine in wine racks": the fixtures are those of the goods' zone. What is no fixture stands near.
 bool interpret_held(Reading& reading, const Meaning& statement) {
-  const bool furniture =
-      !statement.has("only") &&
-      mention_in_zone(reading, statement.parts("things"), statement.parts("by"));
+  const bool furniture = !statement.has("only") &&
+                         mention_in_zone(reading, statement.parts("things"), statement.parts("by"));
   if (furniture) return true;
   if (statement.has("only"))
     interpret_only(reading, statement);
@@ -206,8 +206,15 @@ bool interpret_held(Reading& reading, const Meaning& statement) {
 bool interpret_equipped(Reading& reading, const Meaning& statement) {
   const Meaning& zone = *statement.parts("zone").front();
   const Parts& things = statement.parts("things");
-  mention(reading, zone);
-  const bool furniture = !zone.text("zone").empty() && are_furniture(reading, things);
+  if (statement.has("at")) {
+    Meaning placed = statement;
+    placed.slots["things"] = statement.parts("zone");
+    interpret_placed(reading, placed);
+  } else {
+    mention(reading, zone);
+  }
+  const bool furniture =
+      !zone.is("type", "fixture") && !zone.text("zone").empty() && are_furniture(reading, things);
   for (const MeaningPtr& thing : things)
     mention(reading, furniture ? standing_in(*thing, zone.text("zone")) : *thing);
   Parts named{statement.parts("zone").front()};
@@ -276,8 +283,8 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   if (things.empty()) return false;
   if (!denied && statement.parts("at").size() == 1) {
     const Meaning& place = *statement.parts("at").front();
-    const bool within = place.is("relation", "in") &&
-                        mention_in_zone(reading, things, place.parts("objects"));
+    const bool within =
+        place.is("relation", "in") && mention_in_zone(reading, things, place.parts("objects"));
     if (within || stand_at_door(reading, things, place)) return true;
   }
   bool any = mention_placed(reading, statement);

@@ -37,11 +37,17 @@ bool is_named(const Understanding& found, const ProgramZone& zone) {
   return wish_for(found, zone) != nullptr;
 }
 
-// A shop keeps its lanes, or its machines where it has no lanes.
+bool has_zone(const StoreProgram& program, std::string_view type) {
+  return std::ranges::any_of(program.zones,
+                             [&](const ProgramZone& zone) { return zone.type->type == type; });
+}
+
+// A shop keeps its lanes, its machines where it has no lanes, and its desk where it has neither.
 bool is_kept(const StoreProgram& program, const ProgramZone& zone) {
-  const bool lanes = std::ranges::any_of(
-      program.zones, [](const ProgramZone& other) { return other.type->type == "checkout"; });
-  return zone.type->type == (lanes ? "checkout" : "self_checkout");
+  for (const std::string_view type : {"checkout", "self_checkout", "customer_service"}) {
+    if (has_zone(program, type)) return zone.type->type == type;
+  }
+  return false;
 }
 
 // The zone that is given up first: the least important one that nobody asked for, else the last one
@@ -161,8 +167,7 @@ Candidate find_floor(StoreProgram& program,
 
 // A shop without a till is none.
 void keep_tills(Understanding& found, const StoreProgram& program) {
-  const bool has_lanes = std::ranges::any_of(
-      program.zones, [](const ProgramZone& zone) { return zone.type->type == "checkout"; });
+  const bool has_lanes = has_zone(program, "checkout");
   const auto refused = std::ranges::find_if(found.requirements, [](const plan::Requirement& wish) {
     return wish.kind == plan::RequirementKind::zone_absent && wish.subject == "checkout";
   });

@@ -168,12 +168,16 @@ NamedZones chosen_zones(const Understanding& found,
   NamedZones chosen = program.plain ? plain_zones(program, catalog) : named_zones(found, catalog);
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
                              chosen.count.contains("self_checkout");
-  if (!only_machines) chosen.add("checkout");
+  if (wants_no_tills(found))
+    chosen.add("customer_service");  // where orders are handed over, and money if it must be
+  else if (!only_machines)
+    chosen.add("checkout");
   const auto wanted =
       static_cast<std::size_t>(zones_in_any_store + program.area_m2() / further_zone_m2);
   const std::size_t most = std::min(wanted, max_zones);
   for (const std::string& type : program.profile->zones) {
-    const bool refused = found.find(Kind::zone_absent, type) != nullptr;
+    const bool till = is_till(type) && wants_no_tills(found);
+    const bool refused = till || found.find(Kind::zone_absent, type) != nullptr;
     if (chosen.order.size() < most && !refused && !program.plain) chosen.add(type);
   }
   return chosen;
@@ -212,8 +216,10 @@ const catalog::FixtureKind* replacement_of(const Understanding& found,
   return other == catalog.fixture_kinds.end() ? nullptr : &*other;
 }
 
+// Pallets of water stand beside the shelves of drinks; wine racks stand in the place of shelves.
 bool can_be_main(const catalog::FixtureKind& kind, const catalog::FixtureKind& usual) {
-  return kind.temperature == usual.temperature;
+  return kind.temperature == usual.temperature &&
+         (!is_walked_round(kind) || is_walked_round(usual));
 }
 
 // A named fixture kind replaces the zone's usual one when it can hold the same goods.
@@ -225,8 +231,8 @@ const catalog::FixtureKind* kind_of(const Understanding& found,
   const catalog::FixtureKind* usual =
       type.fixture.empty() ? nullptr : catalog.fixture_kind(type.fixture);
   const std::vector<KindWish> wishes = kind_wishes(found, catalog, type.type);
-  const bool usual_is_named = std::ranges::any_of(
-      wishes, [&](const KindWish& wish) { return wish.kind == usual; });
+  const bool usual_is_named =
+      std::ranges::any_of(wishes, [&](const KindWish& wish) { return wish.kind == usual; });
   if (usual_is_named) return usual;
   for (const KindWish& wish : wishes) {
     if (usual == nullptr || can_be_main(*wish.kind, *usual)) return wish.kind;
@@ -327,8 +333,10 @@ void share_floor(StoreProgram& program,
 // A floor of no said size is as large as what is counted on it needs.
 void grow_floor(StoreProgram& program, const Understanding& found) {
   constexpr double selling_share = 0.62;  // of the floor: the rest is aisles before walls and tills
-  constexpr double crowded = 1.1;         // a little more is found on the usual floor
-  constexpr double front_share = 0.7;     // of the front for the tills: people come in, too
+  constexpr int before_and_behind_runs_mm =
+      12000;                           // tills, the back wall's cabinets and two aisles
+  constexpr double crowded = 1.1;      // a little more is found on the usual floor
+  constexpr double front_share = 0.7;  // of the front for the tills: people come in, too
   double counted_m2 = 0, shares = 0, counted_shares = 0;
   int tills_mm = 0;
   for (const ProgramZone& zone : program.zones) {
@@ -349,6 +357,12 @@ void grow_floor(StoreProgram& program, const Understanding& found) {
     const std::array<int, 2> size = size_with_area(*program.profile, std::min(area, most));
     program.width_mm = std::max(program.width_mm, size[0]);
     program.depth_mm = std::max(program.depth_mm, size[1]);
+  }
+  for (const ProgramZone& zone :
+       program.zones) {  // as deep as its longest run, with tills before it
+    const int run = counted_run_mm(zone);
+    if (run > 0 && zone.stance != Stance::front)
+      program.depth_mm = std::max(program.depth_mm, rounded_mm(run + before_and_behind_runs_mm));
   }
   const double front_mm = std::min(tills_mm / front_share, max_store_side_mm);
   program.width_mm = std::max(program.width_mm, rounded_mm(front_mm));
@@ -385,7 +399,8 @@ void share_runs(StoreProgram& program,
     const auto others = static_cast<int>(open.size() - i) - 1;
     const double share = floor_m2 > 0 ? zone.target_m2 / floor_m2 : 1;
     const int fair = i + 1 == open.size() ? left : static_cast<int>(std::lround(left * share));
-    const int runs = std::clamp(fair, std::min(1, left), std::max(std::min(1, left), left - others));
+    const int runs =
+        std::clamp(fair, std::min(1, left), std::max(std::min(1, left), left - others));
     floor_m2 -= zone.target_m2;
     left -= std::max(0, runs);
     if (runs > 0) {
@@ -415,9 +430,12 @@ int most_of(const Concessions& concessions, const std::string& what, int wanted)
 // What was found to have no room is not asked for again.
 void keep_to(const Concessions& concessions, ProgramZone& zone) {
   const std::string& type = zone.type->type;
+  const bool goods = zone.kind != nullptr && zone.kind->role == catalog::FixtureRole::shelving;
+  if (goods && zone.count == 0) zone.count.reset();  // as many as find room
   if (zone.main.runs) {
-    zone.main.runs = std::max(1, most_of(concessions, type + "/runs", *zone.main.runs));
+    zone.main.runs = most_of(concessions, type + "/runs", *zone.main.runs);
     if (zone.count) zone.main.runs = std::min(*zone.main.runs, *zone.count);
+    if (zone.main.runs == 0) zone.main.runs.reset();
   }
   for (KindWish& wish : zone.beside) {
     const std::string name = type + "/" + wish.kind->kind;

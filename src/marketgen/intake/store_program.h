@@ -39,11 +39,11 @@ struct StoreProgram {
   const catalog::ProfileRow* profile = nullptr;
   int width_mm = 0, depth_mm = 0;  // as built: east-west, north-south
   std::vector<ProgramZone> zones;
-  std::optional<int> aisles;    // aisles asked for
-  std::optional<int> aisle_mm;  // aisle width asked for
+  std::optional<int> aisles;                   // aisles asked for
+  std::optional<int> aisle_mm;                 // aisle width asked for
   std::vector<plan::EquipmentSpec> equipment;  // at the doors, where it is not as usual
-  bool till_counter = false;    // no room for lanes
-  bool plain = false;           // no room for more than a till and ordinary shelves
+  bool till_counter = false;                   // no room for lanes
+  bool plain = false;                          // no room for more than a till and ordinary shelves
   double area_m2() const { return 1e-6 * width_mm * depth_mm; }
 };
 

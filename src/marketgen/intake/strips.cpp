@@ -18,10 +18,9 @@ int min_length(const StripRoom& room) {
   return std::max(room.min_mm, static_cast<int>(room.length_mm * min_share));
 }
 
-// What is counted along the wall fits there.
-int min_length(const StripRoom& room, const ProgramZone& zone) {
-  const int counted = zone.stance == Stance::wall ? counted_wall_mm(zone) : 0;
-  return std::max(min_length(room), counted);
+// What is counted fits there.
+int min_length(const StripRoom& room, const StoreProgram& program, const ProgramZone& zone) {
+  return std::max(min_length(room), counted_length_mm(zone, *program.profile, room.depth_mm));
 }
 
 // Lengths of all zones; those below the least are raised at the cost of the others.
@@ -51,7 +50,7 @@ std::vector<int> lengths_of(const std::vector<int>& zones,
       if (settled[i]) continue;
       const double target = std::max(0.1, zone_at(program, zones[i]).target_m2);
       lengths[i] = static_cast<int>(std::max(0, left) * target / targets);
-      const int least = min_length(room, zone_at(program, zones[i]));
+      const int least = min_length(room, program, zone_at(program, zones[i]));
       if (lengths[i] >= least) continue;
       lengths[i] = least;
       settled[i] = changed = true;

@@ -101,22 +101,29 @@ void place_beside_door(Build& build, const Post& post, bool low_side_first) {
   build.site.add(std::move(unit), build.design.min_aisle_mm());
 }
 
+// Where gates stand: off the middle of the door and beyond its approach, and the floor kept free
+// round them.
+struct GateRoom {
+  int round_mm = 0, aside_mm = 0, away_mm = 0;
+};
+
 // Posts that say "in": straight before the door, side by side, with room to pass on every side.
-void place_gates(Build& build, const Post& first, int count, int round_mm) {
+void place_gates(Build& build, const Post& first, int count, const GateRoom& room) {
   const Doorway& door = first.door;
   const ZoneBuild* owner = nearest_zone(build, door.threshold);
   if (owner == nullptr) return;
   const ModuleSpec spec = module_spec(build.design, *owner->zone, first.kind);
   const int width = spec.widths_mm.front();
-  const int from = door.span.middle() - count * width / 2;
-  const RectMm line = cut_along(strip_beyond(door.approach, opposite(door.wall), spec.depth_mm),
-                                door.wall,
-                                {from, from + count * width});
-  const RectMm round = line.grown(round_mm);
+  const int from = door.span.middle() - count * width / 2 + room.aside_mm;
+  const RectMm before = strip_beyond(door.approach, opposite(door.wall), room.away_mm);
+  const RectMm line = cut_along(
+      strip_beyond(room.away_mm > 0 ? before : door.approach, opposite(door.wall), spec.depth_mm),
+      door.wall,
+      {from, from + count * width});
+  const RectMm round = line.grown(room.round_mm);
   if (!build.site.is_clear(round)) return;
   for (int i = 0; i < count; ++i) {
-    const RectMm rect =
-        cut_along(line, door.wall, {from + i * width, from + (i + 1) * width});
+    const RectMm rect = cut_along(line, door.wall, {from + i * width, from + (i + 1) * width});
     Fixture gate = lone_unit(spec, *owner, rect, first.number + i);
     gate.yaw_deg = yaw_facing(door.wall);
     build.site.add(std::move(gate), 0);
@@ -159,16 +166,28 @@ AtDoors doors_of(const Design& design, std::string_view kind, bool usual) {
   return at;
 }
 
-// As much room round a gate as trolleys want; a gate that was asked for does with a lawful aisle.
+// As much room round a gate as trolleys want, straight before the door; one that was asked for does
+// with a lawful aisle, and stands a little aside or away.
+std::vector<GateRoom> gate_rooms(const Design& design) {
+  const int lawful = design.min_aisle_mm();
+  const int habit = std::max(lawful, design.profile.secondary_aisle_mm * 4 / 5);
+  std::vector<GateRoom> rooms{{habit, 0, 0}};
+  if (!design.plan.equipment) return rooms;
+  for (const int away : {0, 400, 800}) {
+    for (const int aside : {0, -500, 500, -1000, 1000})
+      rooms.push_back({lawful, aside, away});
+  }
+  return rooms;
+}
+
 void place_all_gates(Build& build, const catalog::FixtureKind& kind, const AtDoors& at) {
-  const int lawful = build.design.min_aisle_mm();
-  const int habit = std::max(lawful, build.design.profile.secondary_aisle_mm * 4 / 5);
   int number = 1;
   for (const auto& [door, count] : at) {
     const std::size_t before = build.site.fixtures().size();
-    place_gates(build, {*door, kind, number}, count, habit);
-    if (build.site.fixtures().size() == before && build.design.plan.equipment)
-      place_gates(build, {*door, kind, number}, count, lawful);
+    for (const GateRoom& room : gate_rooms(build.design)) {
+      if (build.site.fixtures().size() == before)
+        place_gates(build, {*door, kind, number}, count, room);
+    }
     number += count;
   }
 }
@@ -212,10 +231,9 @@ void place_entrance(Build& build) {
   if (!design.plan.equipment) return;
   std::vector<std::string_view> placed;
   for (const plan::EquipmentSpec& spec : *design.plan.equipment) {
-    const bool done =
-        std::ranges::find(usual_equipment, spec.kind, &UsualEquipment::kind) !=
-            usual_equipment.end() ||
-        std::ranges::find(placed, spec.kind) != placed.end();
+    const bool done = std::ranges::find(usual_equipment, spec.kind, &UsualEquipment::kind) !=
+                          usual_equipment.end() ||
+                      std::ranges::find(placed, spec.kind) != placed.end();
     if (done) continue;
     placed.push_back(spec.kind);
     place(spec.kind, false, low);

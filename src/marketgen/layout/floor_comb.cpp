@@ -269,8 +269,8 @@ std::optional<FloorComb> best_runs_along(const FloorTask& task,
 
 struct Corner {
   FloorComb comb;
-  int modules = 0;   // of those wanted
-  double cost = 0;   // floor that it takes from what it is cut from, and its way from the door
+  int modules = 0;  // of those wanted
+  double cost = 0;  // floor that it takes from what it is cut from, and its way from the door
 };
 
 int modules_of(const FloorTask& task, const FloorComb& comb) {
@@ -292,9 +292,8 @@ Corner corner_at(const FloorTask& task, FloorComb comb, const RectMm& room, Pack
   const Span wide = across(room, front);
   const int size = comb.block.depth_mm();
   const int wanted = task.zone.modules_left(comb.block.spec.kind);
-  comb.groups = groups_along(along(room, front),
-                             longest_group_mm(comb.block.spec, *task.zone.zone),
-                             task.build.design.profile.cross_aisle_mm);
+  comb.groups = groups_along(
+      along(room, front), longest_group_mm(comb.block.spec, *task.zone.zone), task.clear_mm);
   Corner corner{comb, 0, 0};
   for (int count = 1; count * (size + task.aisle_mm) - task.aisle_mm <= wide.length(); ++count) {
     comb.lows = packed(wide, count, size, task.aisle_mm, edge);
@@ -310,7 +309,8 @@ Corner corner_at(const FloorTask& task, FloorComb comb, const RectMm& room, Pack
   const int middle = (corner.comb.lows.front() + corner.comb.lows.back() + size) / 2;
   const PointMm center = room.center();
   const PointMm at = lies_along_x(front) ? PointMm{center[0], middle} : PointMm{middle, center[1]};
-  corner.cost += mm_per_metre_away * 1e-3 * distance_mm(point_rect(at), point_rect(door->threshold));
+  corner.cost +=
+      mm_per_metre_away * 1e-3 * distance_mm(point_rect(at), point_rect(door->threshold));
   return corner;
 }
 
@@ -434,8 +434,8 @@ std::optional<FloorComb> choose_runs(FloorTask task, const ModuleSpec& spec) {
   const bool apart = wish.double_sided.has_value() && !*wish.double_sided;
   const FloorBlock block = apart ? FloorBlock{spec, false, 0} : block_of(spec);
   const int wanted = task.zone.runs_left(spec.kind);
-  const bool preferred = wish.axis == plan::RunAxis::automatic ? prefers_along_y(task)
-                                                               : wish.axis == plan::RunAxis::y;
+  const bool preferred =
+      wish.axis == plan::RunAxis::automatic ? prefers_along_y(task) : wish.axis == plan::RunAxis::y;
   std::optional<FloorComb> best;
   for (const int aisle : {task.habit_mm, task.clear_mm}) {
     task.aisle_mm = aisle;

@@ -29,10 +29,10 @@ struct FloorTask {
   Build& build;
   GroundBuild& ground;
   ZoneBuild& zone;
-  int aisle_mm;     // before fronts
-  int habit_mm;     // what the zone's aisles should be
-  int clear_mm;     // demanded before fronts
-  bool share_gaps;  // leave half of the aisle to a neighbour that is not built yet
+  int aisle_mm;               // before fronts
+  int habit_mm;               // what the zone's aisles should be
+  int clear_mm;               // demanded before fronts
+  bool share_gaps;            // leave half of the aisle to a neighbour that is not built yet
   bool stands_apart = false;  // others of the zone keep an aisle on all sides of it
 };
 

@@ -81,7 +81,8 @@ void build_group(const FloorTask& task, const FloorComb& comb, int low, Span gro
     const RectMm block = lies_along_x(comb.front) ? RectMm{run->rect.x0, low, run->rect.x1, high}
                                                   : RectMm{low, run->rect.y0, high, run->rect.y1};
     if (comb.block.between_mm > 0) task.build.site.keep_clear(block);
-    if (task.stands_apart) task.build.site.keep_clear(block.grown(task.build.design.min_aisle_mm()));
+    if (task.stands_apart)
+      task.build.site.keep_clear(block.grown(task.build.design.min_aisle_mm()));
     if (endcaps.front) add_endcap(task, comb, *run, block, front, "endcap-front");
     if (endcaps.back) add_endcap(task, comb, *run, block, opposite(front), "endcap-back");
   }

@@ -254,8 +254,7 @@ ZoneKinds kinds_beside(const plan::FixtureSpec& also, const catalog::Catalog& ca
 ModuleSpec module_spec(const Design& design,
                        const plan::Zone& zone,
                        const catalog::FixtureKind& kind) {
-  const bool own =
-      kind.kind == zone.fixture.kind || &kind == kinds_of(zone, design.catalog).main;
+  const bool own = kind.kind == zone.fixture.kind || &kind == kinds_of(zone, design.catalog).main;
   const plan::FixtureSpec wish = own ? zone.fixture : plan::FixtureSpec{};
   ModuleSpec spec;
   spec.kind = &kind;

@@ -151,8 +151,8 @@ void add_missing_equipment(Findings& found, const RuleFacts& facts) {
   for (const plan::EquipmentSpec& spec : *facts.design.plan.equipment)
     wanted[spec.kind] += spec.count;
   for (const auto& [kind, count] : wanted) {
-    const auto standing = static_cast<int>(
-        std::ranges::count(facts.layout.fixtures, kind, &Fixture::kind));
+    const auto standing =
+        static_cast<int>(std::ranges::count(facts.layout.fixtures, kind, &Fixture::kind));
     if (standing >= count) continue;
     found.push_back({kind,
                      static_cast<double>(standing),

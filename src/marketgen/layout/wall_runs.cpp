@@ -100,7 +100,8 @@ std::optional<Span> room_for_run(const Build& build, const ZoneBuild& zone, cons
 
 void line_wall(Build& build, ZoneBuild& zone, const WallJob& job) {
   GroundBuild& ground = build.grounds[job.ground];
-  const catalog::FixtureKind& kind = zone.kinds.wall != nullptr ? *zone.kinds.wall : *zone.kinds.main;
+  const catalog::FixtureKind& kind =
+      zone.kinds.wall != nullptr ? *zone.kinds.wall : *zone.kinds.main;
   const ModuleSpec spec = one_sided(module_spec(build.design, *zone.zone, kind));
   const int clear = spec.clear_mm(build.design);
   const bool staffed = has_staff_aisle(ground, job, spec, clear);
@@ -111,13 +112,7 @@ void line_wall(Build& build, ZoneBuild& zone, const WallJob& job) {
       cut_along(strip_inside(ground.ground.rect, job.side, spec.depth_mm, offset), job.side, span);
   const int most = zone.modules_left(spec.kind);
   if (most <= 0) return;
-  const Row whole{zone.run_id(),
-                  zone.zone,
-                  &spec,
-                  opposite(job.side),
-                  band,
-                  clear,
-                  most};
+  const Row whole{zone.run_id(), zone.zone, &spec, opposite(job.side), band, clear, most};
   bool any = false;
   for (const Span& part : apart_from_others(build, zone, whole)) {
     Row row = whole;
@@ -158,7 +153,9 @@ bool is_narrow(const Build& build, const GroundBuild& ground, const ModuleSpec& 
 }
 
 // The shortest wall that holds the whole group, then the longest ones.
-std::vector<WallJob> group_jobs(const Build& build, const GroupBuild& group, const ModuleSpec& spec) {
+std::vector<WallJob> group_jobs(const Build& build,
+                                const GroupBuild& group,
+                                const ModuleSpec& spec) {
   std::vector<WallJob> jobs;
   for (std::size_t i = 0; i < build.grounds.size(); ++i) {
     const GroundBuild& ground = build.grounds[i];

@@ -163,10 +163,10 @@ constexpr std::array<std::string_view, 3> names_of(RunAxis) {
 
 // Fixtures of a zone. What is absent comes from the fixture kind's row and the profile.
 //
-// `count` is kept both ways: never more of this kind in the zone, and COUNT_SHORT says what found no
-// room. 0 of a zone's main fixtures leaves it those along its walls and those of `Zone::also`.
-// `runs` are straight lines, each as long as the others; with `double_sided` false they stand apart,
-// without it two of one-sided kinds may stand back to back.
+// `count` is kept both ways: never more of this kind in the zone, and COUNT_SHORT says what found
+// no room. 0 of a zone's main fixtures leaves it those along its walls and those of `Zone::also`.
+// `runs` are straight lines, each as long as the others; with `double_sided` false they stand
+// apart, without it two of one-sided kinds may stand back to back.
 struct FixtureSpec {
   std::string kind = "gondola";
   std::optional<bool> double_sided;
@@ -350,8 +350,8 @@ struct Provenance {
 // stands as usual.
 struct EquipmentSpec {
   std::string kind;
-  int count = 1;                   // in the whole store; 0 = none
-  std::optional<std::string> at;   // opening, by id or kind; absent: the entrances in turn
+  int count = 1;                  // in the whole store; 0 = none
+  std::optional<std::string> at;  // opening, by id or kind; absent: the entrances in turn
 
   static constexpr auto fields = field_list(
       field("kind", &EquipmentSpec::kind, "fixture kind", required(), reference()),

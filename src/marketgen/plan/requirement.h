@@ -40,7 +40,7 @@ constexpr std::array<std::string_view, 22> names_of(RequirementKind) {
           "fixture_count", "aisle_count", "levels",       "relation",        "style",
           "profile",       "material",    "color",        "product_present", "product_absent",
           "opening",       "endcaps",     "height",       "aisle_width",     "stock",
-          "light",       "run_count"};
+          "light",         "run_count"};
 }
 
 enum class Comparison { equal, at_least, at_most };

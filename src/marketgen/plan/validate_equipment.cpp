@@ -22,14 +22,13 @@ std::vector<std::string_view> doors_of(const Plan& plan) {
 }
 
 Result<void> check_kind(const PlanCheck& check, const EquipmentSpec& spec, std::string where) {
-  MARKETGEN_CHECK(check_name(check.catalog.fixture_kinds,
-                             &catalog::FixtureKind::kind,
-                             "fixture kind",
-                             spec.kind,
-                             where));
+  MARKETGEN_CHECK(check_name(
+      check.catalog.fixture_kinds, &catalog::FixtureKind::kind, "fixture kind", spec.kind, where));
   const catalog::FixtureKind* kind = check.catalog.fixture_kind(spec.kind);
   if (kind->role == catalog::FixtureRole::equipment && kind->mount == catalog::FixtureMount::floor)
     return {};
+  // Without tills: nobody misses one (rule CHECKOUT_MISSING).
+  if (kind->role == catalog::FixtureRole::checkout && spec.count == 0) return {};
   return Error{"plan.bad_value",
                std::move(where),
                "\"" + spec.kind +

@@ -46,9 +46,7 @@ struct FixtureAt {
   std::string pointer;  // "/zones/2/fixture", "/zones/2/also/0"
 
   Error fault(std::string_view field, std::string message) const {
-    return {"plan.bad_value",
-            check.at(pointer + "/" + std::string(field)),
-            std::move(message)};
+    return {"plan.bad_value", check.at(pointer + "/" + std::string(field)), std::move(message)};
   }
 };
 
@@ -86,13 +84,14 @@ Result<void> check_fixture(const FixtureAt& fixture) {
   const int ceiling = fixture.check.plan.shell.ceiling_mm;
   if (spec.height_mm.value_or(kind->height_mm) > ceiling) {
     return fixture.fault(
-        "height_mm",
-        "the fixture is higher than the ceiling (" + with_thousands(ceiling) + " mm)");
+        "height_mm", "the fixture is higher than the ceiling (" + with_thousands(ceiling) + " mm)");
   }
   if (spec.runs && spec.count.value_or(*spec.runs) < *spec.runs) {
     return fixture.fault("runs",
-                         std::to_string(*spec.runs) + " runs need as many fixtures at least; the "
-                         "count is " + std::to_string(*spec.count));
+                         std::to_string(*spec.runs) +
+                             " runs need as many fixtures at least; the "
+                             "count is " +
+                             std::to_string(*spec.count));
   }
   return check_levels_fit(fixture, *kind);
 }
@@ -102,17 +101,19 @@ Result<void> check_fixture(const FixtureAt& fixture) {
 Result<void> check_beside(const FixtureAt& fixture, const Zone& zone, std::size_t index) {
   const FixtureSpec& spec = fixture.spec;
   const auto& all = *zone.also;
-  const bool repeated = spec.kind == zone.fixture.kind ||
-                        std::any_of(all.begin(),
-                                    all.begin() + static_cast<std::ptrdiff_t>(index),
-                                    [&](const FixtureSpec& other) { return other.kind == spec.kind; });
+  const bool repeated =
+      spec.kind == zone.fixture.kind ||
+      std::any_of(all.begin(),
+                  all.begin() + static_cast<std::ptrdiff_t>(index),
+                  [&](const FixtureSpec& other) { return other.kind == spec.kind; });
   if (repeated) {
     return fixture.fault(
-        "kind", "zone " + zone.id + " has fixtures of kind \"" + spec.kind + "\" already; add the counts");
+        "kind",
+        "zone " + zone.id + " has fixtures of kind \"" + spec.kind + "\" already; add the counts");
   }
   if (!spec.count && !spec.runs) {
-    return fixture.fault(
-        "count", "say count or runs; only a zone's main fixtures fill what room there is");
+    return fixture.fault("count",
+                         "say count or runs; only a zone's main fixtures fill what room there is");
   }
   const catalog::FixtureKind* kind = fixture.check.catalog.fixture_kind(spec.kind);
   if (kind == nullptr || kind->mount != catalog::FixtureMount::floor ||

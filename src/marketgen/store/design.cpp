@@ -40,11 +40,11 @@ const plan::Requirement* wish_behind(const layout::Violation& fault,
   const bool relation = fault.code == "RELATION_BROKEN", runs = place.part.ends_with("/runs");
   const auto wish = std::ranges::find_if(planned.requirements, [&](const plan::Requirement& one) {
     if (relation) return one.kind == plan::RequirementKind::relation && one.subject == place.name;
-    const bool of_kind = place.part.empty() || place.part == "/runs" ||
-                         place.part.starts_with("/" + one.subject);
+    const bool of_kind =
+        place.part.empty() || place.part == "/runs" || place.part.starts_with("/" + one.subject);
     const bool of_place = one.object == place.name || one.subject == place.name;
-    return one.kind == (runs ? plan::RequirementKind::run_count
-                             : plan::RequirementKind::fixture_count) &&
+    return one.kind ==
+               (runs ? plan::RequirementKind::run_count : plan::RequirementKind::fixture_count) &&
            of_place && of_kind;
   });
   return wish == planned.requirements.end() ? nullptr : &*wish;
@@ -61,7 +61,8 @@ class Bargain {
       if (fault.code == "RELATION_BROKEN") {
         concessions_.relations_may_fail = true;
         note(fault, now.planned);
-      } else if (fault.code == "COUNT_SHORT" && (fault.value >= 1 || !is_about_zone(fault, now))) {
+      } else if (fault.code == "COUNT_SHORT" &&
+                 (fault.value >= 1 || !is_about_tills(fault, now.planned.plan))) {
         cap_count(fault, now.planned);
       } else {
         const bool tills = is_about_tills(fault, now.planned.plan);
@@ -93,11 +94,6 @@ class Bargain {
     const Place place = place_of(fault, planned.plan);
     concessions_.max_count[place.name + place.part] = static_cast<int>(fault.value);
     note(fault, planned);
-  }
-
-  // Of a zone's own fixtures: without a single one the zone is empty.
-  static bool is_about_zone(const layout::Violation& fault, const Designed& now) {
-    return plan::find_zone(now.planned.plan, fault.where) != nullptr;
   }
 
   static bool is_about_tills(const layout::Violation& fault, const plan::Plan& plan) {

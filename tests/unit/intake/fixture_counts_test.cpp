@@ -15,7 +15,7 @@ intake::Understanding understood(const std::string& prompt) {
   return intake::understand(prompt, shipped_language(), committed_catalog());
 }
 
-plan::Plan plan_of(const std::string& prompt) {
+plan::Plan counted_plan(const std::string& prompt) {
   static const std::unique_ptr<intake::Planner> planner = [] {
     auto made = intake::make_planner("offline");
     if (!made.ok()) fatal(to_string(made.error()).c_str());
@@ -28,7 +28,7 @@ plan::Plan plan_of(const std::string& prompt) {
   return std::move(made->plan);
 }
 
-const plan::Zone& zone_of(const plan::Plan& plan, const std::string& type) {
+const plan::Zone& counted_zone(const plan::Plan& plan, const std::string& type) {
   const auto zone = std::ranges::find(plan.zones, type, &plan::Zone::type);
   if (zone == plan.zones.end()) fatal(("no zone " + type).c_str());
   return *zone;
@@ -114,42 +114,45 @@ TEST(FixtureCounts, OfTwoZonesDoNotContradictEachOther) {
 // ---- What the plan makes of it ----
 
 TEST(FixtureCounts, BecomeGroupsOfTheirZone) {
-  const plan::Plan plan =
-      plan_of("24 x 15 m supermarket, a bakery with two display tables, a bread wall and three bins");
-  const plan::Zone& bakery = zone_of(plan, "bakery");
+  const plan::Plan plan = counted_plan(
+      "24 x 15 m supermarket, a bakery with two display tables, a bread wall and three bins");
+  const plan::Zone& bakery = counted_zone(plan, "bakery");
   EXPECT_EQ(bakery.fixture.kind, "bakery_rack");
   EXPECT_EQ(count_in(bakery, "produce_table"), 2);
   EXPECT_EQ(count_in(bakery, "bin"), 3);
 }
 
 TEST(FixtureCounts, OfOtherGoodsStandBesideTheZonesOwn) {
-  const plan::Plan plan = plan_of("supermarket of 400 m2 with eight pallets of water");
-  const plan::Zone& drinks = zone_of(plan, "beverages");
+  const plan::Plan plan = counted_plan("supermarket of 400 m2 with eight pallets of water");
+  const plan::Zone& drinks = counted_zone(plan, "beverages");
   EXPECT_EQ(drinks.fixture.kind, "gondola");
   EXPECT_EQ(count_in(drinks, "pallet"), 8);
 }
 
 TEST(FixtureCounts, RunsHaveTheirNumberAndSides) {
-  const plan::Plan plan = plan_of("two rows of six chest freezers");
-  const plan::FixtureSpec& frozen = zone_of(plan, "frozen").fixture;
+  const plan::Plan plan = counted_plan("two rows of six chest freezers");
+  const plan::FixtureSpec& frozen = counted_zone(plan, "frozen").fixture;
   EXPECT_EQ(frozen.kind, "chest_freezer");
   EXPECT_EQ(frozen.count, 12);
   EXPECT_EQ(frozen.runs, 2);
   const plan::FixtureSpec& single =
-      zone_of(plan_of("dry goods in four single-sided gondola runs"), "dry_goods").fixture;
+      counted_zone(counted_plan("dry goods in four single-sided gondola runs"), "dry_goods")
+          .fixture;
   EXPECT_EQ(single.runs, 4);
   EXPECT_EQ(single.double_sided, false);
 }
 
 TEST(FixtureCounts, RunsOfTheStoreAreSharedAmongItsZones) {
   int runs = 0;
-  for (const plan::Zone& zone : plan_of("36 x 24 m supermarket with 14 double-sided runs").zones)
+  for (const plan::Zone& zone :
+       counted_plan("36 x 24 m supermarket with 14 double-sided runs").zones)
     runs += zone.fixture.runs.value_or(0);
   EXPECT_EQ(runs, 14);
 }
 
 TEST(FixtureCounts, EquipmentIsThePlans) {
-  const plan::Plan plan = plan_of("supermarket, no gates, two stacks of baskets, trolleys by the exit");
+  const plan::Plan plan =
+      counted_plan("supermarket, no gates, two stacks of baskets, trolleys by the exit");
   ASSERT_TRUE(plan.equipment.has_value());
   const auto of = [&](std::string_view kind) {
     return std::ranges::find(*plan.equipment, kind, &plan::EquipmentSpec::kind);
@@ -158,7 +161,20 @@ TEST(FixtureCounts, EquipmentIsThePlans) {
   EXPECT_EQ(of("gate")->count, 0);
   ASSERT_NE(of("trolley_bay"), plan.equipment->end());
   EXPECT_EQ(of("trolley_bay")->at, "exit");
-  EXPECT_FALSE(plan_of("supermarket").equipment.has_value());
+  EXPECT_FALSE(counted_plan("supermarket").equipment.has_value());
+}
+
+TEST(FixtureCounts, AShopWithoutTillsHasADesk) {
+  for (const char* prompt : {"kiosk of 20 m2 with drinks and snacks, no tills",
+                             "drugstore with a customer service desk instead of tills"}) {
+    const plan::Plan plan = counted_plan(prompt);
+    for (const plan::Zone& zone : plan.zones)
+      EXPECT_TRUE(zone.type != "checkout" && zone.type != "self_checkout") << prompt;
+    EXPECT_EQ(counted_zone(plan, "customer_service").fixture.kind, "kiosk") << prompt;
+    ASSERT_TRUE(plan.equipment.has_value()) << prompt;
+    EXPECT_EQ(plan.equipment->front().kind, "checkout_lane") << prompt;
+    EXPECT_EQ(plan.equipment->front().count, 0) << prompt;
+  }
 }
 
 TEST(FixtureCounts, FloorsAreMeasuredForThem) {
@@ -169,12 +185,12 @@ TEST(FixtureCounts, FloorsAreMeasuredForThem) {
       m2 += plan.zones[i].type == type ? rects[i].area_m2() : 0;
     return m2;
   };
-  const plan::Plan few = plan_of("supermarket with six chest freezers");
-  const plan::Plan many = plan_of("supermarket with forty chest freezers");
+  const plan::Plan few = counted_plan("supermarket with six chest freezers");
+  const plan::Plan many = counted_plan("supermarket with forty chest freezers");
   EXPECT_GT(area(many, "frozen"), 2 * area(few, "frozen"));
   EXPECT_GT(many.shell.width_mm * 1.0 * many.shell.depth_mm,
             few.shell.width_mm * 1.0 * few.shell.depth_mm);
-  const plan::Plan said = plan_of("20 x 15 m supermarket with forty chest freezers");
+  const plan::Plan said = counted_plan("20 x 15 m supermarket with forty chest freezers");
   EXPECT_EQ(said.shell.width_mm, 20000);  // what was said holds
 }
 

@@ -1,4 +1,5 @@
-// Fixtures that a plan counts: groups beside a zone's main ones, exact runs, equipment at the doors.
+// Fixtures that a plan counts: groups beside a zone's main ones, exact runs, equipment at the
+// doors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +15,8 @@
 namespace marketgen {
 namespace {
 
-layout::Layout lay_out(const plan::Plan& plan,
-                       const catalog::Catalog& catalog = sample::catalog()) {
+layout::Layout laid_out(const plan::Plan& plan,
+                        const catalog::Catalog& catalog = sample::catalog()) {
   const Result<layout::Layout> layout = layout::make_layout(plan, catalog, Seed(1));
   EXPECT_TRUE(layout.ok()) << (layout.ok() ? "" : to_string(layout.error()));
   return layout.ok() ? *layout : layout::Layout{};
@@ -56,7 +57,7 @@ plan::Plan dairy_with(std::vector<plan::FixtureSpec> also) {
 
 TEST(FixtureGroups, StandBesideTheMainFixturesWithTheirCounts) {
   const layout::Layout layout =
-      lay_out(dairy_with({group("produce_table", 4), group("glass_door_cooler", 3)}));
+      laid_out(dairy_with({group("produce_table", 4), group("glass_door_cooler", 3)}));
   EXPECT_EQ(number_of(layout, "produce_table"), 4);
   EXPECT_EQ(number_of(layout, "glass_door_cooler"), 3);
   EXPECT_GT(number_of(layout, "multideck"), 10);  // the rest of the walls and of the floor
@@ -65,28 +66,27 @@ TEST(FixtureGroups, StandBesideTheMainFixturesWithTheirCounts) {
 }
 
 TEST(FixtureGroups, HaveTheirKindInTheirIds) {
-  const layout::Layout layout = lay_out(dairy_with({group("produce_table", 2)}));
+  const layout::Layout layout = laid_out(dairy_with({group("produce_table", 2)}));
   EXPECT_NE(layout::find_fixture(layout, "dairy/produce_table/run-1/module-1"), nullptr);
   EXPECT_NE(layout::find_fixture(layout, "dairy/run-1/module-1"), nullptr);
 }
 
 TEST(FixtureGroups, WallKindsHaveAWallBehindThem) {
-  const layout::Layout layout = lay_out(dairy_with({group("glass_door_cooler", 3)}));
+  const layout::Layout layout = laid_out(dairy_with({group("glass_door_cooler", 3)}));
   for (const layout::Fixture& fixture : layout.fixtures) {
     if (fixture.kind != "glass_door_cooler") continue;
     const RectMm rect = layout::footprint_of(fixture);
-    const int to_wall =
-        std::min({rect.x0, rect.y0, 14000 - rect.x1, 10000 - rect.y1});
-    EXPECT_EQ(to_wall, 20) << fixture.id;  // the skirting
+    const int to_wall = std::min({rect.x0, rect.y0, 14000 - rect.x1, 10000 - rect.y1});
+    EXPECT_LE(to_wall, 20) << fixture.id;  // the skirting; less in a corner
   }
 }
 
 TEST(FixtureGroups, OfNoneOfAKindLeaveItOut) {
   plan::Zone zone = sample::zone("goods", "dry_goods", "gondola");
-  const layout::Layout usual = lay_out(sample::one_zone(14000, 10000, zone));
+  const layout::Layout usual = laid_out(sample::one_zone(14000, 10000, zone));
   ASSERT_GT(number_of(usual, "wall_unit"), 0);
   zone.also = {group("wall_unit", 0)};
-  const layout::Layout without = lay_out(sample::one_zone(14000, 10000, zone));
+  const layout::Layout without = laid_out(sample::one_zone(14000, 10000, zone));
   EXPECT_EQ(number_of(without, "wall_unit"), 0);
   EXPECT_GT(number_of(without, "gondola"), 0);
 }
@@ -94,13 +94,13 @@ TEST(FixtureGroups, OfNoneOfAKindLeaveItOut) {
 TEST(FixtureGroups, WithoutMainFixturesLeaveTheWallsToTheirs) {
   plan::Zone zone = sample::zone("goods", "dry_goods", "gondola");
   zone.fixture.count = 0;
-  const layout::Layout layout = lay_out(sample::one_zone(14000, 10000, zone));
+  const layout::Layout layout = laid_out(sample::one_zone(14000, 10000, zone));
   EXPECT_EQ(number_of(layout, "gondola"), 0);
   EXPECT_GT(number_of(layout, "wall_unit"), 0);
 }
 
 TEST(FixtureGroups, ThatFindNoRoomAreToldOf) {
-  const layout::Layout layout = lay_out(dairy_with({group("produce_table", 90)}));
+  const layout::Layout layout = laid_out(dairy_with({group("produce_table", 90)}));
   const std::vector<layout::Violation> faults = of_code(layout, "COUNT_SHORT");
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults[0].where, "dairy/produce_table");
@@ -110,10 +110,10 @@ TEST(FixtureGroups, ThatFindNoRoomAreToldOf) {
 
 TEST(FixtureGroups, NothingSaidChangesNothing) {
   plan::Plan plan = sample::small_shop();
-  const layout::Layout usual = lay_out(plan);
+  const layout::Layout usual = laid_out(plan);
   plan.zones[1].also.emplace();
   plan.equipment.emplace();
-  EXPECT_EQ(io::write_json(lay_out(plan).fixtures), io::write_json(usual.fixtures));
+  EXPECT_EQ(io::write_json(laid_out(plan).fixtures), io::write_json(usual.fixtures));
 }
 
 // 26 x 16 m of gondolas: room for eight runs and more.
@@ -126,7 +126,7 @@ plan::Plan gondola_hall(int runs, std::optional<bool> double_sided) {
 
 TEST(CountedRuns, AreAsManyAsWereAskedFor) {
   for (const int runs : {1, 3, 5, 7}) {
-    const layout::Layout layout = lay_out(gondola_hall(runs, std::nullopt));
+    const layout::Layout layout = laid_out(gondola_hall(runs, std::nullopt));
     EXPECT_EQ(modules_by_run(layout, "gondola").size(), static_cast<std::size_t>(runs));
     EXPECT_TRUE(of_code(layout, "COUNT_SHORT").empty());
     for (const layout::Fixture& fixture : layout.fixtures) {
@@ -138,12 +138,12 @@ TEST(CountedRuns, AreAsManyAsWereAskedFor) {
 TEST(CountedRuns, StandOneBehindTheOtherWhereTheFloorIsNarrow) {
   plan::Zone zone = sample::zone("goods", "dry_goods", "gondola");
   zone.fixture.runs = 6;
-  const layout::Layout layout = lay_out(sample::one_zone(13000, 26000, std::move(zone)));
+  const layout::Layout layout = laid_out(sample::one_zone(13000, 26000, std::move(zone)));
   EXPECT_EQ(modules_by_run(layout, "gondola").size(), 6u);
 }
 
 TEST(CountedRuns, OfOneSideStandApart) {
-  const layout::Layout layout = lay_out(gondola_hall(4, false));
+  const layout::Layout layout = laid_out(gondola_hall(4, false));
   EXPECT_EQ(modules_by_run(layout, "gondola").size(), 4u);
   std::vector<RectMm> runs;
   for (const auto& [run, modules] : modules_by_run(layout, "gondola"))
@@ -158,7 +158,7 @@ TEST(CountedRuns, ShareTheirFixturesEvenly) {  // "two rows of six"
   plan::Zone zone = sample::zone("dairy", "dairy", "multideck");
   zone.fixture.runs = 2;
   zone.fixture.count = 12;
-  const layout::Layout layout = lay_out(sample::one_zone(16000, 12000, std::move(zone)));
+  const layout::Layout layout = laid_out(sample::one_zone(16000, 12000, std::move(zone)));
   const std::map<std::string, int> runs = modules_by_run(layout, "multideck");
   ASSERT_EQ(runs.size(), 2u);
   for (const auto& [run, modules] : runs)
@@ -166,11 +166,11 @@ TEST(CountedRuns, ShareTheirFixturesEvenly) {  // "two rows of six"
 }
 
 TEST(CountedRuns, ThatFindNoRoomAreToldOf) {
-  const layout::Layout layout = lay_out(gondola_hall(40, std::nullopt));
+  const layout::Layout layout = laid_out(gondola_hall(60, std::nullopt));
   const std::vector<layout::Violation> faults = of_code(layout, "COUNT_SHORT");
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults[0].where, "goods/runs");
-  EXPECT_EQ(faults[0].limit, 40);
+  EXPECT_EQ(faults[0].limit, 60);
 }
 
 // ---- At the doors, with the shipped fixtures ----
@@ -186,22 +186,21 @@ plan::Plan shop_with(std::vector<plan::EquipmentSpec> equipment) {
 }
 
 TEST(Equipment, StandsAtTheEntranceAsUsualWhenNothingIsSaid) {
-  const layout::Layout layout = lay_out(shop_with({}), committed_catalog());
+  const layout::Layout layout = laid_out(shop_with({}), committed_catalog());
   EXPECT_EQ(number_of(layout, "basket_stack"), 1);
   EXPECT_EQ(number_of(layout, "trolley_bay"), 1);
 }
 
 TEST(Equipment, OfNoneIsLeftOut) {
   const layout::Layout layout =
-      lay_out(shop_with({{"gate", 0, {}}, {"trolley_bay", 0, {}}}), committed_catalog());
+      laid_out(shop_with({{"gate", 0, {}}, {"trolley_bay", 0, {}}}), committed_catalog());
   EXPECT_EQ(number_of(layout, "gate"), 0);
   EXPECT_EQ(number_of(layout, "trolley_bay"), 0);
   EXPECT_EQ(number_of(layout, "basket_stack"), 1);  // of which nothing was said
 }
 
 TEST(Equipment, IsSharedAmongTheEntrances) {
-  const layout::Layout layout =
-      lay_out(shop_with({{"basket_stack", 2, {}}}), committed_catalog());
+  const layout::Layout layout = laid_out(shop_with({{"basket_stack", 2, {}}}), committed_catalog());
   ASSERT_EQ(number_of(layout, "basket_stack"), 2);
   std::set<bool> near_west_wall;
   for (const layout::Fixture& fixture : layout.fixtures) {
@@ -212,17 +211,23 @@ TEST(Equipment, IsSharedAmongTheEntrances) {
 
 TEST(Equipment, StandsAtTheDoorThatIsNamed) {
   const layout::Layout layout =
-      lay_out(shop_with({{"trolley_bay", 1, "exit"}}), committed_catalog());
+      laid_out(shop_with({{"trolley_bay", 1, "exit"}}), committed_catalog());
   ASSERT_EQ(number_of(layout, "trolley_bay"), 1);
-  const auto bay =
-      std::ranges::find(layout.fixtures, "trolley_bay", &layout::Fixture::kind);
+  const auto bay = std::ranges::find(layout.fixtures, "trolley_bay", &layout::Fixture::kind);
   EXPECT_NEAR(bay->x_mm, 0.7 * 24000, 7000);
   EXPECT_LT(bay->y_mm, 3000);
 }
 
+TEST(Equipment, OfNoTillsMakesThemNotMissing) {
+  plan::Plan plan = dairy_with({});
+  EXPECT_EQ(of_code(laid_out(plan), "CHECKOUT_MISSING").size(), 1u);
+  plan.equipment = {{"checkout_lane", 0, {}}};
+  EXPECT_TRUE(of_code(laid_out(plan), "CHECKOUT_MISSING").empty());
+}
+
 TEST(Equipment, ThatFindsNoRoomIsToldOf) {
   const layout::Layout layout =
-      lay_out(shop_with({{"trolley_bay", 20, "exit"}}), committed_catalog());
+      laid_out(shop_with({{"trolley_bay", 20, "exit"}}), committed_catalog());
   const std::vector<layout::Violation> faults = of_code(layout, "COUNT_SHORT");
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults[0].where, "trolley_bay");
@@ -257,8 +262,7 @@ TEST(FixtureGroups, BreakNoHardRuleThatHeldWithoutThem) {
   int placed = 0;
   for (std::uint64_t i = 0; i < 60; ++i) {
     plan::Plan plan = RandomPlan(1000 + i).make();
-    const Result<layout::Layout> before =
-        layout::make_layout(plan, committed_catalog(), Seed(i));
+    const Result<layout::Layout> before = layout::make_layout(plan, committed_catalog(), Seed(i));
     Stream draw = Seed(i).child("groups").stream();
     add_groups(plan, draw);
     ASSERT_TRUE(plan::validate_plan(plan, "random plan", committed_catalog()).ok());

@@ -327,7 +327,9 @@ const std::vector<Fault> faults = {
      "plan.bad_value",
      "/zones/1/also/0/kind"},
     {"twice_beside",
-     [](plan::Plan& p) { p.zones[1].also = {so_many("bin", 2), so_many("bin", 1)}; },
+     [](plan::Plan& p) {
+       p.zones[1].also = {so_many("bin", 2), so_many("bin", 1)};
+     },
      "plan.bad_value",
      "/zones/1/also/1/kind"},
     {"beside_without_a_count",
@@ -353,19 +355,33 @@ const std::vector<Fault> faults = {
      "plan.bad_value",
      "/zones/1/fixture/runs"},
     {"equipment_of_unknown_kind",
-     [](plan::Plan& p) { p.equipment = {{"gates", 1, {}}}; },
+     [](plan::Plan& p) {
+       p.equipment = {{"gates", 1, {}}};
+     },
      "catalog.unknown_kind",
      "/equipment/0/kind"},
     {"shelving_as_equipment",
-     [](plan::Plan& p) { p.equipment = {{"gondola", 1, {}}}; },
+     [](plan::Plan& p) {
+       p.equipment = {{"gondola", 1, {}}};
+     },
+     "plan.bad_value",
+     "/equipment/0/kind"},
+    {"tills_as_equipment",
+     [](plan::Plan& p) {
+       p.equipment = {{"checkout_lane", 1, {}}};
+     },
      "plan.bad_value",
      "/equipment/0/kind"},
     {"equipment_at_no_door",
-     [](plan::Plan& p) { p.equipment = {{"gate", 1, "snacks"}}; },
+     [](plan::Plan& p) {
+       p.equipment = {{"gate", 1, "snacks"}};
+     },
      "plan.unknown_reference",
      "/equipment/0/at"},
     {"equipment_named_twice",
-     [](plan::Plan& p) { p.equipment = {{"gate", 1, {}}, {"gate", 0, {}}}; },
+     [](plan::Plan& p) {
+       p.equipment = {{"gate", 1, {}}, {"gate", 0, {}}};
+     },
      "plan.bad_value",
      "/equipment/1/kind"},
     {"facings_reversed",
