@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "intake/strips.h"
 #include "intake/zone_sizes.h"
@@ -20,8 +21,9 @@ struct CoreColumn {
   std::vector<int> zones;
   int runs = 1;
   int max_runs = 99;
-  int beside_mm = 0;     // of what stands there besides, its aisle included
-  bool counted = false;  // the words count them: they may stand one behind the other
+  bool measured = false;  // for what is counted in it
+  int beside_mm = 0;      // of what stands there besides, its aisle included
+  bool counted = false;   // the words count them: they may stand one behind the other
   int line_mm = 0;
   double target_m2 = 0;
 
@@ -42,6 +44,7 @@ CoreColumn column_of(int zone, const StoreProgram& program, int depth_mm) {
   if (const auto lines = counted_lines(row, depth_mm)) column.runs = column.max_runs = *lines;
   column.counted = row.main.runs.has_value();
   column.beside_mm = beside_depth_mm(row, depth_mm);
+  column.measured = column.beside_mm > 0 || counted_lines(row, depth_mm).has_value();
   return column;
 }
 
@@ -52,6 +55,7 @@ CoreColumn merged(const CoreColumn& a, const CoreColumn& b) {
   column.max_runs = std::min(a.max_runs, b.max_runs);
   column.line_mm = std::max(a.line_mm, b.line_mm);
   column.beside_mm = std::max(a.beside_mm, b.beside_mm);
+  column.measured = a.measured || b.measured;
   column.target_m2 += b.target_m2;
   return column;
 }
@@ -71,10 +75,13 @@ int runs_of(const std::vector<CoreColumn>& columns) {
 
 // Puts the two neighbours with the least floor one behind the other.
 void merge_smallest(std::vector<CoreColumn>& columns) {
+  const auto loss = [&](std::size_t i) {  // what is counted has no room in half of a column
+    const bool measured = columns[i].measured || columns[i + 1].measured;
+    return std::pair{measured, columns[i].target_m2 + columns[i + 1].target_m2};
+  };
   std::size_t best = 0;
   for (std::size_t i = 1; i + 1 < columns.size(); ++i) {
-    const double here = columns[i].target_m2 + columns[i + 1].target_m2;
-    if (here < columns[best].target_m2 + columns[best + 1].target_m2) best = i;
+    if (loss(i) < loss(best)) best = i;
   }
   columns[best] = merged(columns[best], columns[best + 1]);
   columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(best) + 1);
@@ -100,8 +107,10 @@ bool put_behind(std::vector<CoreColumn>& columns,
 std::vector<CoreColumn> stacked_columns(std::vector<CoreColumn> columns, int depth_mm) {
   if (depth_mm < 2 * stacked_cell_mm) return columns;
   std::vector<CoreColumn> pairs;
-  for (std::size_t i = 0; i < columns.size(); i += 2) {
-    pairs.push_back(i + 1 < columns.size() ? merged(columns[i], columns[i + 1]) : columns[i]);
+  for (std::size_t i = 0; i < columns.size();) {
+    const bool pair = i + 1 < columns.size() && !columns[i].measured && !columns[i + 1].measured;
+    pairs.push_back(pair ? merged(columns[i], columns[i + 1]) : columns[i]);
+    i += pair ? 2 : 1;
   }
   return pairs;
 }

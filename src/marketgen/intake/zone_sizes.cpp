@@ -42,7 +42,7 @@ int modules_of(const KindWish& wish) {
 
 double floor_m2(const KindWish& wish, const catalog::ProfileRow& profile) {
   if (wish.kind == nullptr) return 0;
-  const double loose = is_walked_round(*wish.kind) ? 1.5 : 1.2;  // aisles at the ends of runs
+  const double loose = is_walked_round(*wish.kind) ? 1.7 : 1.2;  // aisles at the ends of runs
   const catalog::FixtureKind& kind = *wish.kind;
   const bool two_faces = kind.double_sided && wish.sides != 1;
   const int depth = kind.generator == "gondola" && two_faces
