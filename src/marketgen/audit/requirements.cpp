@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "audit/metrics.h"
+#include "audit/straight_runs.h"
 #include "audit/traffic.h"
+#include "layout/floor.h"
 #include "layout/relations.h"
 #include "scene/assortment.h"
 
@@ -86,6 +88,17 @@ bool in_zone(const Facts& facts, const layout::Fixture& fixture, const std::stri
   if (name.empty()) return true;
   const layout::LayoutZone* zone = layout::find_zone(facts.scene.layout, fixture.zone);
   return zone != nullptr && is_of(*zone, name);
+}
+
+// Within a few steps of such a door.
+bool stands_by(const Facts& facts, const layout::Fixture& fixture, plan::OpeningKind kind) {
+  constexpr double steps_mm = 6000;
+  const RectMm rect = layout::footprint_of(fixture);
+  const layout::Floor floor = layout::make_floor(facts.scene.layout.shell);
+  return std::any_of(floor.doorways.begin(), floor.doorways.end(), [&](const auto& door) {
+    return facts.scene.layout.shell.openings[door.opening].kind == kind &&
+           distance_mm(rect, point_rect(door.threshold)) <= steps_mm + door.span.length() / 2.0;
+  });
 }
 
 // A zone is there when it covers floor and what its type needs stands in it: shelving with goods on
@@ -169,21 +182,46 @@ Verdict check_zone_absent(const Facts& facts, const plan::Requirement& r) {
   return {number == 0, fmt::format("{} {} zones", number, r.subject)};
 }
 
-Verdict check_fixture_count(const Facts& facts, const plan::Requirement& r) {
+// Of the kind, in the zone type or by the door that the wish names (second_object).
+bool is_counted(const Facts& facts, const plan::Requirement& r, const layout::Fixture& fixture) {
   const std::string kind = r.subject == "checkout" ? "checkout_lane" : r.subject;
-  std::set<std::string> runs;
-  int modules = 0;
-  const catalog::FixtureKind* row = facts.catalog.fixture_kind(kind);
-  for (const layout::Fixture& f : facts.scene.layout.fixtures) {
-    const bool counter = kind == "checkout_lane" && f.kind == "till-counter";  // of a small shop
-    if (f.kind != kind && !counter) continue;
-    runs.insert(f.run);
-    ++modules;
+  const bool counter = kind == "checkout_lane" && fixture.kind == "till-counter";  // small shops
+  if (fixture.kind != kind && !counter) return false;
+  const auto door = value_named<plan::OpeningKind>(r.second_object);
+  return door ? stands_by(facts, fixture, *door) : in_zone(facts, fixture, r.second_object);
+}
+
+Verdict check_fixture_count(const Facts& facts, const plan::Requirement& r) {
+  const auto& fixtures = facts.scene.layout.fixtures;
+  const auto number = std::count_if(fixtures.begin(), fixtures.end(), [&](const auto& fixture) {
+    return is_counted(facts, r, fixture);
+  });
+  return number_verdict(r, static_cast<double>(number), r.subject + ":", "");
+}
+
+// Straight lines of modules that stand together: those of one run, a double-sided one or two back
+// to back counting once where sides are asked for.
+Verdict check_run_count(const Facts& facts, const plan::Requirement& r) {
+  std::vector<layout::Fixture> counted;
+  for (const layout::Fixture& fixture : facts.scene.layout.fixtures) {
+    if (is_counted(facts, r, fixture)) counted.push_back(fixture);
   }
-  const bool by_module = row == nullptr || row->role != catalog::FixtureRole::shelving ||
-                         kind == "pallet" || kind == "bin" || kind == "produce_table";
-  const double measured = by_module ? modules : static_cast<double>(runs.size());
-  return number_verdict(r, measured, fmt::format("{} {}:", kind, by_module ? "units" : "runs"), "");
+  const std::vector<StraightRun> runs = straight_runs(counted);
+  int single = 0, paired = 0, twofold = 0;
+  for (const StraightRun& run : runs) {
+    if (run.sides == 2)
+      ++twofold;
+    else
+      ++(run.back_to_back ? paired : single);
+  }
+  if (r.second_value == 0) return number_verdict(r, static_cast<double>(runs.size()), "runs:", "");
+  const int both = twofold + paired / 2;
+  const bool two = r.second_value == 2;
+  Verdict verdict =
+      number_verdict(r, two ? both : single, two ? "double-sided runs:" : "single-sided runs:", "");
+  const int others = two ? single : both;
+  if (others == 0) return verdict;
+  return {false, verdict.why + fmt::format("; {} others", others)};
 }
 
 Verdict check_aisle_count(const Facts& facts, const plan::Requirement& r) {
@@ -466,6 +504,8 @@ Verdict verdict_of(const Facts& facts, const plan::Requirement& r) {
           r, static_cast<double>(zones_there(facts, r.subject)), r.subject + " zones:", "");
     case plan::RequirementKind::fixture_count:
       return check_fixture_count(facts, r);
+    case plan::RequirementKind::run_count:
+      return check_run_count(facts, r);
     case plan::RequirementKind::aisle_count:
       return check_aisle_count(facts, r);
     case plan::RequirementKind::levels:

@@ -102,13 +102,15 @@ struct Planned {
 
 // What a planner no longer insists on, because the store that it planned broke a hard rule.
 struct Concessions {
-  std::size_t max_zones = 1000;          // the least important ones are left out first
-  bool till_counter = false;             // a counter instead of lanes
-  bool relations_may_fail = false;       // every relation is only preferred
-  bool plain = false;                    // nothing but a till and ordinary shelves
-  int draw = 0;                          // which of the floors that the seed can give
-  int plans_before = 0;                  // of the same brief: each plan may take half the work
-  std::map<std::string, int> max_count;  // of tills and desks, by zone type
+  std::size_t max_zones = 1000;     // the least important ones are left out first
+  bool till_counter = false;        // a counter instead of lanes
+  bool relations_may_fail = false;  // every relation is only preferred
+  bool plain = false;               // nothing but a till and ordinary shelves
+  int draw = 0;                     // which of the floors that the seed can give
+  int plans_before = 0;             // of the same brief: each plan may take half the work
+  // Of a zone's own fixtures, by its type; of those beside them, by "type/kind"; of runs, with
+  // "/runs" behind that; of equipment at the doors, by its kind.
+  std::map<std::string, int> max_count;
 
   friend bool operator==(const Concessions&, const Concessions&) = default;
 };

@@ -13,6 +13,7 @@ bool is_number(Kind kind) {
   constexpr std::array kinds = {Kind::area,
                                 Kind::zone_count,
                                 Kind::fixture_count,
+                                Kind::run_count,
                                 Kind::aisle_count,
                                 Kind::levels,
                                 Kind::height,
@@ -133,6 +134,8 @@ bool clash(const plan::Requirement& a, const plan::Requirement& b) {
   if (b.kind == Kind::zone_absent && a.kind == Kind::relation) return clash(b, a);
   if (a.kind != b.kind) return false;
   if (a.kind == Kind::opening) return openings_clash(a, b);
+  const bool elsewhere = a.kind == Kind::fixture_count || a.kind == Kind::run_count;
+  if (elsewhere && a.second_object != b.second_object) return false;
   if (is_choice(a.kind)) return a.subject == b.subject && a.object != b.object;
   const bool of_a_zone = a.kind == Kind::height || a.kind == Kind::stock;  // its zone is the object
   if (of_a_zone && a.object != b.object) return false;

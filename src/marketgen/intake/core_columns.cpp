@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "intake/strips.h"
 #include "intake/zone_sizes.h"
@@ -20,13 +21,18 @@ struct CoreColumn {
   std::vector<int> zones;
   int runs = 1;
   int max_runs = 99;
+  bool measured = false;  // for what is counted in it
+  int beside_mm = 0;      // of what stands there besides, its aisle included
+  bool counted = false;   // the words count them: they may stand one behind the other
   int line_mm = 0;
   double target_m2 = 0;
 
-  int width(int aisle) const { return runs * line_mm + (runs - 1) * aisle + fit_margin_mm; }
+  int width(int aisle) const {
+    return runs * line_mm + (runs - 1) * aisle + beside_mm + fit_margin_mm;
+  }
 };
 
-CoreColumn column_of(int zone, const StoreProgram& program) {
+CoreColumn column_of(int zone, const StoreProgram& program, int depth_mm) {
   const ProgramZone& row = program.zones[static_cast<std::size_t>(zone)];
   CoreColumn column;
   column.zones = {zone};
@@ -35,6 +41,10 @@ CoreColumn column_of(int zone, const StoreProgram& program) {
   // An island freezer is two rows back to back.
   const bool island = row.kind != nullptr && row.kind->generator == "island_freezer";
   if (row.rows) column.runs = column.max_runs = island ? (*row.rows + 1) / 2 : *row.rows;
+  if (const auto lines = counted_lines(row, depth_mm)) column.runs = column.max_runs = *lines;
+  column.counted = row.main.runs.has_value();
+  column.beside_mm = beside_depth_mm(row, depth_mm);
+  column.measured = column.beside_mm > 0 || counted_lines(row, depth_mm).has_value();
   return column;
 }
 
@@ -44,6 +54,8 @@ CoreColumn merged(const CoreColumn& a, const CoreColumn& b) {
   column.runs = std::max(a.runs, b.runs);
   column.max_runs = std::min(a.max_runs, b.max_runs);
   column.line_mm = std::max(a.line_mm, b.line_mm);
+  column.beside_mm = std::max(a.beside_mm, b.beside_mm);
+  column.measured = a.measured || b.measured;
   column.target_m2 += b.target_m2;
   return column;
 }
@@ -63,20 +75,42 @@ int runs_of(const std::vector<CoreColumn>& columns) {
 
 // Puts the two neighbours with the least floor one behind the other.
 void merge_smallest(std::vector<CoreColumn>& columns) {
+  const auto loss = [&](std::size_t i) {  // what is counted has no room in half of a column
+    const bool measured = columns[i].measured || columns[i + 1].measured;
+    return std::pair{measured, columns[i].target_m2 + columns[i + 1].target_m2};
+  };
   std::size_t best = 0;
   for (std::size_t i = 1; i + 1 < columns.size(); ++i) {
-    const double here = columns[i].target_m2 + columns[i + 1].target_m2;
-    if (here < columns[best].target_m2 + columns[best + 1].target_m2) best = i;
+    if (loss(i) < loss(best)) best = i;
   }
   columns[best] = merged(columns[best], columns[best + 1]);
   columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(best) + 1);
 }
 
+// Puts the counted runs of the widest column one behind the other. False when none may.
+bool put_behind(std::vector<CoreColumn>& columns,
+                const StoreProgram& program,
+                const CoreRoom& room) {
+  CoreColumn* widest = nullptr;
+  for (CoreColumn& column : columns) {
+    const int wanted = column.max_runs, behind = (wanted + column.runs - 1) / column.runs + 1;
+    const int least = behind * min_cell_mm + (behind - 1) * program.profile->cross_aisle_mm;
+    const bool may = column.counted && column.runs > 1 && least <= room.depth_mm;
+    if (may && (widest == nullptr || column.runs > widest->runs)) widest = &column;
+  }
+  if (widest == nullptr) return false;
+  const int behind = (widest->max_runs + widest->runs - 1) / widest->runs + 1;
+  widest->runs = (widest->max_runs + behind - 1) / behind;
+  return true;
+}
+
 std::vector<CoreColumn> stacked_columns(std::vector<CoreColumn> columns, int depth_mm) {
   if (depth_mm < 2 * stacked_cell_mm) return columns;
   std::vector<CoreColumn> pairs;
-  for (std::size_t i = 0; i < columns.size(); i += 2) {
-    pairs.push_back(i + 1 < columns.size() ? merged(columns[i], columns[i + 1]) : columns[i]);
+  for (std::size_t i = 0; i < columns.size();) {
+    const bool pair = i + 1 < columns.size() && !columns[i].measured && !columns[i + 1].measured;
+    pairs.push_back(pair ? merged(columns[i], columns[i + 1]) : columns[i]);
+    i += pair ? 2 : 1;
   }
   return pairs;
 }
@@ -106,7 +140,7 @@ int fitted_aisle(const std::vector<CoreColumn>& columns,
   if (gaps <= 0 || program.aisle_mm) return room.run_aisle_mm;
   int fixtures = walls * wall_shelf_mm;
   for (const CoreColumn& column : columns)
-    fixtures += column.runs * column.line_mm + fit_margin_mm;
+    fixtures += column.runs * column.line_mm + column.beside_mm + fit_margin_mm;
   const int fitted = (room.width_mm - fixtures) / gaps;
   const int least = std::min(room.run_aisle_mm, program.profile->minimum_aisle_mm + 100);
   const int most = static_cast<int>(room.run_aisle_mm * widest_aisle);
@@ -130,11 +164,13 @@ Core make_core(const std::vector<int>& zones,
                bool stacked) {
   std::vector<CoreColumn> columns;
   for (const int zone : zones)
-    columns.push_back(column_of(zone, program));
+    columns.push_back(column_of(zone, program, room.depth_mm));
   if (stacked) columns = stacked_columns(std::move(columns), room.depth_mm);
   const auto on_wall = [](bool wall, int aisle) { return wall ? wall_shelf_mm + aisle : 0; };
   const int width = room.width_mm - on_wall(room.wall_west, room.run_aisle_mm) -
                     on_wall(room.wall_east, room.run_aisle_mm);
+  while (width_of(columns, room.run_aisle_mm) > width && put_behind(columns, program, room)) {
+  }
   while (columns.size() > 1 && width_of(columns, room.run_aisle_mm) > width) {
     merge_smallest(columns);
   }

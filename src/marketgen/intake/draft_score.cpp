@@ -135,6 +135,14 @@ double core_penalty(const FloorDraft& draft, const Candidate& candidate, const S
     const int run = along_y ? rect.depth() : rect.width();
     sum += short_core_per_m * 1e-3 * std::max(0.0, min_run_mm - run);
   }
+  // Counted runs have no room along a wall.
+  for (const Band band : {Band::front, Band::west, Band::east, Band::north}) {
+    for (const int index : draft.band(band)) {
+      const ProgramZone& zone = input.program.zones[static_cast<std::size_t>(index)];
+      const bool counted = zone.main.runs || zone.main.count;
+      if (zone.stance == Stance::central && counted) sum += must_missed;
+    }
+  }
   if (input.program.aisles)
     sum += std::abs(candidate.drafted.runs + 1 - *input.program.aisles) * aisle_missed;
   return sum;

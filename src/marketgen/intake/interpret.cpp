@@ -74,6 +74,7 @@ constexpr StatementKind statement_kinds[] = {
     {"doors", interpret_doors},
     {"held", interpret_held},
     {"placed", interpret_placed},
+    {"equipped", interpret_equipped},
     {"mutual", interpret_mutual},
     {"correction", interpret_correction},
     {"levels", interpret_levels},

@@ -119,6 +119,7 @@ bool interpret_only(Reading& reading, const language::Meaning& statement);
 bool interpret_only_named(Reading& reading, const language::Meaning& statement);
 bool interpret_doors(Reading& reading, const language::Meaning& statement);
 bool interpret_held(Reading& reading, const language::Meaning& statement);
+bool interpret_equipped(Reading& reading, const language::Meaning& statement);
 bool interpret_placed(Reading& reading, const language::Meaning& statement);
 bool interpret_mutual(Reading& reading, const language::Meaning& statement);
 bool interpret_correction(Reading& reading, const language::Meaning& statement);

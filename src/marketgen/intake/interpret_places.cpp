@@ -104,8 +104,8 @@ bool add_relations(Reading& reading,
 
 // Sweets at the till do not make it a department.
 bool sells(const catalog::Catalog& catalog, const catalog::ZoneTypeRow& row) {
-  if (row.type == "checkout" || row.type == "self_checkout") return false;
   const catalog::FixtureKind* kind = catalog.fixture_kind(row.fixture);
+  if (kind != nullptr && kind->role == catalog::FixtureRole::checkout) return false;
   return !row.categories.empty() ||
          (kind != nullptr && kind->role == catalog::FixtureRole::shelving);
 }
@@ -189,8 +189,34 @@ bool interpret_only_named(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+// Fixtures that goods lie or stand on, and none besides.
+bool are_furniture(const Reading& reading, const Parts& things) {
+  return std::ranges::all_of(things, [&](const MeaningPtr& thing) {
+    const catalog::FixtureKind* kind =
+        thing->is("type", "fixture") ? reading.catalog.fixture_kind(thing->text("name")) : nullptr;
+    const bool baskets = kind != nullptr && kind->kind == "basket_stack";
+    return kind != nullptr && (kind->role == catalog::FixtureRole::shelving || baskets);
+  });
+}
+
+// "Three tables and a fridge in the bakery": they are the bakery's.
+bool mention_in_zone(Reading& reading, const Parts& things, const Parts& places) {
+  const bool one_zone = places.size() == 1 && !places.front()->is("type", "fixture") &&
+                        !places.front()->text("zone").empty();
+  if (!one_zone || !are_furniture(reading, things)) return false;
+  const std::string& zone = places.front()->text("zone");
+  for (const MeaningPtr& thing : things)
+    mention(reading, standing_in(*thing, zone));
+  mention(reading, *places.front());
+  remember(reading, things);
+  return true;
+}
+
 // "Wine in wine racks": the fixtures are those of the goods' zone. What is no fixture stands near.
 bool interpret_held(Reading& reading, const Meaning& statement) {
+  const bool furniture = !statement.has("only") &&
+                         mention_in_zone(reading, statement.parts("things"), statement.parts("by"));
+  if (furniture) return true;
   if (statement.has("only"))
     interpret_only(reading, statement);
   else
@@ -202,10 +228,31 @@ bool interpret_held(Reading& reading, const Meaning& statement) {
       add_relation(reading, {"near", false, noun_of(goods), {noun_of(*by)}});
       continue;
     }
-    Meaning fixture = *by;
-    if (!goods.text("zone").empty()) fixture.slots["zone"] = goods.text("zone");
-    mention(reading, fixture);
+    const std::string& zone = goods.text("zone");
+    mention(reading, zone.empty() ? *by : standing_in(*by, zone));
   }
+  return true;
+}
+
+// "A bakery with two tables and a bread rack": what stands in the zone. Where something else is
+// among them, the sentence only lists what there is.
+bool interpret_equipped(Reading& reading, const Meaning& statement) {
+  const Meaning& zone = *statement.parts("zone").front();
+  const Parts& things = statement.parts("things");
+  if (statement.has("at")) {
+    Meaning placed = statement;
+    placed.slots["things"] = statement.parts("zone");
+    interpret_placed(reading, placed);
+  } else {
+    mention(reading, zone);
+  }
+  const bool furniture =
+      !zone.is("type", "fixture") && !zone.text("zone").empty() && are_furniture(reading, things);
+  for (const MeaningPtr& thing : things)
+    mention(reading, furniture ? standing_in(*thing, zone.text("zone")) : *thing);
+  Parts named{statement.parts("zone").front()};
+  named.insert(named.end(), things.begin(), things.end());
+  remember(reading, named);
   return true;
 }
 
@@ -223,6 +270,28 @@ bool interpret_doors(Reading& reading, const Meaning& statement) {
 }
 
 namespace {
+
+// "Trolleys by the exit": equipment that is no zone's stands at that door.
+bool stand_at_door(Reading& reading, const Parts& things, const Meaning& place) {
+  const Parts& doors = place.parts("objects");
+  const bool by = place.is("relation", "near") || place.is("relation", "next_to") ||
+                  place.is("relation", "at") || place.is("relation", "in");
+  const bool one_door = by && doors.size() == 1 && doors.front()->is("type", "opening");
+  const bool equipment = std::ranges::all_of(things, [&](const MeaningPtr& thing) {
+    const catalog::FixtureKind* kind =
+        thing->is("type", "fixture") ? reading.catalog.fixture_kind(thing->text("name")) : nullptr;
+    return kind != nullptr && kind->role == catalog::FixtureRole::equipment &&
+           thing->text("zone").empty() && kind->generator != "pillar";
+  });
+  if (!one_door || !equipment) return false;
+  for (const MeaningPtr& thing : things) {
+    Meaning standing = *thing;
+    standing.slots["scope"] = doors.front()->text("name");
+    mention(reading, standing);
+  }
+  remember(reading, things);
+  return true;
+}
 
 // What the things are, before where they are. True when there are any.
 bool mention_placed(Reading& reading, const Meaning& statement) {
@@ -277,6 +346,12 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   const Parts things = resolved(reading, statement.parts("things"));
   if (things.empty()) return false;
   reading.memory->last_object = nullptr;
+  if (!denied && statement.parts("at").size() == 1) {
+    const Meaning& place = *statement.parts("at").front();
+    const bool within =
+        place.is("relation", "in") && mention_in_zone(reading, things, place.parts("objects"));
+    if (within || stand_at_door(reading, things, place)) return true;
+  }
   bool any = mention_placed(reading, statement);
   if (things.front()->is("type", "opening") && !denied) {
     any = add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;

@@ -45,6 +45,8 @@ std::optional<Limits> limits_of(const plan::Requirement& wish) {
       return Limits{0, max_zones_of_a_type, "zones of one type"};
     case Kind::fixture_count:
       return Limits{0, rules_of<plan::FixtureSpec>("count").max, "fixtures in a zone"};
+    case Kind::run_count:
+      return within_plan(rules_of<plan::FixtureSpec>("runs"), "runs in a zone", "");
     case Kind::aisle_count:
       return Limits{1, max_aisles, "aisles"};
     case Kind::levels:

@@ -39,12 +39,15 @@ bool is_named(const Understanding& found, const ProgramZone& zone) {
   return wish_for(found, zone) != nullptr;
 }
 
-// A shop keeps its lanes, or its machines where it has no lanes, or the desk where it has neither.
+bool has_zone(const StoreProgram& program, std::string_view type) {
+  return std::ranges::any_of(program.zones,
+                             [&](const ProgramZone& zone) { return zone.type->type == type; });
+}
+
+// A shop keeps its lanes, its machines where it has no lanes, and its desk where it has neither.
 bool is_kept(const StoreProgram& program, const ProgramZone& zone) {
   for (const std::string_view type : {"checkout", "self_checkout", "customer_service"}) {
-    const bool has = std::ranges::any_of(
-        program.zones, [&](const ProgramZone& other) { return other.type->type == type; });
-    if (has) return zone.type->type == type;
+    if (has_zone(program, type)) return zone.type->type == type;
   }
   return false;
 }
@@ -166,8 +169,7 @@ Candidate find_floor(StoreProgram& program,
 
 // A shop without a till is none.
 void keep_tills(Understanding& found, const StoreProgram& program) {
-  const bool has_lanes = std::ranges::any_of(
-      program.zones, [](const ProgramZone& zone) { return zone.type->type == "checkout"; });
+  const bool has_lanes = has_zone(program, "checkout");
   const auto refused = std::ranges::find_if(found.requirements, [](const plan::Requirement& wish) {
     return wish.kind == plan::RequirementKind::zone_absent && wish.subject == "checkout";
   });

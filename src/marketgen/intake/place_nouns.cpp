@@ -116,6 +116,7 @@ void add_fixture_mention(Reading& reading, const PlaceNoun& noun) {
   plan::Requirement& wish = reading.add(plan::RequirementKind::fixture_count, noun.span);
   wish.subject = noun.name;
   wish.object = noun.zone;
+  wish.second_object = noun.negated ? "" : noun.scope;
   wish.comparison = noun.negated ? plan::Comparison::at_most : plan::Comparison::at_least;
   wish.value = noun.negated ? 0 : 1;
 }
@@ -137,7 +138,8 @@ PlaceNoun noun_of(const language::Meaning& said) {
   noun.zone = said.text("zone");
   noun.span = said.span;
   noun.wall = noun.kind == NounKind::place && said.number("wall") != 0;
-  noun.counted = said.has("count");
+  noun.counted = said.has("count") || said.has("runs");
+  noun.scope = said.text("scope");
   noun.factor = said.number("factor", 1);
   return noun;
 }
@@ -146,7 +148,46 @@ void mention(Reading& reading, const language::Meaning& said) {
   if (said.is("type", "pronoun")) return;
   if (said.has("floor")) add_floor(reading, *said.parts("floor").front(), &said, false);
   if (said.has("count")) add_count(reading, said);
+  if (said.has("runs")) add_runs(reading, said);
+  for (const language::MeaningPtr& goods : said.parts("holds"))
+    mention(reading, *goods);
   add_mention(reading, noun_of(said));
+}
+
+language::Meaning standing_in(const language::Meaning& fixture, const std::string& zone) {
+  language::Meaning standing = fixture;
+  // Baskets among goods are those that goods lie in.
+  if (fixture.is("name", "basket_stack")) standing.slots["name"] = std::string("bin");
+  standing.slots["zone"] = zone;
+  standing.slots["scope"] = zone;
+  return standing;
+}
+
+void add_runs(Reading& reading, const language::Meaning& said) {
+  const language::Meaning& lines = *said.parts("runs").front();
+  const language::Parts& numbers = lines.parts("count");
+  plan::Requirement runs = reading.wish(plan::RequirementKind::run_count, said.span);
+  runs.subject = said.text("name");
+  runs.object = said.text("zone");
+  runs.second_object = said.text("scope");
+  runs.second_value = said.number("sides", lines.number("sides"));
+  const language::Meaning* number =
+      !numbers.empty() ? numbers.front().get() : (lines.number("value") > 0 ? &lines : nullptr);
+  runs.value = 1;
+  if (number != nullptr)
+    add_number(reading, runs, *number, true);
+  else
+    reading.found.requirements.push_back(runs);
+  if (!said.has("each")) return;
+  plan::Requirement count = runs;
+  count.kind = plan::RequirementKind::fixture_count;
+  count.second_value = 0;
+  const double times = number != nullptr ? number->number("value") : 1;
+  language::Meaning each = *said.parts("each").front();
+  for (const std::string slot : {"value", "upper"}) {
+    if (each.has(slot)) each.slots[slot] = times * each.number(slot);
+  }
+  add_number(reading, count, each, true);
 }
 
 // "five checkouts", "two promotion areas", "two entrances"
@@ -160,7 +201,10 @@ void add_count(Reading& reading, const language::Meaning& said) {
                                                        : plan::RequirementKind::fixture_count,
                    said.span);
   count.subject = name == "checkout" ? "checkout_lane" : name;
-  if (count.kind == plan::RequirementKind::fixture_count) count.object = said.text("zone");
+  if (count.kind == plan::RequirementKind::fixture_count) {
+    count.object = said.text("zone");
+    count.second_object = said.text("scope");
+  }
   add_number(reading, count, number, true);
 }
 

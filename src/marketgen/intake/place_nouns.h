@@ -18,6 +18,7 @@ struct PlaceNoun {
   NounKind kind = NounKind::zone;
   std::string name;  // zone type, product word, fixture kind, opening kind or place
   std::string zone;  // zone type that stands for it in relations; empty for openings and places
+  std::string scope = {};  // of a fixture: the zone type in which it is counted
   IntRange span{0, 0};
   bool wall = false;     // of a place: "the back wall", not "the back"
   bool negated = false;  // not wanted
@@ -25,7 +26,7 @@ struct PlaceNoun {
   double factor = 1;     // of its usual size
 };
 
-// What a noun of the grammar says (slots type, name, zone, wall, factor, count).
+// What a noun of the grammar says (slots type, name, zone, wall, factor, count, runs, scope).
 PlaceNoun noun_of(const language::Meaning& said);
 
 // The noun is wanted, or not: zone_present, product_absent, fixture_count, endcaps; with a number,
@@ -33,6 +34,11 @@ PlaceNoun noun_of(const language::Meaning& said);
 void add_mention(Reading& reading, const PlaceNoun& noun);
 void mention(Reading& reading, const language::Meaning& said);
 void add_count(Reading& reading, const language::Meaning& said);
+// "two rows of six chest freezers": how many lines, and how many in all.
+void add_runs(Reading& reading, const language::Meaning& said);
+
+// The fixtures stand in that zone: they are counted there, not in the one that their name implies.
+language::Meaning standing_in(const language::Meaning& fixture, const std::string& zone);
 
 // The relation asks for distance, so what it names need not exist.
 bool names_far(std::string_view relation, bool negated);

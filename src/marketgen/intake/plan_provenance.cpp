@@ -147,7 +147,8 @@ class ProvenanceWriter {
       case Kind::product_absent:
         return for_zones("", "stock/exclude", wish.span, said);
       case Kind::fixture_count:
-        return for_zones(wish.object, "fixture", wish.span, said);
+      case Kind::run_count:
+        return add_fixtures(wish);
       case Kind::levels:
         if (wish.subject.empty()) return for_gondolas("levels", wish.span);
         return for_zones(wish.subject, "fixture/levels", wish.span, said);
@@ -164,6 +165,24 @@ class ProvenanceWriter {
         return for_zones("", "stock/" + wish.subject, wish.span, said);
       default:
         return;  // what must not be there leaves no trace in a plan
+    }
+  }
+
+  // The wish's kind is a zone's main one, or one of those beside it, or stands at a door.
+  void add_fixtures(const plan::Requirement& wish) {
+    for (std::size_t i = 0; plan_.equipment && i < plan_.equipment->size(); ++i) {
+      if ((*plan_.equipment)[i].kind == wish.subject)
+        return add("/equipment/" + std::to_string(i), wish.span, said);
+    }
+    for (std::size_t i = 0; i < plan_.zones.size(); ++i) {
+      const plan::Zone& zone = plan_.zones[i];
+      if (!wish.object.empty() && zone.type != wish.object) continue;
+      std::string path = "/zones/" + std::to_string(i) + "/fixture";
+      for (std::size_t k = 0; zone.also && k < zone.also->size(); ++k) {
+        if ((*zone.also)[k].kind == wish.subject)
+          path = "/zones/" + std::to_string(i) + "/also/" + std::to_string(k);
+      }
+      add(std::move(path), wish.span, said);
     }
   }
 

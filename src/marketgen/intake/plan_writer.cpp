@@ -70,6 +70,7 @@ plan::Plan write_plan(const PlanSources& sources) {
   plan.nodes = nodes_of(sources.candidate.root, ids);
   plan.zones = zones_of(sources);
   fit_under_ceiling(plan);
+  if (!sources.program.equipment.empty()) plan.equipment = sources.program.equipment;
   plan.relations = relations_of(sources);
   plan.provenance = provenance_of(plan, sources);
   return plan;

@@ -35,6 +35,7 @@ class ZoneWriter {
     zone.anchor = from.type->anchor;
     zone.temperature = from.kind != nullptr ? from.kind->temperature : from.type->temperature;
     zone.fixture = fixture_of(from, rect);
+    if (!from.beside.empty()) zone.also = beside_of(from);
     zone.stock = stock_of(zone.type);
     return zone;
   }
@@ -65,6 +66,7 @@ class ZoneWriter {
       spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
     }
     spec.color = shelf_color(found_);
+    choose_runs(spec, zone.main);
     if (is_gondola(zone))
       choose_gondola(spec, zone, rect);
     else
@@ -72,6 +74,22 @@ class ZoneWriter {
     choose_levels(spec, zone);
     choose_pitch(spec, zone);
     return spec;
+  }
+
+  static void choose_runs(plan::FixtureSpec& spec, const KindWish& wish) {
+    spec.runs = wish.runs;
+    if (wish.runs && wish.sides != 0) spec.double_sided = wish.sides == 2;
+  }
+
+  std::vector<plan::FixtureSpec> beside_of(const ProgramZone& zone) const {
+    std::vector<plan::FixtureSpec> specs;
+    for (const KindWish& wish : zone.beside) {
+      plan::FixtureSpec& spec = specs.emplace_back();
+      spec.kind = wish.kind->kind;
+      spec.count = wish.count;
+      choose_runs(spec, wish);
+    }
+    return specs;
   }
 
   void choose_gondola(plan::FixtureSpec& spec, const ProgramZone& zone, const RectMm& rect) const {

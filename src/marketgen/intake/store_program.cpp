@@ -6,6 +6,7 @@
 
 #include "intake/store_size.h"
 #include "layout/floor.h"
+#include "intake/zone_sizes.h"
 
 namespace marketgen::intake {
 namespace {
@@ -20,19 +21,6 @@ constexpr std::size_t max_zones = 22;   // of max_bsp_leaves
 constexpr double lanes_from_m2 = 70;    // smaller shops take money over a counter
 constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
 constexpr double checkout_zones_share = 0.09;    // tills take their own floor first
-
-// Neither lanes nor machines.
-bool wants_no_tills(const Understanding& found) {
-  const plan::Requirement* machines = found.find(Kind::fixture_count, "self_checkout");
-  const bool some = machines != nullptr && machines->comparison != plan::Comparison::at_most;
-  return found.find(Kind::zone_absent, "checkout") != nullptr && !some &&
-         found.find(Kind::zone_present, "self_checkout") == nullptr;
-}
-
-// Some kinds of shop have no tills, or can do without.
-bool may_lack_tills(const catalog::ProfileRow& profile) {
-  return profile.checkouts_per_100_m2 <= 0;
-}
 
 const catalog::ProfileRow& profile_of(const Brief& brief,
                                       const Understanding& found,
@@ -153,11 +141,6 @@ bool names_zone_in_relation(const plan::Requirement& wish) {
          wish.relation != plan::RelationKind::not_adjacent;
 }
 
-// Of a number.
-bool asks_for_none(const plan::Requirement& wish) {
-  return wish.comparison == plan::Comparison::at_most && wish.value <= 0;
-}
-
 NamedZones named_zones(const Understanding& found, const catalog::Catalog& catalog) {
   NamedZones named;
   const auto add_if_zone = [&](const std::string& name) {
@@ -168,9 +151,9 @@ NamedZones named_zones(const Understanding& found, const catalog::Catalog& catal
     if (wish.kind == Kind::zone_count) named.add(wish.subject, static_cast<int>(wish.value));
     if (wish.kind == Kind::area || wish.kind == Kind::levels) add_if_zone(wish.subject);
     if (wish.kind == Kind::product_present) named.add(wish.object);
+    const bool of_fixtures = wish.kind == Kind::fixture_count || wish.kind == Kind::run_count;
     const bool refused = found.find(Kind::zone_absent, wish.object) != nullptr;
-    if (wish.kind == Kind::fixture_count && !asks_for_none(wish) && !refused)
-      add_if_zone(wish.object);
+    if (of_fixtures && !asks_for_none(wish) && !refused) add_if_zone(wish.object);
     if (!names_zone_in_relation(wish)) continue;
     for (const std::string* name : {&wish.subject, &wish.object, &wish.second_object}) {
       add_if_zone(*name);
@@ -201,16 +184,18 @@ NamedZones chosen_zones(const Understanding& found,
   NamedZones chosen = program.plain ? plain_zones(program, catalog) : named_zones(found, catalog);
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
                              chosen.count.contains("self_checkout");
-  const bool none = may_lack_tills(*program.profile) && wants_no_tills(found);
+  const bool none = wants_no_tills(found);
   const bool usual =
       std::ranges::find(program.profile->zones, "checkout") != program.profile->zones.end();
   if (!only_machines && !none && usual) chosen.add("checkout");
-  if (none || !usual) chosen.add("customer_service");  // a desk in the place of the tills
+  // Where orders are handed over, and money if it must be.
+  if (none || !usual) chosen.add("customer_service");
   const auto wanted =
       static_cast<std::size_t>(zones_in_any_store + program.area_m2() / further_zone_m2);
   const std::size_t most = std::min(wanted, max_zones);
   for (const std::string& type : program.profile->zones) {
-    const bool refused = found.find(Kind::zone_absent, type) != nullptr;
+    const bool till = is_till(type) && wants_no_tills(found);
+    const bool refused = till || found.find(Kind::zone_absent, type) != nullptr;
     if (chosen.order.size() < most && !refused && !program.plain) chosen.add(type);
   }
   return chosen;
@@ -236,11 +221,6 @@ bool pays_at_counter(const Understanding& found,
          (program.till_counter || (one_till && program.area_m2() < lanes_from_m2));
 }
 
-bool is_refused(const Understanding& found, const catalog::FixtureKind& kind) {
-  const plan::Requirement* wish = found.find(Kind::fixture_count, kind.kind);
-  return wish != nullptr && asks_for_none(*wish);
-}
-
 // In the place of one that was refused: the first that keeps the same goods. Null when there is
 // none.
 const catalog::FixtureKind* replacement_of(const Understanding& found,
@@ -254,6 +234,12 @@ const catalog::FixtureKind* replacement_of(const Understanding& found,
   return other == catalog.fixture_kinds.end() ? nullptr : &*other;
 }
 
+// Pallets of water stand beside the shelves of drinks; wine racks stand in the place of shelves.
+bool can_be_main(const catalog::FixtureKind& kind, const catalog::FixtureKind& usual) {
+  return kind.temperature == usual.temperature &&
+         (!is_walked_round(kind) || is_walked_round(usual));
+}
+
 // A named fixture kind replaces the zone's usual one when it can hold the same goods.
 const catalog::FixtureKind* kind_of(const Understanding& found,
                                     const catalog::Catalog& catalog,
@@ -262,13 +248,12 @@ const catalog::FixtureKind* kind_of(const Understanding& found,
   if (pays_at_counter(found, type, program)) return catalog.fixture_kind("till-counter");
   const catalog::FixtureKind* usual =
       type.fixture.empty() ? nullptr : catalog.fixture_kind(type.fixture);
-  for (const plan::Requirement& wish : found.requirements) {
-    const bool named =
-        wish.kind == Kind::fixture_count && wish.object == type.type && !asks_for_none(wish);
-    const catalog::FixtureKind* kind = named ? catalog.fixture_kind(wish.subject) : nullptr;
-    if (kind != nullptr && (usual == nullptr || kind->temperature == usual->temperature)) {
-      return kind;
-    }
+  const std::vector<KindWish> wishes = kind_wishes(found, catalog, type.type);
+  const bool usual_is_named =
+      std::ranges::any_of(wishes, [&](const KindWish& wish) { return wish.kind == usual; });
+  if (usual_is_named) return usual;
+  for (const KindWish& wish : wishes) {
+    if (usual == nullptr || can_be_main(*wish.kind, *usual)) return wish.kind;
   }
   const bool shelving = usual != nullptr && usual->role == catalog::FixtureRole::shelving;
   if (shelving && is_refused(found, *usual)) return replacement_of(found, catalog, *usual);
@@ -281,13 +266,34 @@ const catalog::FixtureKind* kind_of(const Understanding& found,
   return usual;
 }
 
-std::optional<int> count_of(const Understanding& found, const catalog::FixtureKind* kind) {
-  if (kind == nullptr) return std::nullopt;
-  const plan::Requirement* wish = found.find(Kind::fixture_count, kind->kind);
-  const bool some = wish != nullptr && wish->value > 0;
-  const bool exact = some && (kind->role != catalog::FixtureRole::shelving ||
-                              wish->comparison != plan::Comparison::at_least);
-  return exact ? std::optional<int>(static_cast<int>(wish->value)) : std::nullopt;
+// Of tills and desks.
+std::optional<int> count_of(const Understanding& found, const catalog::FixtureKind& kind) {
+  const plan::Requirement* wish = found.find(Kind::fixture_count, kind.kind);
+  return wish != nullptr && wish->value > 0 ? std::optional<int>(static_cast<int>(wish->value))
+                                            : std::nullopt;
+}
+
+// What the words want of the zone's own kind, and what is to stand beside it.
+void add_kind_wishes(ProgramZone& zone,
+                     const Understanding& found,
+                     const catalog::Catalog& catalog) {
+  if (zone.kind == nullptr) return;
+  if (zone.kind->role != catalog::FixtureRole::shelving) {
+    zone.count = count_of(found, *zone.kind);
+    return;
+  }
+  for (KindWish& wish : kind_wishes(found, catalog, zone.type->type)) {
+    if (wish.kind == zone.kind) {
+      zone.main = wish;
+      zone.count = wish.count;
+    } else if (wish.kind->role != catalog::FixtureRole::checkout) {
+      if (!wish.count && !wish.runs) wish.count = std::max(some_beside, wish.least);
+      zone.beside.push_back(wish);
+    }
+  }
+  const catalog::FixtureKind* wall = kind_on_walls(*zone.kind, catalog);
+  const bool refused = wall != nullptr && wall != zone.kind && is_refused(found, *wall);
+  if (refused) zone.beside.push_back({wall, 0, 0, std::nullopt, 0});
 }
 
 ProgramZone make_zone(const Understanding& found,
@@ -302,7 +308,7 @@ ProgramZone make_zone(const Understanding& found,
   zone.stance = stance_of(type, zone.kind);
   zone.cold = type.temperature != catalog::Storage::ambient;
   zone.stressed = emphasis_on(found, type.type) > 1;
-  zone.count = count_of(found, zone.kind);
+  if (index == 0) add_kind_wishes(zone, found, catalog);
   if (const plan::Requirement* area = found.find(Kind::area, type.type))
     zone.wanted_m2 = area->value;
   for (const WantedRows& rows : found.rows) {
@@ -335,7 +341,92 @@ void share_floor(StoreProgram& program,
   const double selling_m2 = program.area_m2() * (1 - checkout_zones_share);
   for (ProgramZone& zone : program.zones) {
     zone.target_m2 = shares > 0 ? selling_m2 * share_of(zone) / shares : 0;
+    const double counted_m2 = counted_floor_m2(zone, *program.profile);
+    const bool exact = zone.main.count || zone.main.runs;
+    zone.target_m2 = exact ? counted_m2 : std::max(zone.target_m2, counted_m2);
     if (zone.wanted_m2) zone.target_m2 = *zone.wanted_m2;
+  }
+}
+
+// A floor of no said size is as large as what is counted on it needs.
+void grow_floor(StoreProgram& program, const Understanding& found) {
+  constexpr double selling_share = 0.62;  // of the floor: the rest is aisles before walls and tills
+  constexpr int before_and_behind_runs_mm =
+      12000;                           // tills, the back wall's cabinets and two aisles
+  constexpr double crowded = 1.1;      // a little more is found on the usual floor
+  constexpr double front_share = 0.7;  // of the front for the tills: people come in, too
+  double counted_m2 = 0, shares = 0, counted_shares = 0;
+  int tills_mm = 0;
+  for (const ProgramZone& zone : program.zones) {
+    if (zone.stance == Stance::front) {
+      const bool said = zone.kind != nullptr && count_of(found, *zone.kind).has_value();
+      tills_mm += said ? till_width_mm(zone, usual_front_mm) : 0;
+      continue;
+    }
+    const double m2 = counted_floor_m2(zone, *program.profile);
+    shares += zone.type->share;
+    counted_shares += m2 > 0 ? zone.type->share : 0;
+    counted_m2 += m2;
+  }
+  const double others = shares > 0 ? 1 - counted_shares / shares : 0;
+  const double area = program.area_m2() * others + counted_m2 / selling_share;
+  if (area > crowded * program.area_m2()) {
+    const double most = 1e-6 * max_store_side_mm * max_store_side_mm;
+    const std::array<int, 2> size = size_with_area(*program.profile, std::min(area, most));
+    program.width_mm = std::max(program.width_mm, size[0]);
+    program.depth_mm = std::max(program.depth_mm, size[1]);
+  }
+  for (const ProgramZone& zone :
+       program.zones) {  // as deep as its longest run, with tills before it
+    const int run = counted_run_mm(zone);
+    if (run > 0 && zone.stance != Stance::front)
+      program.depth_mm = std::max(program.depth_mm, rounded_mm(run + before_and_behind_runs_mm));
+  }
+  const double front_mm = std::min(tills_mm / front_share, max_store_side_mm);
+  program.width_mm = std::max(program.width_mm, rounded_mm(front_mm));
+}
+
+bool size_is_said(const Brief& brief, const Understanding& found) {
+  double area_m2 = 0;
+  return brief.size_mm || found.find(Kind::size) != nullptr || area_wish(found, area_m2) != nullptr;
+}
+
+// Runs that are counted in the whole store are shared among the zones that have such shelves, in
+// proportion to their floor; what gets none lines walls.
+void share_runs(StoreProgram& program,
+                const Understanding& found,
+                const catalog::Catalog& catalog) {
+  const plan::Requirement* wish = runs_of_store(found, "gondola");
+  const catalog::FixtureKind* gondola = catalog.fixture_kind("gondola");
+  if (wish == nullptr || gondola == nullptr) return;
+  std::vector<ProgramZone*> open;
+  int left = static_cast<int>(wish->value);
+  double floor_m2 = 0;
+  for (ProgramZone& zone : program.zones) {
+    if (zone.kind != gondola) continue;
+    if (zone.main.runs) {
+      left -= *zone.main.runs;
+      continue;
+    }
+    open.push_back(&zone);
+    floor_m2 += zone.target_m2;
+  }
+  std::ranges::stable_sort(open, std::greater<>(), [](ProgramZone* z) { return z->target_m2; });
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    ProgramZone& zone = *open[i];
+    const auto others = static_cast<int>(open.size() - i) - 1;
+    const double share = floor_m2 > 0 ? zone.target_m2 / floor_m2 : 1;
+    const int fair = i + 1 == open.size() ? left : static_cast<int>(std::lround(left * share));
+    const int runs =
+        std::clamp(fair, std::min(1, left), std::max(std::min(1, left), left - others));
+    floor_m2 -= zone.target_m2;
+    left -= std::max(0, runs);
+    if (runs > 0) {
+      zone.main = {gondola, std::nullopt, 0, runs, static_cast<int>(wish->second_value)};
+      continue;
+    }
+    zone.kind = catalog.fixture_kind("wall_unit");
+    zone.stance = stance_of(*zone.type, zone.kind);
   }
 }
 
@@ -347,6 +438,30 @@ void count_lanes(StoreProgram& program) {
     const int fit = program.width_mm / 2 / 2100;  // half of the front, a lane with its passage each
     zone.count = std::clamp(static_cast<int>(std::lround(wanted)), 1, std::max(1, fit));
   }
+}
+
+int most_of(const Concessions& concessions, const std::string& what, int wanted) {
+  const auto most = concessions.max_count.find(what);
+  return most == concessions.max_count.end() ? wanted : std::min(wanted, most->second);
+}
+
+// What was found to have no room is not asked for again.
+void keep_to(const Concessions& concessions, ProgramZone& zone) {
+  const std::string& type = zone.type->type;
+  const bool goods = zone.kind != nullptr && zone.kind->role == catalog::FixtureRole::shelving;
+  if (goods && zone.count == 0) zone.count.reset();  // as many as find room
+  if (zone.main.runs) {
+    zone.main.runs = most_of(concessions, type + "/runs", *zone.main.runs);
+    if (zone.count) zone.main.runs = std::min(*zone.main.runs, *zone.count);
+    if (zone.main.runs == 0) zone.main.runs.reset();
+  }
+  for (KindWish& wish : zone.beside) {
+    const std::string name = type + "/" + wish.kind->kind;
+    if (wish.runs) wish.runs = most_of(concessions, name + "/runs", *wish.runs);
+    if (wish.count) wish.count = most_of(concessions, name, *wish.count);
+    if (wish.count && wish.runs) wish.runs = std::min(*wish.runs, *wish.count);
+  }
+  std::erase_if(zone.beside, [](const KindWish& wish) { return wish.runs == 0; });
 }
 
 std::optional<int> whole(const plan::Requirement* wish) {
@@ -385,12 +500,19 @@ Result<StoreProgram> make_program(const Brief& brief,
     }
   }
   share_floor(program, found, chosen.count);
+  share_runs(program, found, catalog);
   count_lanes(program);
+  if (!size_is_said(brief, found)) grow_floor(program, found);
+  share_floor(program, found, chosen.count);
+  program.equipment = equipment_of(found, catalog);
   for (ProgramZone& zone : program.zones) {
     const auto most = concessions.max_count.find(zone.type->type);
     if (zone.count && most != concessions.max_count.end())
       zone.count = std::min(*zone.count, most->second);
+    keep_to(concessions, zone);
   }
+  for (plan::EquipmentSpec& spec : program.equipment)
+    spec.count = most_of(concessions, spec.kind, spec.count);
   trace.push_back("profile " + program.profile->id + ", " + metres(program.width_mm) + " x " +
                   metres(program.depth_mm) + " m, " + std::to_string(program.zones.size()) +
                   " zones");

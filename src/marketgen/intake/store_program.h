@@ -7,6 +7,7 @@
 
 #include "catalog/catalog.h"
 #include "intake/brief.h"
+#include "intake/fixture_wishes.h"
 #include "intake/understanding.h"
 
 namespace marketgen::intake {
@@ -30,18 +31,21 @@ struct ProgramZone {
   std::optional<double> wanted_m2;  // floor that was asked for
   std::optional<int> count;         // fixtures asked for
   std::optional<int> rows;          // "two rows of frozen food"
+  KindWish main;                    // what is said of its main fixtures
+  std::vector<KindWish> beside;     // what else stands there, each with a count or with runs
 };
 
 struct StoreProgram {
   const catalog::ProfileRow* profile = nullptr;
   int width_mm = 0, depth_mm = 0;  // as built: east-west, north-south
   std::vector<ProgramZone> zones;
-  std::optional<int> aisles;         // aisles asked for
-  std::optional<int> aisle_mm;       // aisle width asked for
-  bool till_counter = false;         // no room for lanes
-  bool plain = false;                // no room for more than a till and ordinary shelves
-  std::optional<plan::Shell> shell;  // drawn
-  std::vector<RectMm> outside;       // what is no floor within its bounds
+  std::optional<int> aisles;                   // aisles asked for
+  std::optional<int> aisle_mm;                 // aisle width asked for
+  std::vector<plan::EquipmentSpec> equipment;  // at the doors, where it is not as usual
+  bool till_counter = false;                   // no room for lanes
+  bool plain = false;                          // no room for more than a till and ordinary shelves
+  std::optional<plan::Shell> shell;            // drawn
+  std::vector<RectMm> outside;                 // what is no floor within its bounds
   double area_m2() const {
     if (shell && shell->outline_mm) return marketgen::area_m2(*shell->outline_mm);
     return 1e-6 * width_mm * depth_mm;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "intake/zone_sizes.h"
+
 namespace marketgen::intake {
 namespace {
 
@@ -14,6 +16,11 @@ const ProgramZone& zone_at(const StoreProgram& program, int index) {
 
 int min_length(const StripRoom& room) {
   return std::max(room.min_mm, static_cast<int>(room.length_mm * min_share));
+}
+
+// What is counted fits there.
+int min_length(const StripRoom& room, const StoreProgram& program, const ProgramZone& zone) {
+  return std::max(min_length(room), counted_length_mm(zone, *program.profile, room.depth_mm));
 }
 
 // Lengths of all zones; those below the least are raised at the cost of the others.
@@ -43,8 +50,9 @@ std::vector<int> lengths_of(const std::vector<int>& zones,
       if (settled[i]) continue;
       const double target = std::max(0.1, zone_at(program, zones[i]).target_m2);
       lengths[i] = static_cast<int>(std::max(0, left) * target / targets);
-      if (lengths[i] >= min_length(room)) continue;
-      lengths[i] = min_length(room);
+      const int least = min_length(room, program, zone_at(program, zones[i]));
+      if (lengths[i] >= least) continue;
+      lengths[i] = least;
       settled[i] = changed = true;
       left -= lengths[i];
       break;

@@ -159,7 +159,42 @@ int machine_wish(const Build& build, const plan::Zone& zone) {
   return std::clamp(static_cast<int>(store_m2 / store_m2_per_machine + 0.5), 2, 12);
 }
 
-// Two rows that face each other across the way out, or one where the floor is narrow.
+// Two rows that face each other across the way out, or one where the floor is narrow; more, two and
+// two, where that is what the wish takes and the floor has.
+int machine_rows(int wide_mm, int depth_mm, int in_row, int wish) {
+  const auto needed = [&](int rows) {
+    return rows * depth_mm + (rows + 1) / 2 * self_checkout_floor_mm;
+  };
+  int rows = wide_mm >= needed(2) ? 2 : 1;
+  while (rows >= 2 && rows * in_row < wish && wide_mm >= needed(rows + 1))
+    ++rows;
+  return rows;
+}
+
+// How many machines a row along that edge really holds: the floor before a door stays free.
+int machines_in_row(const Build& build,
+                    const ZoneBuild& zone,
+                    const RectMm& rect,
+                    const ModuleSpec& spec,
+                    Side back) {
+  const Row row{"",
+                zone.zone,
+                &spec,
+                opposite(back),
+                strip_inside(rect, back, spec.depth_mm),
+                build.design.min_aisle_mm(),
+                0};
+  int machines = 0;
+  for (const Span& span : build.site.free_spans(row))
+    machines += static_cast<int>(fill_widths(spec, span.length()).size());
+  return machines;
+}
+
+// From the edge behind the first row to the back or front of row `i` of more than two.
+int machine_offset(int i, int depth_mm) {
+  return i * depth_mm + (i + 1) / 2 * self_checkout_floor_mm;
+}
+
 void place_machines(Build& build, GroundBuild& ground) {
   ZoneBuild& zone = build.zones[ground.zone];
   const TillFloor floor = till_floor(build, ground.ground);
@@ -167,22 +202,25 @@ void place_machines(Build& build, GroundBuild& ground) {
   const std::array<Side, 2> backs = lies_along_x(floor.out) ? std::array{Side::west, Side::east}
                                                             : std::array{Side::south, Side::north};
   const int wide = across(floor.rect, backs[0]).length();
-  const int rows = wide >= 2 * spec.depth_mm + self_checkout_floor_mm ? 2 : 1;
   const int wish = machine_wish(build, *zone.zone) - zone.main_modules;
+  const int in_row = machines_in_row(build, zone, floor.rect, spec, backs[0]);
+  const int asked =
+      zone.zone->fixture.count ? wish : 0;  // a usual number is no reason for more rows
+  const int rows = machine_rows(wide, spec.depth_mm, in_row, asked);
   // Two rows share the floor between them and stand no farther apart than they need to.
   const int spare =
       rows == 2 ? std::max(0, wide - 2 * spec.depth_mm - 2 * self_checkout_floor_mm) / 2 : 0;
   for (int i = 0; i < rows; ++i) {
-    const int most = rows == 2 ? (wish + 1 - i) / 2 : wish;
+    const int left = machine_wish(build, *zone.zone) - zone.main_modules;
+    const int most =
+        rows > 2 ? (left + rows - 1 - i) / (rows - i) : (rows == 2 ? (wish + 1 - i) / 2 : wish);
+    const Side back = backs[static_cast<std::size_t>(i % 2)];
     const RectMm band =
-        strip_inside(floor.rect, backs[static_cast<std::size_t>(i)], spec.depth_mm, spare);
-    const Row row{zone.zone->id + "/run-" + std::to_string(zone.next_run),
-                  zone.zone,
-                  &spec,
-                  opposite(backs[static_cast<std::size_t>(i)]),
-                  band,
-                  build.design.min_aisle_mm(),
-                  most};
+        rows > 2
+            ? strip_inside(floor.rect, backs[0], spec.depth_mm, machine_offset(i, spec.depth_mm))
+            : strip_inside(floor.rect, back, spec.depth_mm, spare);
+    const Row row{
+        zone.run_id(), zone.zone, &spec, opposite(back), band, build.design.min_aisle_mm(), most};
     const std::vector<PlacedRun> runs = build.site.place(row, Packing::middle);
     if (!runs.empty()) ++zone.next_run;
     zone.count(spec.kind, runs);
@@ -200,7 +238,7 @@ void place_desks(Build& build, GroundBuild& ground) {
     if (wish - zone.main_modules <= 0) return;
     const int behind_mm = spec.kind->is_desk() ? desk_staff_mm : 20;
     const RectMm band = strip_inside(ground.ground.rect, back, spec.depth_mm, behind_mm);
-    const Row row{zone.zone->id + "/run-" + std::to_string(zone.next_run),
+    const Row row{zone.run_id(),
                   zone.zone,
                   &spec,
                   opposite(back),

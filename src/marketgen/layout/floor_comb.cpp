@@ -13,6 +13,7 @@ constexpr double planned_gap_share =
     0.7;  // a plan's own gap is an aisle from this share of the habit on
 constexpr double tighter_factor = 1.2;      // narrower aisles must hold this much more
 constexpr double wrong_axis_factor = 1.25;  // runs along the checkout line must hold this much more
+constexpr double widest_factor = 1.35;      // of the habit: wider aisles between runs look empty
 
 // How kinds stand when no wall is behind them.
 struct FloorHabit {
@@ -186,9 +187,12 @@ std::optional<FloorComb> best_single(const FloorTask& task,
   return best;
 }
 
+bool is_counter(const ModuleSpec& spec) {
+  return spec.kind->generator == "serve_over";
+}
+
 FloorBlock block_of(const ModuleSpec& spec) {
-  const bool counter = spec.kind->generator == "serve_over";
-  return {spec, spec.sides == 1, counter ? service_island_mm : 0};
+  return {spec, spec.sides == 1, is_counter(spec) ? service_island_mm : 0};
 }
 
 // The best way to stand, with shoppers on both sides of every block.
@@ -197,7 +201,130 @@ std::optional<FloorComb> double_faced(const FloorTask& task, const ModuleSpec& s
   return room.empty() ? std::nullopt : best_comb(task, block_of(spec), room);
 }
 
+// ---- Runs that are counted ----
+
+int modules_in(const ModuleSpec& spec, const Span& span) {
+  return static_cast<int>(fill_widths(spec, span.length()).size());
+}
+
+// Lines that the comb's groups can hold, each with the modules that a wanted run needs.
+int lines_in(const FloorTask& task, const FloorComb& comb) {
+  const int least = task.zone.least_in_run(comb.block.spec.kind);
+  int lines = 0;
+  for (const int low : comb.lows) {
+    for (const Span& group : comb.groups) {
+      const std::vector<Row> rows = rows_of(task, comb, low, run_span(task, comb, group));
+      const std::optional<Span> span = longest_span(common_spans(task.build.site, rows));
+      if (span && modules_in(comb.block.spec, *span) >= least)
+        lines += static_cast<int>(rows.size());
+    }
+  }
+  return lines;
+}
+
+// In the middle of the span, the aisles as wide as habit has them at most.
+std::vector<int> centred(Span span, int count, int size, int gap) {
+  const int used = count * size + (count - 1) * gap;
+  return packed({span.from + (span.length() - used) / 2, span.to}, count, size, gap, Packing::low);
+}
+
+std::optional<FloorComb> best_runs_along(const FloorTask& task,
+                                         const FloorBlock& block,
+                                         const RectMm& room,
+                                         bool along_y) {
+  FloorComb comb{block, along_y ? Side::east : Side::south, {}, {}, 0};
+  const Span wide = along_y ? Span{room.x0, room.x1} : Span{room.y0, room.y1};
+  const Span deep = along_y ? Span{room.y0, room.y1} : Span{room.x0, room.x1};
+  const int in_block = block.pair ? 2 : 1, size = block.depth_mm();
+  const int blocks = (task.zone.runs_left(block.spec.kind) + in_block - 1) / in_block;
+  const int beside = std::min(blocks, (wide.length() + task.aisle_mm) / (size + task.aisle_mm));
+  if (beside <= 0) return std::nullopt;
+  const int behind = (blocks + beside - 1) / beside;  // one behind the other
+  const int cross = task.build.design.profile.cross_aisle_mm;
+  const int length = std::min(longest_group_mm(block.spec, *task.zone.zone),
+                              (deep.length() - (behind - 1) * cross) / behind);
+  if (length < block.spec.narrowest_mm()) return std::nullopt;
+  const int first = deep.from + (deep.length() - behind * length - (behind - 1) * cross) / 2;
+  for (int i = 0; i < behind; ++i) {
+    const int from = first + i * (length + cross);
+    comb.groups.push_back({from, from + length});
+  }
+  const int count = (blocks + behind - 1) / behind;
+  const int loosest = count > 1 ? (wide.length() - count * size) / (count - 1) : 0;
+  const bool said = task.zone.zone->fixture.aisle_mm.has_value();
+  const int widest = said ? task.aisle_mm : static_cast<int>(task.aisle_mm * widest_factor);
+  std::optional<FloorComb> best;
+  for (const std::vector<int>& lows :
+       {centred(wide, count, size, std::min(loosest, widest)),
+        packed(wide, count, size, std::min(loosest, task.aisle_mm), Packing::low),
+        packed(wide, count, size, std::min(loosest, task.aisle_mm), Packing::high)}) {
+    comb.lows = lows;
+    comb.score = lines_in(task, comb);
+    if (comb.score > 0 && (!best || comb.score > best->score)) best = comb;
+  }
+  return best;
+}
+
+// ---- Fixtures that are counted, at the edge of a floor that others use too ----
+
+struct Corner {
+  FloorComb comb;
+  int modules = 0;  // of those wanted
+  double cost = 0;  // floor that it takes from what it is cut from, and its way from the door
+};
+
+int modules_of(const FloorTask& task, const FloorComb& comb) {
+  int modules = 0;
+  for (const int low : comb.lows) {
+    for (const Span& group : comb.groups) {
+      const std::vector<Row> rows = rows_of(task, comb, low, group);
+      for (const Span& span : common_spans(task.build.site, rows))
+        modules += modules_in(comb.block.spec, span) * static_cast<int>(rows.size());
+    }
+  }
+  return modules;
+}
+
+// Blocks of the comb from one edge of the room inwards, as few as hold what is wanted.
+Corner corner_at(const FloorTask& task, FloorComb comb, const RectMm& room, Packing edge) {
+  constexpr double mm_per_metre_away = 50;  // a metre nearer to the door is worth this much floor
+  const Side front = comb.front;
+  const Span wide = across(room, front);
+  const int size = comb.block.depth_mm();
+  const int wanted = task.zone.modules_left(comb.block.spec.kind);
+  comb.groups = groups_along(
+      along(room, front), longest_group_mm(comb.block.spec, *task.zone.zone), task.clear_mm);
+  Corner corner{comb, 0, 0};
+  for (int count = 1; count * (size + task.aisle_mm) - task.aisle_mm <= wide.length(); ++count) {
+    comb.lows = packed(wide, count, size, task.aisle_mm, edge);
+    const int modules = std::min(wanted, modules_of(task, comb));
+    if (modules > corner.modules) corner = {comb, modules, 0};
+    if (modules == wanted) break;
+  }
+  if (corner.modules == 0) return corner;
+  const auto lines = static_cast<int>(corner.comb.lows.size());
+  corner.cost = lines * (size + task.aisle_mm);
+  const Doorway* door = entrance_of(task.build.design.floor, task.build.design.plan.shell);
+  if (door == nullptr) return corner;
+  const int middle = (corner.comb.lows.front() + corner.comb.lows.back() + size) / 2;
+  const PointMm center = room.center();
+  const PointMm at = lies_along_x(front) ? PointMm{center[0], middle} : PointMm{middle, center[1]};
+  corner.cost +=
+      mm_per_metre_away * 1e-3 * distance_mm(point_rect(at), point_rect(door->threshold));
+  return corner;
+}
+
+std::vector<FloorBlock> blocks_of(const ModuleSpec& spec) {
+  if (spec.sides == 2) return {{spec, false, 0}};
+  return {{spec, false, 0}, block_of(spec)};
+}
+
 }  // namespace
+
+std::optional<Span> longest_span(const std::vector<Span>& spans) {
+  const auto longest = std::ranges::max_element(spans, {}, &Span::length);
+  return longest == spans.end() ? std::nullopt : std::optional(*longest);
+}
 
 RectMm room_inside(const FloorTask& task) {
   RectMm core = task.ground.ground.rect;
@@ -300,6 +427,45 @@ std::optional<FloorComb> choose_comb(FloorTask task, const ModuleSpec& spec) {
     if (!room.empty()) comb = best_single(task, spec, room);
   }
   return comb;
+}
+
+std::optional<FloorComb> choose_runs(FloorTask task, const ModuleSpec& spec) {
+  const plan::FixtureSpec& wish = task.zone.zone->fixture;
+  const bool apart = wish.double_sided.has_value() && !*wish.double_sided;
+  const FloorBlock block = apart ? FloorBlock{spec, false, 0} : block_of(spec);
+  const int wanted = task.zone.runs_left(spec.kind);
+  const bool preferred =
+      wish.axis == plan::RunAxis::automatic ? prefers_along_y(task) : wish.axis == plan::RunAxis::y;
+  std::optional<FloorComb> best;
+  for (const int aisle : {task.habit_mm, task.clear_mm}) {
+    task.aisle_mm = aisle;
+    const RectMm room = room_inside(task);
+    for (const bool along_y : {preferred, !preferred}) {
+      if (room.empty() || (best && best->score >= wanted)) continue;
+      const std::optional<FloorComb> comb = best_runs_along(task, block, room, along_y);
+      if (comb && (!best || comb->score > best->score)) best = comb;
+    }
+  }
+  return best;
+}
+
+std::optional<FloorComb> choose_corner(const FloorTask& task, const ModuleSpec& spec) {
+  const RectMm room = room_inside(task);
+  if (room.empty()) return std::nullopt;
+  Corner best;
+  for (const FloorBlock& block : blocks_of(spec)) {
+    for (const Side front : all_sides) {
+      const bool repeated = block.faces() == 2 && (front == Side::north || front == Side::west);
+      if (repeated) continue;
+      for (const Packing edge : {Packing::low, Packing::high}) {
+        const Corner corner = corner_at(task, {block, front, {}, {}, 0}, room, edge);
+        const bool better = corner.modules > best.modules ||
+                            (corner.modules == best.modules && corner.cost < best.cost);
+        if (corner.modules > 0 && better) best = corner;
+      }
+    }
+  }
+  return best.modules > 0 ? std::optional(best.comb) : std::nullopt;
 }
 
 }  // namespace marketgen::layout

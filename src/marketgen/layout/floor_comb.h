@@ -29,10 +29,11 @@ struct FloorTask {
   Build& build;
   GroundBuild& ground;
   ZoneBuild& zone;
-  int aisle_mm;     // before fronts
-  int habit_mm;     // what the zone's aisles should be
-  int clear_mm;     // demanded before fronts
-  bool share_gaps;  // leave half of the aisle to a neighbour that is not built yet
+  int aisle_mm;               // before fronts
+  int habit_mm;               // what the zone's aisles should be
+  int clear_mm;               // demanded before fronts
+  bool share_gaps;            // leave half of the aisle to a neighbour that is not built yet
+  bool stands_apart = false;  // others of the zone keep an aisle on all sides of it
 };
 
 // The endcaps a block's runs get, and the floor each takes.
@@ -52,11 +53,19 @@ std::vector<Row> rows_of(const FloorTask& task, const FloorComb& comb, int low, 
 // Where all rows of a block can stand: rows back to back begin and end together.
 std::vector<Span> common_spans(const Site& site, const std::vector<Row>& rows);
 
+std::optional<Span> longest_span(const std::vector<Span>& spans);
+
 // The floor that is left for free-standing fixtures when wall runs and neighbours have their
 // aisles.
 RectMm room_inside(const FloorTask& task);
 
 // The way that shows the most shelf front; nothing when none holds a module.
 std::optional<FloorComb> choose_comb(FloorTask task, const ModuleSpec& spec);
+// The way that holds the most of the runs that are still wanted (ZoneBuild::runs_left), spread
+// over the floor.
+std::optional<FloorComb> choose_runs(FloorTask task, const ModuleSpec& spec);
+// The way that holds the fixtures that are still wanted on the least floor, at its edge; the one
+// that holds most of them when none holds all.
+std::optional<FloorComb> choose_corner(const FloorTask& task, const ModuleSpec& spec);
 
 }  // namespace marketgen::layout

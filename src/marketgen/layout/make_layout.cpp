@@ -17,10 +17,25 @@
 namespace marketgen::layout {
 namespace {
 
+// A kind that stands in a group does not line the zone's walls besides.
+void add_groups(Build& build, std::size_t index) {
+  ZoneBuild& zone = build.zones[index];
+  if (!zone.zone->also) return;
+  for (const plan::FixtureSpec& also : *zone.zone->also) {
+    const ZoneKinds kinds = kinds_beside(also, build.design.catalog);
+    if (zone.kinds.wall == kinds.main && zone.kinds.wall != zone.kinds.main)
+      zone.kinds.wall = nullptr;
+    if (also.count == 0) continue;
+    const plan::Zone& own = build.group_zones.emplace_back(with_fixtures(*zone.zone, also));
+    build.groups.push_back({index, {&own, kinds, zone.zone->id + "/" + also.kind}});
+  }
+}
+
 Build start_build(const Design& design, Seed seed) {
   Build build{design, Site(design), {}, {}, seed};
   for (const plan::Zone& zone : design.plan.zones) {
-    build.zones.push_back({&zone, kinds_of(zone, design.catalog)});
+    build.zones.push_back({&zone, kinds_of(zone, design.catalog), zone.id});
+    add_groups(build, build.zones.size() - 1);
   }
   for (Ground& ground : zone_grounds(design.plan, design.floor)) {
     const std::size_t zone = ground.zone;
@@ -32,7 +47,9 @@ Build start_build(const Design& design, Seed seed) {
 void furnish_zones(Build& build) {
   place_checkouts(build);
   place_entrance(build);
+  line_walls_with_groups(build);
   line_walls(build);
+  stand_groups(build);
   fill_floor(build);
   fill_empty_zones(build);
 }
@@ -100,6 +117,8 @@ std::vector<Fixture> furnish_round(const Design& design,
     zone.stands = !furnish.contains(zone.zone->id);
     if (zone.stands) standing.insert(zone.zone->id);
   }
+  std::erase_if(build.groups,
+                [&](const GroupBuild& group) { return build.zones[group.zone].stands; });
   keep_fixtures(build, before);
   furnish_zones(build);
   return opened_up(design, build.site.take_fixtures(), standing);

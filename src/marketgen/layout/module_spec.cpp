@@ -191,6 +191,23 @@ std::optional<std::string_view> measure_at_fault(const Design& design,
   return std::nullopt;
 }
 
+Result<void> check_module(const Design& design,
+                          const plan::Zone& zone,
+                          const catalog::FixtureKind* kind,
+                          const std::string& pointer) {
+  if (kind == nullptr || std::ranges::none_of(module_measures, [&](const ModuleMeasure& measure) {
+        return (zone.fixture.*measure.field).has_value();
+      }))
+    return {};
+  const Result<assets::FixtureModel> model = model_of(design, zone, *kind);
+  if (model.ok()) return {};
+  const auto name = measure_at_fault(design, zone, *kind);
+  if (!name) return {};
+  return Error{"plan.bad_value",
+               pointer + "/" + std::string(*name),
+               model.error().message + "; leave " + std::string(*name) + " out for what is usual"};
+}
+
 // `count` modules of the preferred width, then the widest that fit, over and over.
 std::vector<int> greedy_fill(const ModuleSpec& spec, int count, int length_mm) {
   std::vector<int> widths(static_cast<std::size_t>(count), spec.widths_mm.front());
@@ -231,11 +248,25 @@ ZoneKinds kinds_of(const plan::Zone& zone, const catalog::Catalog& catalog) {
   return kinds;
 }
 
+plan::Zone with_fixtures(plan::Zone zone, const plan::FixtureSpec& also) {
+  zone.fixture = also;
+  return zone;
+}
+
+ZoneKinds kinds_beside(const plan::FixtureSpec& also, const catalog::Catalog& catalog) {
+  ZoneKinds kinds;
+  kinds.main = catalog.fixture_kind(also.kind);
+  const bool walls =
+      kinds.main != nullptr && (kinds.main->against_wall || kinds.main->generator == "serve_over");
+  if (walls) kinds.wall = kinds.main;
+  return kinds;
+}
+
 ModuleSpec module_spec(const Design& design,
                        const plan::Zone& zone,
                        const catalog::FixtureKind& kind) {
-  const ZoneKinds kinds = kinds_of(zone, design.catalog);
-  const plan::FixtureSpec wish = &kind == kinds.main ? zone.fixture : wish_along_walls(zone, kind);
+  const bool own = kind.kind == zone.fixture.kind || &kind == kinds_of(zone, design.catalog).main;
+  const plan::FixtureSpec wish = own ? zone.fixture : wish_along_walls(zone, kind);
   ModuleSpec spec;
   spec.kind = &kind;
   spec.sides = wish.double_sided.value_or(kind.double_sided) && kind.double_sided ? 2 : 1;
@@ -243,8 +274,7 @@ ModuleSpec module_spec(const Design& design,
   choose_levels(spec, wish);
   choose_widths(spec, design, wish);
   choose_finish(spec, design, wish);
-  if (&kind != kinds.main && zone.fixture.color && takes_look(kind))
-    spec.color = *zone.fixture.color;
+  if (!own && zone.fixture.color && takes_look(kind)) spec.color = *zone.fixture.color;
   return spec;
 }
 
@@ -323,19 +353,16 @@ assets::FixtureShape fixture_shape(const Fixture& fixture,
 Result<void> check_modules(const Design& design) {
   for (std::size_t i = 0; i < design.plan.zones.size(); ++i) {
     const plan::Zone& zone = design.plan.zones[i];
-    const catalog::FixtureKind* kind = kinds_of(zone, design.catalog).main;
-    if (kind == nullptr || std::ranges::none_of(module_measures, [&](const ModuleMeasure& measure) {
-          return (zone.fixture.*measure.field).has_value();
-        }))
-      continue;
-    const Result<assets::FixtureModel> model = model_of(design, zone, *kind);
-    if (model.ok()) continue;
-    const auto name = measure_at_fault(design, zone, *kind);
-    if (!name) continue;
-    return Error{
-        "plan.bad_value",
-        "/zones/" + std::to_string(i) + "/fixture/" + std::string(*name),
-        model.error().message + "; leave " + std::string(*name) + " out for what is usual"};
+    const std::string pointer = "/zones/" + std::to_string(i);
+    MARKETGEN_CHECK(
+        check_module(design, zone, kinds_of(zone, design.catalog).main, pointer + "/fixture"));
+    for (std::size_t k = 0; zone.also && k < zone.also->size(); ++k) {
+      const plan::FixtureSpec& also = (*zone.also)[k];
+      MARKETGEN_CHECK(check_module(design,
+                                   with_fixtures(zone, also),
+                                   design.catalog.fixture_kind(also.kind),
+                                   pointer + "/also/" + std::to_string(k)));
+    }
   }
   return {};
 }

@@ -38,6 +38,11 @@ struct ZoneKinds {
   const catalog::FixtureKind* wall = nullptr;  // what lines its walls
 };
 ZoneKinds kinds_of(const plan::Zone& zone, const catalog::Catalog& catalog);
+// The zone as if the fixtures of `also` were its own: what is said of a zone's main fixtures then
+// holds for them.
+plan::Zone with_fixtures(plan::Zone zone, const plan::FixtureSpec& also);
+// The kinds of such a zone: what it says, and along walls where the kind stands there.
+ZoneKinds kinds_beside(const plan::FixtureSpec& also, const catalog::Catalog& catalog);
 
 // Whether the look's material is for it: shelving takes it; cabinets, counters and wooden furniture
 // keep their own.

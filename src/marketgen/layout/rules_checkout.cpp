@@ -10,10 +10,20 @@ namespace {
 constexpr double farthest_exit_m = 15;
 constexpr double tight_clearance_share = 0.6;  // of the profile's clearance
 
+// The plan says that there are none: orders are picked, or paid for at a desk.
+bool wants_no_tills(const RuleFacts& facts) {
+  if (!facts.design.plan.equipment) return false;
+  return std::ranges::any_of(*facts.design.plan.equipment, [&](const plan::EquipmentSpec& spec) {
+    const catalog::FixtureKind* kind = facts.catalog().fixture_kind(spec.kind);
+    return spec.count == 0 && kind != nullptr && kind->role == catalog::FixtureRole::checkout;
+  });
+}
+
 }  // namespace
 
 Findings checkout_missing(const RuleFacts& facts) {
-  if (facts.profile().checkouts_per_100_m2 <= 0) return {};  // this kind of shop can do without
+  // This kind of shop can do without, or this one shall.
+  if (facts.profile().checkouts_per_100_m2 <= 0 || wants_no_tills(facts)) return {};
   for (std::size_t i = 0; i < facts.kinds.size(); ++i) {
     if (facts.is_checkout(i)) return {};
   }

@@ -1,12 +1,14 @@
 // Rules about zones: that they hold something, and who may be whose neighbour.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "layout/module_spec.h"
 #include "layout/neighbours.h"
 #include "layout/relations.h"
 #include "layout/rule_facts.h"
+#include "layout/zone_build.h"
 
 namespace marketgen::layout {
 namespace {
@@ -103,6 +105,64 @@ Findings relations_of(const RuleFacts& facts, plan::Strength strength) {
   return found;
 }
 
+// What is counted, and the name by which a shortage of it is reported.
+struct Counted {
+  std::string where;
+  const catalog::FixtureKind* kind;
+};
+
+Finding shortage(const Counted& counted, int standing, int wanted, const std::string& what) {
+  return {counted.where,
+          static_cast<double>(standing),
+          static_cast<double>(wanted),
+          counted.where + " has room for " + std::to_string(standing) + " of the " +
+              std::to_string(wanted) + " " + what + " asked for",
+          std::nullopt};
+}
+
+// Fewer of a zone's fixtures, or fewer lines of them, than the plan asks for.
+void add_shortage(Findings& found,
+                  const RuleFacts& facts,
+                  const LayoutZone& zone,
+                  const plan::FixtureSpec& spec,
+                  const Counted& counted) {
+  int standing = 0;
+  std::set<std::string> runs;
+  for (const Fixture& fixture : facts.layout.fixtures) {
+    if (fixture.zone != zone.id || fixture.kind != counted.kind->kind) continue;
+    ++standing;
+    runs.insert(fixture.run);
+  }
+  const int lines = lines_wanted(spec, *counted.kind).value_or(0);
+  const auto standing_lines = static_cast<int>(runs.size());
+  std::optional<Finding> lacking;
+  if (standing < spec.count.value_or(0))
+    lacking = shortage(counted, standing, *spec.count, counted.kind->kind);
+  else if (standing_lines < lines)
+    lacking = shortage({counted.where + "/runs", counted.kind}, standing_lines, lines, "runs");
+  if (!lacking) return;
+  lacking->at_mm = middle(zone);
+  found.push_back(std::move(*lacking));
+}
+
+void add_missing_equipment(Findings& found, const RuleFacts& facts) {
+  if (!facts.design.plan.equipment) return;
+  std::map<std::string, int> wanted;
+  for (const plan::EquipmentSpec& spec : *facts.design.plan.equipment)
+    wanted[spec.kind] += spec.count;
+  for (const auto& [kind, count] : wanted) {
+    const auto standing =
+        static_cast<int>(std::ranges::count(facts.layout.fixtures, kind, &Fixture::kind));
+    if (standing >= count) continue;
+    found.push_back({kind,
+                     static_cast<double>(standing),
+                     static_cast<double>(count),
+                     "the doors have room for " + std::to_string(standing) + " of the " +
+                         std::to_string(count) + " " + kind + " asked for",
+                     std::nullopt});
+  }
+}
+
 }  // namespace
 
 Findings zone_too_small(const RuleFacts& facts) {
@@ -139,25 +199,21 @@ Findings zone_empty(const RuleFacts& facts) {
   return found;
 }
 
-// Tills and equipment only: shelving takes what room there is.
 Findings count_short(const RuleFacts& facts) {
   Findings found;
   for (const LayoutZone& zone : facts.layout.zones) {
     const plan::Zone* planned = plan::find_zone(facts.design.plan, zone.id);
-    if (planned == nullptr || !planned->fixture.count) continue;
-    const catalog::FixtureKind* kind = kinds_of(*planned, facts.catalog()).main;
-    if (kind == nullptr || kind->role == catalog::FixtureRole::shelving) continue;
-    const auto standing = std::ranges::count_if(facts.layout.fixtures, [&](const Fixture& fixture) {
-      return fixture.zone == zone.id && fixture.kind == kind->kind;
-    });
-    if (standing >= *planned->fixture.count) continue;
-    found.push_back({zone.id,
-                     static_cast<double>(standing),
-                     static_cast<double>(*planned->fixture.count),
-                     "zone " + zone.id + " has room for " + std::to_string(standing) + " of the " +
-                         std::to_string(*planned->fixture.count) + " asked for",
-                     middle(zone)});
+    if (planned == nullptr) continue;
+    const catalog::FixtureKind* main = kinds_of(*planned, facts.catalog()).main;
+    if (main != nullptr) add_shortage(found, facts, zone, planned->fixture, {zone.id, main});
+    if (!planned->also) continue;
+    for (const plan::FixtureSpec& also : *planned->also) {
+      const catalog::FixtureKind* kind = facts.catalog().fixture_kind(also.kind);
+      if (kind != nullptr)
+        add_shortage(found, facts, zone, also, {zone.id + "/" + also.kind, kind});
+    }
   }
+  add_missing_equipment(found, facts);
   return found;
 }
 

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <tuple>
 
 #include "layout/neighbours.h"
@@ -85,10 +87,22 @@ std::vector<Span> apart_from_others(const Build& build, const ZoneBuild& zone, c
   return without(along(row.band, row.front), taken, row.spec->narrowest_mm());
 }
 
-void line_wall(Build& build, const WallJob& job) {
+// Where one of the runs that are wanted can stand; the whole band when runs are not counted.
+std::optional<Span> room_for_run(const Build& build, const ZoneBuild& zone, const Row& row) {
+  if (zone.runs_left(row.spec->kind) == std::numeric_limits<int>::max())
+    return along(row.band, row.front);
+  for (const Span& span : build.site.free_spans(row)) {
+    const auto modules = static_cast<int>(fill_widths(*row.spec, span.length()).size());
+    if (modules >= zone.least_in_run(row.spec->kind)) return span;
+  }
+  return std::nullopt;
+}
+
+void line_wall(Build& build, ZoneBuild& zone, const WallJob& job) {
   GroundBuild& ground = build.grounds[job.ground];
-  ZoneBuild& zone = build.zones[ground.zone];
-  const ModuleSpec spec = one_sided(module_spec(build.design, *zone.zone, *zone.kinds.wall));
+  const catalog::FixtureKind& kind =
+      zone.kinds.wall != nullptr ? *zone.kinds.wall : *zone.kinds.main;
+  const ModuleSpec spec = one_sided(module_spec(build.design, *zone.zone, kind));
   const int clear = spec.clear_mm(build.design);
   const bool staffed = has_staff_aisle(ground, job, spec, clear);
   const int offset = staffed ? staff_aisle_mm : wall_gap_mm;
@@ -98,19 +112,16 @@ void line_wall(Build& build, const WallJob& job) {
       cut_along(strip_inside(ground.ground.rect, job.side, spec.depth_mm, offset), job.side, span);
   const int most = zone.modules_left(spec.kind);
   if (most <= 0) return;
-  const Row whole{zone.zone->id + "/run-" + std::to_string(zone.next_run),
-                  zone.zone,
-                  &spec,
-                  opposite(job.side),
-                  band,
-                  clear,
-                  most};
+  const Row whole{zone.run_id(), zone.zone, &spec, opposite(job.side), band, clear, most};
   bool any = false;
   for (const Span& part : apart_from_others(build, zone, whole)) {
     Row row = whole;
-    row.run = zone.zone->id + "/run-" + std::to_string(zone.next_run);
+    row.run = zone.run_id();
     row.band = cut_along(band, row.front, part);
-    row.max_modules = zone.modules_left(spec.kind);
+    row.max_modules = zone.most_in_run(spec.kind);
+    const std::optional<Span> room = room_for_run(build, zone, row);
+    if (!room || zone.runs_left(spec.kind) == 0) continue;
+    row.band = cut_along(row.band, row.front, *room);
     const std::vector<PlacedRun> runs = build.site.place(row, Packing::low);
     if (!runs.empty()) ++zone.next_run;
     zone.count(spec.kind, runs);
@@ -125,11 +136,60 @@ void line_wall(Build& build, const WallJob& job) {
   }
 }
 
+// The zone has no floor for this before what lines its walls.
+bool is_narrow(const Build& build, const GroundBuild& ground, const ModuleSpec& spec) {
+  const ZoneBuild& zone = build.zones[ground.zone];
+  if (zone.kinds.wall == nullptr) return false;
+  const ModuleSpec wall = one_sided(module_spec(build.design, *zone.zone, *zone.kinds.wall));
+  const int aisle = std::max(wall.clear_mm(build.design), spec.clear_mm(build.design));
+  const auto short_of = [&](int across_mm) {
+    return across_mm < wall.depth_mm + aisle + spec.depth_mm;
+  };
+  for (const Side side : all_sides) {
+    if (ground.ground.touches_wall(side) && short_of(across(ground.ground.rect, side).length()))
+      return true;
+  }
+  return false;
+}
+
+// The shortest wall that holds the whole group, then the longest ones.
+std::vector<WallJob> group_jobs(const Build& build,
+                                const GroupBuild& group,
+                                const ModuleSpec& spec) {
+  std::vector<WallJob> jobs;
+  for (std::size_t i = 0; i < build.grounds.size(); ++i) {
+    const GroundBuild& ground = build.grounds[i];
+    if (ground.zone != group.zone) continue;
+    if (group.build.kinds.wall == nullptr && !is_narrow(build, ground, spec)) continue;
+    for (const Side side : all_sides) {
+      for (const Span& wall : ground.ground.walls[index_of(side)]) {
+        for (const Span& span : without_windows(build, side, wall, spec.height_mm))
+          jobs.push_back({i, side, span, false});
+      }
+    }
+  }
+  const int needed = group.build.modules_left(spec.kind) * spec.widths_mm.front();
+  std::ranges::stable_sort(jobs, {}, [&](const WallJob& job) {
+    const int length = job.span.length();
+    return std::pair{length < needed, length < needed ? -length : length};
+  });
+  return jobs;
+}
+
 }  // namespace
 
 void line_walls(Build& build) {
   for (const WallJob& job : wall_jobs(build))
-    line_wall(build, job);
+    line_wall(build, build.zones[build.grounds[job.ground].zone], job);
+}
+
+void line_walls_with_groups(Build& build) {
+  for (GroupBuild& group : build.groups) {
+    const ModuleSpec spec =
+        one_sided(module_spec(build.design, *group.build.zone, *group.build.kinds.main));
+    for (const WallJob& job : group_jobs(build, group, spec))
+      line_wall(build, group.build, job);
+  }
 }
 
 }  // namespace marketgen::layout

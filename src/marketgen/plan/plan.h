@@ -162,6 +162,11 @@ constexpr std::array<std::string_view, 3> names_of(RunAxis) {
 }
 
 // Fixtures of a zone. What is absent comes from the fixture kind's row and the profile.
+//
+// `count` is kept both ways: never more of this kind in the zone, and COUNT_SHORT says what found
+// no room. 0 of a zone's main fixtures leaves it those along its walls and those of `Zone::also`.
+// `runs` are straight lines, each as long as the others; with `double_sided` false they stand
+// apart, without it two of one-sided kinds may stand back to back.
 struct FixtureSpec {
   std::string kind = "gondola";
   std::optional<bool> double_sided;
@@ -170,7 +175,8 @@ struct FixtureSpec {
   std::optional<int> module_mm, depth_mm, height_mm, levels, spacing_mm;
   int run_max_mm = 12000;
   std::optional<int> aisle_mm;
-  std::optional<int> count;  // lanes, cabinets or tables wanted; absent = as many as fit
+  std::optional<int> count;  // lanes, cabinets, tables wanted; absent = as many as fit
+  std::optional<int> runs;   // straight lines wanted; absent = as many as fit
   std::optional<std::string> color;
   std::optional<std::string> material;
 
@@ -192,7 +198,11 @@ struct FixtureSpec {
             range(1000, 60000)),
       field("aisle_mm", &FixtureSpec::aisle_mm, "aisle between runs", range(600, 8000)),
       field(
-          "count", &FixtureSpec::count, "fixtures wanted; absent = as many as fit", range(1, 200)),
+          "count", &FixtureSpec::count, "fixtures wanted; absent = as many as fit", range(0, 200)),
+      field("runs",
+            &FixtureSpec::runs,
+            "straight lines of fixtures wanted; absent = as many as fit",
+            range(1, 60)),
       field("color", &FixtureSpec::color, "colour, #rrggbb", at_most_bytes(7)),
       field("material", &FixtureSpec::material, "material", reference()));
 };
@@ -251,6 +261,7 @@ struct Zone {
   std::string anchor = "any";
   catalog::Storage temperature = catalog::Storage::ambient;
   FixtureSpec fixture;
+  std::optional<std::vector<FixtureSpec>> also;  // kinds beside `fixture`, each with a count
   StockSpec stock;
 
   static constexpr auto fields =
@@ -264,6 +275,10 @@ struct Zone {
                        reference()),
                  field("temperature", &Zone::temperature, "temperature of its fixtures"),
                  field("fixture", &Zone::fixture, "its fixtures"),
+                 field("also",
+                       &Zone::also,
+                       "fixtures of other kinds that stand there too, each with its count",
+                       at_most_items(8)),
                  field("stock", &Zone::stock, "its goods"));
 };
 
@@ -331,6 +346,22 @@ struct Provenance {
       field("confidence", &Provenance::confidence, "0 guess, 1 said", range(0, 1)));
 };
 
+// What stands at the doors: baskets, trolleys, gates and other equipment. A kind that no wish names
+// stands as usual.
+struct EquipmentSpec {
+  std::string kind;
+  int count = 1;                  // in the whole store; 0 = none
+  std::optional<std::string> at;  // opening, by id or kind; absent: the entrances in turn
+
+  static constexpr auto fields = field_list(
+      field("kind", &EquipmentSpec::kind, "fixture kind", required(), reference()),
+      field("count", &EquipmentSpec::count, "how many; 0 = none", range(0, 20), required()),
+      field("at",
+            &EquipmentSpec::at,
+            "door that it stands at, by id or kind; absent: the entrances in turn",
+            reference()));
+};
+
 // Pins one value of one fixture.
 struct Override {
   std::string fixture, field_name, value;
@@ -366,6 +397,7 @@ struct Plan {
   Look look;
   std::vector<Node> nodes;
   std::vector<Zone> zones;
+  std::optional<std::vector<EquipmentSpec>> equipment;
   std::vector<Relation> relations;
   std::vector<Override> overrides;
   std::vector<Placement> placements;
@@ -383,6 +415,10 @@ struct Plan {
             required(),
             at_most_items(64)),
       field("zones", &Plan::zones, "what is where", required(), at_most_items(24)),
+      field("equipment",
+            &Plan::equipment,
+            "what stands at the doors, where it is not as usual",
+            at_most_items(16)),
       field("relations", &Plan::relations, "wishes about places", at_most_items(200)),
       field("overrides", &Plan::overrides, "single values of single fixtures", at_most_items(2000)),
       field("placements", &Plan::placements, "exact products", at_most_items(100000)),

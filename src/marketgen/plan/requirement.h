@@ -34,14 +34,15 @@ enum class RequirementKind {
   aisle_width,
   stock,
   light,
-  shelf_pitch
+  shelf_pitch,
+  run_count
 };
-constexpr std::array<std::string_view, 22> names_of(RequirementKind) {
+constexpr std::array<std::string_view, 23> names_of(RequirementKind) {
   return {"size",          "area",        "zone_present", "zone_absent",     "zone_count",
           "fixture_count", "aisle_count", "levels",       "relation",        "style",
           "profile",       "material",    "color",        "product_present", "product_absent",
           "opening",       "endcaps",     "height",       "aisle_width",     "stock",
-          "light",         "shelf_pitch"};
+          "light",         "shelf_pitch", "run_count"};
 }
 
 enum class Comparison { equal, at_least, at_most };
@@ -55,7 +56,10 @@ constexpr std::array<std::string_view, 3> names_of(Comparison) {
 //   zone_present, zone_absent, zone_count
 //                   subject: zone type; value: how many zones of it
 //   fixture_count   subject: fixture kind ("checkout_lane"); object: the zone type it implies;
+//                   second_object: the zone type in which they are counted, or "" for the store;
 //                   value: how many modules
+//   run_count       subject, object, second_object as of fixture_count; value: how many straight
+//                   lines; second_value: their stocked sides, 0 = any
 //   aisle_count     value: aisles between gondolas, the outermost included
 //   aisle_width     value: mm
 //   levels          subject: zone type, or "" for all gondolas and wall units; value: stocked levels

@@ -25,6 +25,7 @@ Result<void> validate_plan(const Plan& plan,
                             check_room,
                             check_names,
                             check_zone_values,
+                            check_equipment,
                             check_references};
   for (const Part part : parts)
     MARKETGEN_CHECK(part(check));

@@ -19,10 +19,11 @@ Result<void> check_look(const PlanCheck& check) {
   return check_color(look.accent, check.at("/look/accent"));
 }
 
-Result<void> check_fixture_names(const PlanCheck& check, std::size_t i) {
-  const FixtureSpec& fixture = check.plan.zones[i].fixture;
+Result<void> check_fixture_names(const PlanCheck& check,
+                                 const FixtureSpec& fixture,
+                                 const std::string& pointer) {
   const auto at = [&](std::string_view field) {
-    return check.at(element_pointer("zones", i, std::string("fixture/").append(field)));
+    return check.at(pointer + "/" + std::string(field));
   };
   if (!fixture.kind.empty()) {  // an open lobby has no fixtures
     MARKETGEN_CHECK(check_name(check.catalog.fixture_kinds,
@@ -47,7 +48,11 @@ Result<void> check_zone_names(const PlanCheck& check, std::size_t i) {
                              "zone type",
                              zone.type,
                              check.at(element_pointer("zones", i, "type"))));
-  MARKETGEN_CHECK(check_fixture_names(check, i));
+  MARKETGEN_CHECK(check_fixture_names(check, zone.fixture, element_pointer("zones", i, "fixture")));
+  for (std::size_t k = 0; zone.also && k < zone.also->size(); ++k) {
+    MARKETGEN_CHECK(check_fixture_names(
+        check, (*zone.also)[k], element_pointer("zones", i, "also/" + std::to_string(k))));
+  }
   for (std::size_t k = 0; k < zone.stock.categories.size(); ++k) {
     MARKETGEN_CHECK(
         check_name(check.catalog.categories,

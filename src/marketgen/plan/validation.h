@@ -41,6 +41,8 @@ Result<void> check_names(const PlanCheck& check);
 // Values of a zone against one another and against its fixture kind's row. Precondition:
 // check_names passed.
 Result<void> check_zone_values(const PlanCheck& check);
+// What stands at the doors.
+Result<void> check_equipment(const PlanCheck& check);
 // Relations, overrides and placements.
 Result<void> check_references(const PlanCheck& check);
 

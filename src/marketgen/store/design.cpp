@@ -22,15 +22,31 @@ bool holds_tills(const plan::Zone& zone) {
   return zone.type == "checkout" || zone.type == "self_checkout";
 }
 
+// What a fault is about: a zone by its type, and what of it stands behind the first '/' of `where`:
+// a fixture kind, or "runs". Something else than a zone has no part.
+struct Place {
+  std::string name, part;
+};
+Place place_of(const layout::Violation& fault, const plan::Plan& plan) {
+  const std::size_t cut = fault.where.find('/');
+  const plan::Zone* zone = plan::find_zone(plan, fault.where.substr(0, cut));
+  if (zone == nullptr) return {fault.where, ""};
+  return {zone->type, cut == std::string::npos ? "" : fault.where.substr(cut)};
+}
+
 // The wish that the store no longer fulfils; null when nobody asked.
 const plan::Requirement* wish_behind(const layout::Violation& fault,
                                      const intake::Planned& planned) {
-  const plan::Zone* zone = plan::find_zone(planned.plan, fault.where);
-  const std::string type = zone != nullptr ? zone->type : fault.where;
-  const bool relation = fault.code == "RELATION_BROKEN";
+  const Place place = place_of(fault, planned.plan);
+  const bool relation = fault.code == "RELATION_BROKEN", runs = place.part.ends_with("/runs");
   const auto wish = std::ranges::find_if(planned.requirements, [&](const plan::Requirement& one) {
-    if (relation) return one.kind == plan::RequirementKind::relation && one.subject == type;
-    return one.kind == plan::RequirementKind::fixture_count && one.object == type;
+    if (relation) return one.kind == plan::RequirementKind::relation && one.subject == place.name;
+    const bool of_kind =
+        place.part.empty() || place.part == "/runs" || place.part.starts_with("/" + one.subject);
+    const bool of_place = one.object == place.name || one.subject == place.name;
+    return one.kind ==
+               (runs ? plan::RequirementKind::run_count : plan::RequirementKind::fixture_count) &&
+           of_place && of_kind;
   });
   return wish == planned.requirements.end() ? nullptr : &*wish;
 }
@@ -46,7 +62,8 @@ class Bargain {
       if (fault.code == "RELATION_BROKEN") {
         concessions_.relations_may_fail = true;
         note(fault, now.planned);
-      } else if (fault.code == "COUNT_SHORT" && fault.value >= 1) {
+      } else if (fault.code == "COUNT_SHORT" &&
+                 (fault.value >= 1 || !is_about_tills(fault, now.planned.plan))) {
         cap_count(fault, now.planned);
       } else {
         const bool tills = is_about_tills(fault, now.planned.plan);
@@ -75,9 +92,8 @@ class Bargain {
 
  private:
   void cap_count(const layout::Violation& fault, const intake::Planned& planned) {
-    const plan::Zone* zone = plan::find_zone(planned.plan, fault.where);
-    if (zone == nullptr) return;
-    concessions_.max_count[zone->type] = static_cast<int>(fault.value);
+    const Place place = place_of(fault, planned.plan);
+    concessions_.max_count[place.name + place.part] = static_cast<int>(fault.value);
     note(fault, planned);
   }
 

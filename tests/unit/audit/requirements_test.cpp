@@ -52,6 +52,16 @@ plan::Requirement opening_wish(std::string kind,
   return r;
 }
 
+plan::Requirement counted_in(std::string place, plan::Requirement r) {
+  r.second_object = std::move(place);
+  return r;
+}
+
+plan::Requirement of_sides(int sides, plan::Requirement r) {
+  r.second_value = sides;
+  return r;
+}
+
 struct WishCase {
   plan::Requirement wish;
   bool met;
@@ -79,8 +89,16 @@ std::vector<WishCase> cases() {
       {wish(Kind::fixture_count, "checkout", "", 3), true},
       {wish(Kind::fixture_count, "checkout_lane", "", 4), false},
       {wish(Kind::fixture_count, "checkout_lane", "", 4, at_most), true},
-      {wish(Kind::fixture_count, "gondola", "", 2), true},  // runs, not modules
-      {wish(Kind::fixture_count, "gondola", "", 3), false},
+      {wish(Kind::fixture_count, "gondola", "", 3), true},  // modules, not runs
+      {wish(Kind::fixture_count, "gondola", "", 2), false},
+      {counted_in("canned", wish(Kind::fixture_count, "gondola", "canned", 3)), true},
+      {counted_in("dairy", wish(Kind::fixture_count, "gondola", "canned", 3)), false},
+      {counted_in("exit", wish(Kind::fixture_count, "checkout_lane", "checkout", 3)), true},
+      {counted_in("entrance", wish(Kind::fixture_count, "checkout_lane", "checkout", 3)), false},
+      {wish(Kind::run_count, "gondola", "", 2), true},
+      {wish(Kind::run_count, "gondola", "", 3), false},
+      {of_sides(1, wish(Kind::run_count, "gondola", "", 2)), true},
+      {of_sides(2, wish(Kind::run_count, "gondola", "", 2)), false},
       {wish(Kind::aisle_count, "", "", 1), true},
       {wish(Kind::aisle_count, "", "", 5), false},
       {wish(Kind::levels, "", "", 5), true},

@@ -38,6 +38,13 @@ plan::Plan valid_plan() {
   return std::move(plan).value();
 }
 
+plan::FixtureSpec so_many(const std::string& kind, std::optional<int> count) {
+  plan::FixtureSpec spec;
+  spec.kind = kind;
+  spec.count = count;
+  return spec;
+}
+
 // Nodes are root, front, back, west, east; zones are tills, snacks, dairy.
 struct Fault {
   const char* name;
@@ -311,6 +318,72 @@ const std::vector<Fault> faults = {
      [](plan::Plan& p) { p.zones[1].fixture.spacing_mm = 500; },
      "plan.bad_value",
      "/zones/1/fixture/spacing_mm"},
+    {"unknown_fixture_beside",
+     [](plan::Plan& p) { p.zones[1].also = {so_many("bins", 2)}; },
+     "catalog.unknown_kind",
+     "/zones/1/also/0/kind"},
+    {"beside_its_own_kind",
+     [](plan::Plan& p) { p.zones[1].also = {so_many("gondola", 2)}; },
+     "plan.bad_value",
+     "/zones/1/also/0/kind"},
+    {"twice_beside",
+     [](plan::Plan& p) {
+       p.zones[1].also = {so_many("bin", 2), so_many("bin", 1)};
+     },
+     "plan.bad_value",
+     "/zones/1/also/1/kind"},
+    {"beside_without_a_count",
+     [](plan::Plan& p) { p.zones[1].also = {so_many("bin", {})}; },
+     "plan.bad_value",
+     "/zones/1/also/0/count"},
+    {"tills_beside_goods",
+     [](plan::Plan& p) { p.zones[1].also = {so_many("checkout_lane", 1)}; },
+     "plan.bad_value",
+     "/zones/1/also/0/kind"},
+    {"levels_of_one_beside",
+     [](plan::Plan& p) {
+       p.zones[1].also = {so_many("bin", 1)};
+       p.zones[1].also->front().levels = 4;
+     },
+     "plan.bad_value",
+     "/zones/1/also/0/levels"},
+    {"more_runs_than_fixtures",
+     [](plan::Plan& p) {
+       p.zones[1].fixture.count = 2;
+       p.zones[1].fixture.runs = 3;
+     },
+     "plan.bad_value",
+     "/zones/1/fixture/runs"},
+    {"equipment_of_unknown_kind",
+     [](plan::Plan& p) {
+       p.equipment = {{"gates", 1, {}}};
+     },
+     "catalog.unknown_kind",
+     "/equipment/0/kind"},
+    {"shelving_as_equipment",
+     [](plan::Plan& p) {
+       p.equipment = {{"gondola", 1, {}}};
+     },
+     "plan.bad_value",
+     "/equipment/0/kind"},
+    {"tills_as_equipment",
+     [](plan::Plan& p) {
+       p.equipment = {{"checkout_lane", 1, {}}};
+     },
+     "plan.bad_value",
+     "/equipment/0/kind"},
+    {"equipment_at_no_door",
+     [](plan::Plan& p) {
+       p.equipment = {{"gate", 1, "snacks"}};
+     },
+     "plan.unknown_reference",
+     "/equipment/0/at"},
+    {"equipment_named_twice",
+     [](plan::Plan& p) {
+       p.equipment = {{"gate", 1, {}}, {"gate", 0, {}}};
+     },
+     "plan.bad_value",
+     "/equipment/1/kind"},
     {"facings_reversed",
      [](plan::Plan& p) {
        p.zones[1].stock.facings = {4, 2};
