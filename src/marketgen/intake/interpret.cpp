@@ -78,6 +78,10 @@ constexpr StatementKind statement_kinds[] = {
     {"aisles", interpret_aisles},   {"aisle_width", interpret_aisle_width},
     {"height", interpret_height},   {"surface", interpret_surface},
     {"light", interpret_light},     {"stock", interpret_stock},
+    {"mutual", interpret_mutual},   {"floor_of_it", interpret_floor_of_it},
+    {"lacking", interpret_lacking}, {"levels_of", interpret_levels_of},
+    {"doors_at", interpret_doors_at}, {"surfaces", interpret_surfaces},
+    {"none_of_stock", interpret_none_of_stock}, {"floor_of_shop", interpret_floor_of_shop},
 };
 
 }  // namespace

@@ -66,6 +66,9 @@ bool add_floor(Reading& reading,
                const language::Meaning* zone,
                bool after);
 
+// With what pronouns stand for in their place.
+language::Parts resolved(const Reading& reading, const language::Parts& nouns);
+
 // By kind; each adds what it says.
 bool interpret_floor(Reading& reading, const language::Meaning& statement);
 bool interpret_side(Reading& reading, const language::Meaning& statement);
@@ -81,5 +84,15 @@ bool interpret_doors(Reading& reading, const language::Meaning& statement);
 bool interpret_held(Reading& reading, const language::Meaning& statement);
 bool interpret_placed(Reading& reading, const language::Meaning& statement);
 bool interpret_surface(Reading& reading, const language::Meaning& statement);
+
+// Of Chinese alone (interpret_chinese.cpp).
+bool interpret_mutual(Reading& reading, const language::Meaning& statement);
+bool interpret_floor_of_shop(Reading& reading, const language::Meaning& statement);
+bool interpret_floor_of_it(Reading& reading, const language::Meaning& statement);
+bool interpret_lacking(Reading& reading, const language::Meaning& statement);
+bool interpret_levels_of(Reading& reading, const language::Meaning& statement);
+bool interpret_doors_at(Reading& reading, const language::Meaning& statement);
+bool interpret_surfaces(Reading& reading, const language::Meaning& statement);
+bool interpret_none_of_stock(Reading& reading, const language::Meaning& statement);
 
 }  // namespace marketgen::intake

@@ -25,21 +25,6 @@ Parts referred(const Reading& reading, const Meaning& pronoun) {
   return refers == "former" ? Parts{former} : Parts{former, recent.back()};
 }
 
-// With what pronouns stand for in their place.
-Parts resolved(const Reading& reading, const Parts& nouns) {
-  Parts found;
-  for (const MeaningPtr& noun : nouns) {
-    const bool pronoun = noun->is("type", "pronoun");
-    if (!pronoun) found.push_back(noun);
-    for (const MeaningPtr& named : pronoun ? referred(reading, *noun) : Parts{}) {
-      auto said = std::make_shared<Meaning>(*named);
-      said->span = noun->span;
-      found.push_back(std::move(said));
-    }
-  }
-  return found;
-}
-
 bool is_thing(const Meaning& noun) {
   return !noun.is("type", "opening") && !noun.is("type", "place") && !noun.is("type", "pronoun");
 }
@@ -71,6 +56,13 @@ bool join_doors(const Reading& reading, plan::Requirement& door, const plan::Req
   return true;
 }
 
+// "The east end of the south wall": a direction beside a wall is that end of it.
+void end_of_wall(const plan::Requirement& door, plan::Requirement& other, const Meaning& spot) {
+  const bool end = spot.number("wall") == 0 && !door.object.empty() && other.object != door.object &&
+                   other.second_object.empty();
+  if (end) std::swap(other.object, other.second_object);
+}
+
 // "The entrance at the left end of the south wall": one wish. False when no place is one of a door.
 bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
   std::vector<plan::Requirement>& wishes = reading.found.requirements;
@@ -80,6 +72,7 @@ bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
       const std::size_t made = wishes.size();
       add_relation(reading, {place->text("relation"), false, door, {noun_of(*spot)}});
       if (wishes.size() == made || wishes[made].kind != plan::RequirementKind::opening) continue;
+      if (first) end_of_wall(wishes[*first], wishes[made], *spot);
       if (!first)
         first = made;
       else if (join_doors(reading, wishes[*first], wishes[made]))
@@ -125,6 +118,21 @@ void forbid_others(Reading& reading, const Parts& things, IntRange span) {
 
 }  // namespace
 
+Parts resolved(const Reading& reading, const Parts& nouns) {
+  Parts found;
+  for (const MeaningPtr& noun : nouns) {
+    const bool pronoun = noun->is("type", "pronoun");
+    if (!pronoun) found.push_back(noun);
+    for (const MeaningPtr& named : pronoun ? referred(reading, *noun) : Parts{}) {
+      auto said = std::make_shared<Meaning>(*named);
+      said->slots.erase("count");  // the number was said already
+      said->span = noun->span;
+      found.push_back(std::move(said));
+    }
+  }
+  return found;
+}
+
 bool interpret_mention(Reading& reading, const Meaning& statement) {
   for (const MeaningPtr& thing : statement.parts("things"))
     mention(reading, *thing);
@@ -161,7 +169,8 @@ bool interpret_held(Reading& reading, const Meaning& statement) {
     interpret_only(reading, statement);
   else
     interpret_mention(reading, statement);
-  const Meaning& goods = *statement.parts("things").front();
+  const Parts named = resolved(reading, statement.parts("things"));
+  const Meaning& goods = named.empty() ? *statement.parts("things").front() : *named.front();
   for (const MeaningPtr& by : statement.parts("by")) {
     if (!by->is("type", "fixture")) {
       mention(reading, *by);
@@ -212,8 +221,11 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   const Parts things = resolved(reading, statement.parts("things"));
   if (things.empty()) return false;
   bool any = mention_placed(reading, statement);
-  if (things.front()->is("type", "opening") && !denied)
-    return add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
+  if (things.front()->is("type", "opening") && !denied) {
+    for (const MeaningPtr& door : things)
+      any = add_door(reading, noun_of(*door), statement.parts("at")) || any;
+    return any;
+  }
   for (const MeaningPtr& place : statement.parts("at")) {
     if (add_place(reading, *place, things, denied))
       any = true;

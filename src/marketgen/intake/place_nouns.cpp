@@ -8,11 +8,11 @@ namespace marketgen::intake {
 namespace {
 
 // What a relation means when it is said, and when it is denied.
-struct Meaning {
+struct RelationMeaning {
   std::string_view value;
   plan::RelationKind said, denied;
 };
-constexpr Meaning meanings[] = {
+constexpr RelationMeaning meanings[] = {
     {"near", plan::RelationKind::near, plan::RelationKind::far},
     {"next_to", plan::RelationKind::near, plan::RelationKind::not_adjacent},
     {"at", plan::RelationKind::at, plan::RelationKind::far},
@@ -28,7 +28,7 @@ constexpr Meaning meanings[] = {
 };
 
 std::optional<plan::RelationKind> kind_of(std::string_view value, bool negated) {
-  for (const Meaning& meaning : meanings) {
+  for (const RelationMeaning& meaning : meanings) {
     if (meaning.value == value) return negated ? meaning.denied : meaning.said;
   }
   return std::nullopt;
@@ -143,7 +143,9 @@ void mention(Reading& reading, const language::Meaning& said) {
 
 // "five checkouts", "two promotion areas", "two entrances"
 void add_count(Reading& reading, const language::Meaning& said) {
-  const language::Meaning& number = *said.parts("count").front();
+  language::Meaning number = *said.parts("count").front();
+  if (said.parts("count").size() > 1)  // "two rows of six each"
+    number.slots["value"] = number.number("value") * said.parts("count").back()->number("value");
   const std::string& name = said.text("name");
   const bool tills = name == "checkout" || name == "self_checkout";
   plan::Requirement count =

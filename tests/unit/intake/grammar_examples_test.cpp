@@ -8,26 +8,34 @@
 namespace marketgen {
 namespace {
 
-bool reads(const language::Rule& rule) {
-  const intake::Language& english = shipped_language();
+bool reads(const language::Grammar& grammar, const language::Rule& rule) {
+  const intake::Lexicon& lexicon = shipped_lexicon();
   const std::vector<intake::Token> tokens = intake::tokenize(rule.example);
-  const auto segments = intake::segments_of(tokens, english.lexicon);
-  const language::Input input = intake::lexical_input(tokens, segments, english.lexicon);
-  const language::Chart chart(*english.grammar, input);
-  const std::vector<language::Rule>& rules = english.grammar->rules();
+  const auto segments = intake::segments_of(tokens, lexicon);
+  const language::Input input = intake::lexical_input(tokens, segments, lexicon);
+  const language::Chart chart(grammar, input);
+  const std::vector<language::Rule>& rules = grammar.rules();
   for (std::size_t i = 0; i < rules.size(); ++i) {
     if (rules[i].line == rule.line && chart.used(static_cast<int>(i))) return true;
   }
   return false;
 }
 
-TEST(GrammarExamples, EveryConstructionReadsItsExample) {
+void expect_examples_read(const language::Grammar& grammar) {
   int last_line = 0;
-  for (const language::Rule& rule : shipped_language().grammar->rules()) {
+  for (const language::Rule& rule : grammar.rules()) {
     if (rule.line == std::exchange(last_line, rule.line)) continue;  // a choice of the same one
     EXPECT_FALSE(rule.example.empty()) << "line " << rule.line;
-    EXPECT_TRUE(reads(rule)) << "line " << rule.line << ": " << rule.example;
+    EXPECT_TRUE(reads(grammar, rule)) << "line " << rule.line << ": " << rule.example;
   }
+}
+
+TEST(GrammarExamples, EveryConstructionReadsItsExample) {
+  expect_examples_read(*shipped_language().english.rules);
+}
+
+TEST(GrammarExamples, EveryConstructionOfChineseReadsItsExample) {
+  expect_examples_read(*shipped_language().chinese.rules);
 }
 
 }  // namespace

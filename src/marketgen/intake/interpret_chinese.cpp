@@ -1,0 +1,126 @@
+// What Chinese says by leaving it out: whose floor it is, what lacks the fixtures.
+#include <algorithm>
+
+#include "intake/interpret.h"
+#include "intake/place_nouns.h"
+
+namespace marketgen::intake {
+namespace {
+
+using language::Meaning;
+using language::MeaningPtr;
+using language::Parts;
+using Kind = plan::RequirementKind;
+
+// The zone that was named last.
+std::string zone_spoken_of(const Reading& reading) {
+  if (reading.recent->empty()) return "";
+  return reading.recent->back().back()->text("zone");
+}
+
+bool floor_was_said(const Reading& reading) {
+  return reading.found.find(Kind::size) != nullptr || reading.found.find(Kind::area, "") != nullptr;
+}
+
+}  // namespace
+
+// "面宽20米，进深15米": always the shop's, so that a second one contradicts the first.
+bool interpret_floor_of_shop(Reading& reading, const Meaning& statement) {
+  return add_floor(reading, statement, nullptr, false);
+}
+
+// "果蔬沿西墙，不少于100平方米": once the shop's own floor is known, or when a zone was just spoken of
+// in the sentence, a size with no owner is that zone's.
+bool interpret_floor_of_it(Reading& reading, const Meaning& statement) {
+  const Meaning& extent = *statement.parts("extent").front();
+  plan::Requirement area = reading.wish(Kind::area, extent.span);
+  if (floor_was_said(reading)) area.subject = zone_spoken_of(reading);
+  if (floor_was_said(reading) && area.subject.empty()) return false;
+  add_number(reading, area, extent, false);
+  return true;
+}
+
+// "冷冻区不要岛柜": none of those fixtures there.
+bool interpret_lacking(Reading& reading, const Meaning& statement) {
+  interpret_mention(reading, statement);
+  const std::string zone = statement.parts("things").back()->text("zone");
+  for (const MeaningPtr& thing : statement.parts("without")) {
+    PlaceNoun noun = noun_of(*thing);
+    noun.negated = true;
+    noun.counted = false;
+    if (noun.kind == NounKind::fixture && !zone.empty()) noun.zone = zone;
+    noun.span = joined(statement.span, noun.span);
+    add_mention(reading, noun);
+  }
+  return true;
+}
+
+// "粮油、罐头、零食一律五层货架": of each.
+bool interpret_levels_of(Reading& reading, const Meaning& statement) {
+  interpret_mention(reading, statement);
+  const Meaning& count = *statement.parts("count").front();
+  for (const MeaningPtr& thing : statement.parts("things")) {
+    if (thing->text("zone").empty()) continue;
+    plan::Requirement levels = reading.wish(Kind::levels, statement.span);
+    levels.subject = thing->text("zone");
+    add_number(reading, levels, count, true);
+  }
+  return true;
+}
+
+// "窗：南墙4扇": so many at a place.
+bool interpret_doors_at(Reading& reading, const Meaning& statement) {
+  auto door = std::make_shared<Meaning>(*statement.parts("door").front());
+  door->slots.erase("count");
+  Meaning placed = statement;
+  placed.slots["things"] = Parts{std::move(door)};
+  const std::size_t first = reading.found.requirements.size();
+  if (!interpret_placed(reading, placed) || reading.found.requirements.size() == first)
+    return false;
+  plan::Requirement& wish = reading.found.requirements[first];
+  wish.value = statement.parts("count").front()->number("value");
+  wish.span = joined(wish.span, statement.span);
+  wish.text = reading.words(wish.span);
+  return true;
+}
+
+// "货架黑色、钢制": each word for itself.
+bool interpret_surfaces(Reading& reading, const Meaning& statement) {
+  bool any = false;
+  for (const MeaningPtr& word : statement.parts("surface")) {
+    Meaning surface;
+    surface.slots["words"] = Parts{word};
+    surface.span = word->span;
+    Meaning one = statement;
+    one.slots["surface"] = Parts{std::make_shared<Meaning>(std::move(surface))};
+    any = interpret_surface(reading, one) || any;
+  }
+  return any;
+}
+
+// "没有缺货"
+bool interpret_none_of_stock(Reading& reading, const Meaning& statement) {
+  plan::Requirement& stock = reading.add(Kind::stock, statement.span);
+  stock.subject = statement.text("value");
+  stock.comparison = plan::Comparison::at_most;
+  return true;
+}
+
+// "Dairy and bakery side by side": the first to each other one.
+bool interpret_mutual(Reading& reading, const Meaning& statement) {
+  const Parts things = resolved(reading, statement.parts("things"));
+  if (things.size() < 2) return false;
+  if (!statement.parts("things").front()->is("type", "pronoun"))
+    interpret_mention(reading, statement);
+  bool any = false;
+  for (std::size_t i = 1; i < things.size(); ++i)
+    any = add_relation(reading,
+                       {statement.text("relation"),
+                        statement.has("denied"),
+                        noun_of(*things.front()),
+                        {noun_of(*things[i])}}) ||
+          any;
+  return any;
+}
+
+}  // namespace marketgen::intake
