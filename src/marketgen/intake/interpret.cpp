@@ -82,6 +82,7 @@ constexpr StatementKind statement_kinds[] = {
     {"lacking", interpret_lacking}, {"levels_of", interpret_levels_of},
     {"doors_at", interpret_doors_at}, {"surfaces", interpret_surfaces},
     {"none_of_stock", interpret_none_of_stock}, {"floor_of_shop", interpret_floor_of_shop},
+    {"doors_shared", interpret_doors_shared}, {"only_tills", interpret_only_tills},
 };
 
 }  // namespace

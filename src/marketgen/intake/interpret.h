@@ -92,6 +92,8 @@ bool interpret_floor_of_it(Reading& reading, const language::Meaning& statement)
 bool interpret_lacking(Reading& reading, const language::Meaning& statement);
 bool interpret_levels_of(Reading& reading, const language::Meaning& statement);
 bool interpret_doors_at(Reading& reading, const language::Meaning& statement);
+bool interpret_doors_shared(Reading& reading, const language::Meaning& statement);
+bool interpret_only_tills(Reading& reading, const language::Meaning& statement);
 bool interpret_surfaces(Reading& reading, const language::Meaning& statement);
 bool interpret_none_of_stock(Reading& reading, const language::Meaning& statement);
 

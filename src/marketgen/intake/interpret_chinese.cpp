@@ -42,8 +42,10 @@ bool interpret_floor_of_it(Reading& reading, const Meaning& statement) {
 
 // "冷冻区不要岛柜": none of those fixtures there.
 bool interpret_lacking(Reading& reading, const Meaning& statement) {
+  const Parts things = resolved(reading, statement.parts("things"));
+  if (things.empty()) return false;
   interpret_mention(reading, statement);
-  const std::string zone = statement.parts("things").back()->text("zone");
+  const std::string zone = things.back()->text("zone");
   for (const MeaningPtr& thing : statement.parts("without")) {
     PlaceNoun noun = noun_of(*thing);
     noun.negated = true;
@@ -84,6 +86,38 @@ bool interpret_doors_at(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+// "紧急出口两个，北墙一个，东墙一个", "两个入口，分别在东墙和西墙": each place has its own.
+bool interpret_doors_shared(Reading& reading, const Meaning& statement) {
+  bool any = false;
+  for (const MeaningPtr& part : statement.parts("parts")) {
+    Meaning place;
+    place.slots["relation"] = "at";
+    place.slots["objects"] = part->parts("at");
+    place.span = part->span;
+    const bool spots = part->parts("at").front()->is("type", "place");
+    Meaning lot = statement;
+    lot.span = part->span;
+    lot.slots["door"] = statement.parts("things");
+    lot.slots["at"] =
+        spots ? Parts{std::make_shared<Meaning>(std::move(place))} : part->parts("at");
+    if (part->has("count")) lot.slots["count"] = part->parts("count");
+    if (!part->has("count")) {
+      Meaning one;
+      one.slots["value"] = 1.0;
+      lot.slots["count"] = Parts{std::make_shared<Meaning>(std::move(one))};
+    }
+    any = interpret_doors_at(reading, lot) || any;
+  }
+  return any;
+}
+
+// "收银只要自助": no tills with a cashier.
+bool interpret_only_tills(Reading& reading, const Meaning& statement) {
+  interpret_mention(reading, statement);
+  reading.add(Kind::zone_absent, statement.span).subject = "checkout";
+  return true;
+}
+
 // "货架黑色、钢制": each word for itself.
 bool interpret_surfaces(Reading& reading, const Meaning& statement) {
   bool any = false;
@@ -110,6 +144,7 @@ bool interpret_none_of_stock(Reading& reading, const Meaning& statement) {
 bool interpret_mutual(Reading& reading, const Meaning& statement) {
   const Parts things = resolved(reading, statement.parts("things"));
   if (things.size() < 2) return false;
+  reading.recent->push_back(things);
   if (!statement.parts("things").front()->is("type", "pronoun"))
     interpret_mention(reading, statement);
   bool any = false;

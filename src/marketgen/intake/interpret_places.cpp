@@ -102,6 +102,7 @@ bool add_relations(Reading& reading,
 
 bool sells(const catalog::Catalog& catalog, const catalog::ZoneTypeRow& row) {
   const catalog::FixtureKind* kind = catalog.fixture_kind(row.fixture);
+  if (kind != nullptr && kind->role == catalog::FixtureRole::checkout) return false;
   return !row.categories.empty() ||
          (kind != nullptr && kind->role == catalog::FixtureRole::shelving);
 }
