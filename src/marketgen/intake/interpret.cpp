@@ -83,6 +83,7 @@ constexpr StatementKind statement_kinds[] = {
     {"doors_at", interpret_doors_at}, {"surfaces", interpret_surfaces},
     {"none_of_stock", interpret_none_of_stock}, {"floor_of_shop", interpret_floor_of_shop},
     {"doors_shared", interpret_doors_shared}, {"only_tills", interpret_only_tills},
+    {"in_turn", interpret_in_turn},
 };
 
 }  // namespace

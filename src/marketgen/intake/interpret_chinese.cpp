@@ -40,6 +40,21 @@ bool interpret_floor_of_it(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+// "果蔬、肉类、烘焙分别是60、40、25平方米": the first the first, and so on.
+bool interpret_in_turn(Reading& reading, const Meaning& statement) {
+  const Parts& things = statement.parts("things");
+  const Parts& numbers = statement.parts("numbers");
+  if (things.size() != numbers.size()) return false;
+  interpret_mention(reading, statement);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i]->text("zone").empty()) continue;
+    plan::Requirement& area = reading.add(Kind::area, statement.span);
+    area.subject = things[i]->text("zone");
+    area.value = numbers[i]->number("value") * statement.number("per");
+  }
+  return true;
+}
+
 // "冷冻区不要岛柜": none of those fixtures there.
 bool interpret_lacking(Reading& reading, const Meaning& statement) {
   const Parts things = resolved(reading, statement.parts("things"));

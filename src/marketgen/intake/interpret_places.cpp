@@ -212,6 +212,7 @@ bool add_place(Reading& reading, const Meaning& place, const Parts& things, bool
       if (is_thing(*object)) mention(reading, *object);
   }
   const Parts objects = resolved(reading, place.parts("objects"));
+  if (objects.empty()) return false;
   return add_relations(reading, relation, denied, nouns_of(things), nouns_of(objects));
 }
 
