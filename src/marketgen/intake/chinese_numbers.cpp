@@ -169,8 +169,8 @@ class NumberReader {
     if (is(share.last, "半")) {
       share.value += 0.05;
       ++share.last;
-    } else if (const auto more = share.last < tokens_.size() ? digit_of(tokens_[share.last])
-                                                            : std::nullopt) {
+    } else if (const auto more =
+                   share.last < tokens_.size() ? digit_of(tokens_[share.last]) : std::nullopt) {
       share.value += *more / 100;
       ++share.last;
     }
@@ -188,8 +188,7 @@ class NumberReader {
     if (unit == 0) return std::nullopt;
     const std::size_t at = metres.last + unit;
     if (at >= tokens_.size()) return std::nullopt;
-    if (is(at, "半"))
-      return Numeral{(metres.value + 0.5) * metre_mm, at + 1, std::nullopt, false};
+    if (is(at, "半")) return Numeral{(metres.value + 0.5) * metre_mm, at + 1, std::nullopt, false};
     double part = 0, place = 1;
     std::size_t last = at;
     if (tokens_[at].kind == TokenKind::number) {
@@ -208,10 +207,11 @@ class NumberReader {
   // Whether a number that ends there counts something: "2米5层" is no 2.5 m.
   bool is_counted(std::size_t at) const {
     constexpr std::array<std::string_view, 24> counters = {
-        "层", "排", "条", "个", "台", "组", "张", "座", "处", "扇", "根", "米", "厘", "公",
-        "平", "成", "分", "十", "百", "千", "列", "道", "套", "块"};
-    return at < tokens_.size() && (std::ranges::find(counters, tokens_[at].stem) != counters.end() ||
-                                   digit_of(tokens_[at]) || tokens_[at].kind == TokenKind::number);
+        "层", "排", "条", "个", "台", "组", "张", "座", "处", "扇", "根", "米",
+        "厘", "公", "平", "成", "分", "十", "百", "千", "列", "道", "套", "块"};
+    return at < tokens_.size() &&
+           (std::ranges::find(counters, tokens_[at].stem) != counters.end() ||
+            digit_of(tokens_[at]) || tokens_[at].kind == TokenKind::number);
   }
 
   const std::vector<Token>& tokens_;

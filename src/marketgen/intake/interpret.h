@@ -89,6 +89,7 @@ bool interpret_surface(Reading& reading, const language::Meaning& statement);
 bool interpret_mutual(Reading& reading, const language::Meaning& statement);
 bool interpret_floor_of_shop(Reading& reading, const language::Meaning& statement);
 bool interpret_floor_of_it(Reading& reading, const language::Meaning& statement);
+bool interpret_count_of_it(Reading& reading, const language::Meaning& statement);
 bool interpret_in_turn(Reading& reading, const language::Meaning& statement);
 bool interpret_lacking(Reading& reading, const language::Meaning& statement);
 bool interpret_levels_of(Reading& reading, const language::Meaning& statement);

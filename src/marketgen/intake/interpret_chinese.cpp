@@ -18,6 +18,12 @@ std::string zone_spoken_of(const Reading& reading) {
   return reading.recent->back().back()->text("zone");
 }
 
+bool names_a_shop(const Reading& reading) {
+  return std::ranges::any_of(*reading.segments, [](const Segment& segment) {
+    return segment.sense == Sense::shop || segment.sense == Sense::profile;
+  });
+}
+
 bool floor_was_said(const Reading& reading) {
   return reading.found.find(Kind::size) != nullptr || reading.found.find(Kind::area, "") != nullptr;
 }
@@ -29,14 +35,28 @@ bool interpret_floor_of_shop(Reading& reading, const Meaning& statement) {
   return add_floor(reading, statement, nullptr, false);
 }
 
-// "果蔬沿西墙，不少于100平方米": once the shop's own floor is known, or when a zone was just spoken of
-// in the sentence, a size with no owner is that zone's.
+// "果蔬沿西墙，不少于100平方米": a size with no owner is that of the zone that was spoken of,
+// unless the sentence names a shop whose floor is not known yet.
 bool interpret_floor_of_it(Reading& reading, const Meaning& statement) {
   const Meaning& extent = *statement.parts("extent").front();
+  const std::string zone = zone_spoken_of(reading);
+  const bool of_shop = !floor_was_said(reading) && (zone.empty() || names_a_shop(reading));
+  if (!of_shop && zone.empty()) return false;
   plan::Requirement area = reading.wish(Kind::area, extent.span);
-  if (floor_was_said(reading)) area.subject = zone_spoken_of(reading);
-  if (floor_was_said(reading) && area.subject.empty()) return false;
+  if (!of_shop) area.subject = zone;
   add_number(reading, area, extent, false);
+  return true;
+}
+
+// "冷藏柜沿左墙，一共八台": so many of what was named last.
+bool interpret_count_of_it(Reading& reading, const Meaning& statement) {
+  if (reading.recent->empty()) return false;
+  Meaning thing = *reading.recent->back().back();
+  const bool counted = thing.is("type", "fixture") || thing.text("name").ends_with("checkout");
+  if (thing.has("count") || !counted) return false;
+  thing.slots["count"] = statement.parts("count");
+  thing.span = statement.span;
+  add_count(reading, thing);
   return true;
 }
 

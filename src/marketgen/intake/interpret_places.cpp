@@ -58,8 +58,8 @@ bool join_doors(const Reading& reading, plan::Requirement& door, const plan::Req
 
 // "The east end of the south wall": a direction beside a wall is that end of it.
 void end_of_wall(const plan::Requirement& door, plan::Requirement& other, const Meaning& spot) {
-  const bool end = spot.number("wall") == 0 && !door.object.empty() && other.object != door.object &&
-                   other.second_object.empty();
+  const bool end = spot.number("wall") == 0 && !door.object.empty() &&
+                   other.object != door.object && other.second_object.empty();
   if (end) std::swap(other.object, other.second_object);
 }
 

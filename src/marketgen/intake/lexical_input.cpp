@@ -61,11 +61,11 @@ class InputMaker {
       const bool suffix = segment.sense == Sense::suffix;
       const bool goes_on = tokens_[at].han && !input_.tokens.empty() && tokens_[at - 1].han &&
                            input_.tokens.back().skip_cost >= next_unknown_cost;
-      token.skip_cost = passed    ? filler_cost
-                        : suffix  ? suffix_cost
+      token.skip_cost = passed               ? filler_cost
+                        : suffix             ? suffix_cost
                         : goes_on && unknown ? next_unknown_cost
-                        : unknown ? unknown_cost
-                                  : -1;
+                        : unknown            ? unknown_cost
+                                             : -1;
       token.counts = !filler && segment.sense != Sense::separator;
       input_.tokens.push_back(std::move(token));
     }

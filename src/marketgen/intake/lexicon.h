@@ -55,12 +55,11 @@ enum class Sense {
   ordinary
 };
 constexpr std::array<std::string_view, 31> names_of(Sense) {
-  return {"zone",      "product",    "fixture",  "shop",     "profile", "style",
-          "material",  "part",       "color",    "light",    "place",   "relation",
-          "opening",   "unit",       "number",   "fraction", "times",   "counted",
-          "dimension", "comparison", "strength", "negation", "amount",  "size",
-          "stock",     "separator",  "naming",   "suffix",   "filler",  "word",
-          "ordinary"};
+  return {"zone",     "product",  "fixture", "shop",    "profile",   "style",      "material",
+          "part",     "color",    "light",   "place",   "relation",  "opening",    "unit",
+          "number",   "fraction", "times",   "counted", "dimension", "comparison", "strength",
+          "negation", "amount",   "size",    "stock",   "separator", "naming",     "suffix",
+          "filler",   "word",     "ordinary"};
 }
 
 struct LexiconRow {

@@ -120,6 +120,14 @@ void add_fixture_mention(Reading& reading, const PlaceNoun& noun) {
   wish.value = noun.negated ? 0 : 1;
 }
 
+// Every shop has doors; where they are is said by relations.
+void add_opening_mention(Reading& reading, const PlaceNoun& noun) {
+  if (!noun.negated) return;
+  plan::Requirement& none = reading.add(plan::RequirementKind::opening, noun.span);
+  none.subject = noun.name;
+  none.comparison = plan::Comparison::at_most;
+}
+
 }  // namespace
 
 PlaceNoun noun_of(const language::Meaning& said) {
@@ -167,8 +175,9 @@ void add_mention(Reading& reading, const PlaceNoun& noun) {
     case NounKind::fixture:
       return add_fixture_mention(reading, noun);
     case NounKind::opening:
+      return add_opening_mention(reading, noun);
     case NounKind::place:
-      return;  // every shop has doors and walls; where they are is said by relations
+      return;  // every shop has walls; where things are is said by relations
   }
 }
 

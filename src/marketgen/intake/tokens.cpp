@@ -152,7 +152,8 @@ class Tokenizer {
       ++digits;
     if (digits == 0 || digits > 2 || at_ + digits >= characters_.size()) return 0;
     const int code = here(digits).code;
-    const bool mark = code == '.' || code == ')' || code == 0x3001 || code == 0xFF09 || code == 0xFF0E;
+    const bool mark =
+        code == '.' || code == ')' || code == 0x3001 || code == 0xFF09 || code == 0xFF0E;
     return mark && here(digits + 1).glyph != Glyph::digit ? digits + 1 : 0;
   }
 

@@ -60,7 +60,8 @@ std::vector<Tokens> sentences_of(const Tokens& tokens, const Language& language)
     if ((ends || is_cut(sentences.back(), token)) && !sentences.back().empty())
       sentences.emplace_back();
     if (ends) continue;
-    const bool mend = token.kind == TokenKind::word && !language.english.rules->has_word(token.stem);
+    const bool mend =
+        token.kind == TokenKind::word && !language.english.rules->has_word(token.stem);
     if (const auto better = mend ? language.lexicon.corrected(token.stem) : std::nullopt)
       token.stem = *better;
     sentences.back().push_back(std::move(token));

@@ -64,9 +64,9 @@ TEST(ChineseWords, ALongerWordHidesThoseWithinIt) {
   EXPECT_EQ(zones_and_products_in("茶叶蛋"), Values{"tea egg"});
   EXPECT_EQ(zones_and_products_in("清酒"), Values{"sake"});
   EXPECT_EQ(zones_and_products_in("酒"), Values{"alcohol"});
-  EXPECT_EQ(zones_and_products_in("酒架"), Values{});        // fixtures
+  EXPECT_EQ(zones_and_products_in("酒架"), Values{});  // fixtures
   EXPECT_EQ(zones_and_products_in("茶叶和蛋"), (Values{"tea", "eggs"}));
-  EXPECT_EQ(zones_and_products_in("牛角"), Values{});         // ordinary words hide, too
+  EXPECT_EQ(zones_and_products_in("牛角"), Values{});  // ordinary words hide, too
 }
 
 TEST(ChineseWords, NothingIsHiddenWithoutChinese) {
@@ -86,20 +86,37 @@ struct NumberCase {
 
 TEST(ChineseNumbers, AreReadAsPeopleWriteThem) {
   const NumberCase cases[] = {
-      {"五", "number", 5},          {"十二", "number", 12},        {"二十", "number", 20},
-      {"三十六", "number", 36},     {"一百五十", "number", 150},   {"一百二", "number", 120},
-      {"两百零五", "number", 205},  {"三千五百", "number", 3500},  {"六千", "number", 6000},
-      {"一万二", "number", 12000},  {"3千", "number", 3000},       {"二〇", "number", 20},
-      {"三点五", "number", 3.5},    {"俩", "number", 2},           {"仨", "number", 3},
-      {"七成", "share", 0.7},       {"八成五", "share", 0.85},     {"三成半", "share", 0.35},
-      {"三分之一", "share", 1.0 / 3}, {"百分之八十", "share", 0.8}, {"百分之5", "share", 0.05},
-      {"一半", "share", 0.5},       {"1米35", "length", 1350},     {"1米5", "length", 1500},
-      {"三米半", "length", 3500},   {"一米六五", "length", 1650},  {"两公尺四", "length", 2400},
+      {"五", "number", 5},
+      {"十二", "number", 12},
+      {"二十", "number", 20},
+      {"三十六", "number", 36},
+      {"一百五十", "number", 150},
+      {"一百二", "number", 120},
+      {"两百零五", "number", 205},
+      {"三千五百", "number", 3500},
+      {"六千", "number", 6000},
+      {"一万二", "number", 12000},
+      {"3千", "number", 3000},
+      {"二〇", "number", 20},
+      {"三点五", "number", 3.5},
+      {"俩", "number", 2},
+      {"仨", "number", 3},
+      {"七成", "share", 0.7},
+      {"八成五", "share", 0.85},
+      {"三成半", "share", 0.35},
+      {"三分之一", "share", 1.0 / 3},
+      {"百分之八十", "share", 0.8},
+      {"百分之5", "share", 0.05},
+      {"一半", "share", 0.5},
+      {"1米35", "length", 1350},
+      {"1米5", "length", 1500},
+      {"三米半", "length", 3500},
+      {"一米六五", "length", 1650},
+      {"两公尺四", "length", 2400},
   };
   for (const NumberCase& row : cases) {
     const auto tokens = intake::tokenize(row.text);
-    const auto numbers =
-        intake::chinese_numbers(tokens, std::vector<bool>(tokens.size(), false));
+    const auto numbers = intake::chinese_numbers(tokens, std::vector<bool>(tokens.size(), false));
     ASSERT_EQ(numbers.size(), 1U) << row.text;
     EXPECT_EQ(numbers[0].category, row.category) << row.text;
     EXPECT_NEAR(numbers[0].value, row.value, 1e-9) << row.text;
@@ -153,12 +170,12 @@ const std::vector<ChineseCase> chinese_cases = {
     // ---- Counts ----
     {"收银台三台", {"fixture_count checkout_lane 3"}, {}},
     {"三个收银台", {"fixture_count checkout_lane 3"}, {}},
-    {"人工收银四到六条", {"fixture_count checkout_lane >=4", "fixture_count checkout_lane <=6"}, {}},
+    {"人工收银四到六条",
+     {"fixture_count checkout_lane >=4", "fixture_count checkout_lane <=6"},
+     {}},
     {"至少两台自助收银机", {"fixture_count self_checkout >=2"}, {}},
     {"自助收银不超过六台", {"fixture_count self_checkout <=6"}, {}},
-    {"人工四条、自助六台",
-     {"fixture_count checkout_lane 4", "fixture_count self_checkout 6"},
-     {}},
+    {"人工四条、自助六台", {"fixture_count checkout_lane 4", "fixture_count self_checkout 6"}, {}},
     {"果蔬台十八张", {"fixture_count produce_table 18"}, {}},
     {"六条通道", {"aisle_count 6"}, {}},
     {"通道不少于二十四条", {"aisle_count >=24"}, {}},
@@ -266,13 +283,13 @@ TEST_P(ChinesePrompts, AreUnderstood) {
 INSTANTIATE_TEST_SUITE_P(Table, ChinesePrompts, testing::ValuesIn(chinese_cases));
 
 TEST(ChinesePrompts, OnlyForbidsEveryOtherZoneButTheTills) {
-  const auto found =
-      intake::understand("只卖零食和饮料", shipped_language(), committed_catalog());
+  const auto found = intake::understand("只卖零食和饮料", shipped_language(), committed_catalog());
   std::vector<std::string> absent;
   for (const plan::Requirement& wish : found.requirements)
     if (wish.kind == plan::RequirementKind::zone_absent) absent.push_back(wish.subject);
   EXPECT_NE(found.find(plan::RequirementKind::zone_present, "snacks"), nullptr);
-  EXPECT_TRUE(std::ranges::count(absent, "dairy") == 1 && std::ranges::count(absent, "alcohol") == 1);
+  EXPECT_TRUE(std::ranges::count(absent, "dairy") == 1 &&
+              std::ranges::count(absent, "alcohol") == 1);
   for (const char* wanted : {"snacks", "beverages", "checkout"})
     EXPECT_EQ(std::ranges::count(absent, wanted), 0) << wanted;
 }
@@ -297,10 +314,11 @@ TEST(ChinesePrompts, TraditionalCharactersSayTheSame) {
 // Characters of prompts in any order: nothing crashes, and what is said lies within the prompt.
 TEST(ChinesePrompts, AnyRowOfCharactersIsRead) {
   const std::vector<std::string> pieces = {
-      "面包", "乳品", "酒", "货架", "北墙", "入口", "旁边", "沿", "在", "和", "不要", "只卖", "三",
-      "一百", "成", "米", "半", "平方米", "个", "排", "层", "每", "，", "。", "、", "：", "“", "”",
-      "它们", "前者", "之间", "另一", "24", "x", "m", "bakery", "茶叶蛋", "鑫", "其余", "用", "风幕柜",
-      "最好", "5%", "\n", "分之", "通道", "高", "满"};
+      "面包",   "乳品", "酒", "货架", "北墙", "入口",   "旁边",   "沿",     "在",   "和",
+      "不要",   "只卖", "三", "一百", "成",   "米",     "半",     "平方米", "个",   "排",
+      "层",     "每",   "，", "。",   "、",   "：",     "“",      "”",      "它们", "前者",
+      "之间",   "另一", "24", "x",    "m",    "bakery", "茶叶蛋", "鑫",     "其余", "用",
+      "风幕柜", "最好", "5%", "\n",   "分之", "通道",   "高",     "满"};
   std::mt19937 random(7);
   for (int round = 0; round < 300; ++round) {
     std::string prompt;
