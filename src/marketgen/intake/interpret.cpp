@@ -97,6 +97,17 @@ constexpr StatementKind statement_kinds[] = {
     {"more", interpret_more},
     {"fewer", interpret_fewer},
     {"zone_value", interpret_zone_value},
+    {"floor_of_it", interpret_floor_of_it},
+    {"lacking", interpret_lacking},
+    {"levels_of", interpret_levels_of},
+    {"doors_at", interpret_doors_at},
+    {"surfaces", interpret_surfaces},
+    {"none_of_stock", interpret_none_of_stock},
+    {"floor_of_shop", interpret_floor_of_shop},
+    {"doors_shared", interpret_doors_shared},
+    {"only_tills", interpret_only_tills},
+    {"in_turn", interpret_in_turn},
+    {"count_of_it", interpret_count_of_it},
 };
 
 }  // namespace

@@ -131,4 +131,17 @@ bool interpret_more(Reading& reading, const language::Meaning& said);
 bool interpret_fewer(Reading& reading, const language::Meaning& said);
 bool interpret_zone_value(Reading& reading, const language::Meaning& said);
 
+// Of Chinese alone (interpret_chinese.cpp).
+bool interpret_floor_of_shop(Reading& reading, const language::Meaning& statement);
+bool interpret_floor_of_it(Reading& reading, const language::Meaning& statement);
+bool interpret_count_of_it(Reading& reading, const language::Meaning& statement);
+bool interpret_in_turn(Reading& reading, const language::Meaning& statement);
+bool interpret_lacking(Reading& reading, const language::Meaning& statement);
+bool interpret_levels_of(Reading& reading, const language::Meaning& statement);
+bool interpret_doors_at(Reading& reading, const language::Meaning& statement);
+bool interpret_doors_shared(Reading& reading, const language::Meaning& statement);
+bool interpret_only_tills(Reading& reading, const language::Meaning& statement);
+bool interpret_surfaces(Reading& reading, const language::Meaning& statement);
+bool interpret_none_of_stock(Reading& reading, const language::Meaning& statement);
+
 }  // namespace marketgen::intake

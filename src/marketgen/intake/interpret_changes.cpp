@@ -27,7 +27,7 @@ std::vector<plan::Requirement> wishes_of(const Reading& reading, const Meaning& 
   Understanding apart;
   Reading only{reading.prompt, reading.catalog, apart};
   only.segments = reading.segments;
-  only.recent = reading.recent;
+  only.memory = reading.memory;
   mention(only, thing);
   return std::move(apart.requirements);
 }

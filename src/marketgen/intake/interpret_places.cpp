@@ -65,6 +65,13 @@ bool join_doors(const Reading& reading, plan::Requirement& door, const plan::Req
   return true;
 }
 
+// "The east end of the south wall": a direction beside a wall is that end of it.
+void end_of_wall(const plan::Requirement& door, plan::Requirement& other, const Meaning& spot) {
+  const bool end = spot.number("wall") == 0 && !door.object.empty() &&
+                   other.object != door.object && other.second_object.empty();
+  if (end) std::swap(other.object, other.second_object);
+}
+
 // "The entrance at the left end of the south wall": one wish. False when no place is one of a door.
 bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
   std::vector<plan::Requirement>& wishes = reading.found.requirements;
@@ -75,6 +82,7 @@ bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
       const std::size_t made = wishes.size();
       add_relation(reading, {place->text("relation"), false, door, {noun_of(*spot)}});
       if (wishes.size() == made || wishes[made].kind != plan::RequirementKind::opening) continue;
+      if (first) end_of_wall(wishes[*first], wishes[made], *spot);
       if (!first)
         first = made;
       else if (join_doors(reading, wishes[*first], wishes[made]))
@@ -221,7 +229,8 @@ bool interpret_held(Reading& reading, const Meaning& statement) {
     interpret_only(reading, statement);
   else
     interpret_mention(reading, statement);
-  const Meaning& goods = *statement.parts("things").front();
+  const Parts named = resolved(reading, statement.parts("things"));
+  const Meaning& goods = named.empty() ? *statement.parts("things").front() : *named.front();
   for (const MeaningPtr& by : statement.parts("by")) {
     if (!by->is("type", "fixture")) {
       mention(reading, *by);
@@ -354,8 +363,9 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   }
   bool any = mention_placed(reading, statement);
   if (things.front()->is("type", "opening") && !denied) {
-    any = add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
-    reading.memory->recent.push_back({things.front()});  // "the tills next to it"
+    for (const MeaningPtr& door : things)
+      any = add_door(reading, noun_of(*door), statement.parts("at")) || any;
+    reading.memory->recent.push_back(things);  // "the tills next to it"
     return any;
   }
   for (const MeaningPtr& place : statement.parts("at")) {
@@ -372,7 +382,9 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
 bool interpret_mutual(Reading& reading, const Meaning& statement) {
   const Parts things = resolved(reading, statement.parts("things"));
   if (things.size() < 2) return false;
-  interpret_mention(reading, statement);
+  reading.memory->recent.push_back(things);
+  if (!statement.parts("things").front()->is("type", "pronoun"))
+    interpret_mention(reading, statement);
   std::vector<PlaceNoun> others = nouns_of(things);
   bool any = false;
   for (std::size_t i = 0; i + 1 < others.size(); ++i)

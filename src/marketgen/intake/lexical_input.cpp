@@ -3,11 +3,19 @@
 #include <cmath>
 #include <optional>
 
+#include "intake/chinese_words.h"
+
 namespace marketgen::intake {
 namespace {
 
 constexpr double filler_cost = 0.1, suffix_cost = 1, unknown_cost = 2;  // of passing over one
+constexpr double next_unknown_cost = 0.5;  // of a further character of the same unknown Chinese
 constexpr char has[] = "has";
+
+// A word of the grammar's own that says nothing when no construction takes it.
+bool is_small_word(const Segment& segment) {
+  return segment.sense == Sense::word && !segment.content;
+}
 
 bool is_word_number(const LexiconRow& row) {
   return row.sense == Sense::number;
@@ -29,7 +37,7 @@ class InputMaker {
   InputMaker(const std::vector<Token>& sentence,
              const std::vector<Segment>& segments,
              const Lexicon& lexicon)
-      : tokens_(sentence), segments_(segments), lexicon_(lexicon) {}
+      : tokens_(sentence), segments_(segments), lexicon_(lexicon), chinese_(sentence, lexicon) {}
 
   language::Input run() {
     for (const Segment& segment : segments_)
@@ -46,12 +54,18 @@ class InputMaker {
     for (std::size_t at = segment.first; at < segment.last; ++at) {
       language::InputToken token{tokens_[at].stem, tokens_[at].span};
       const bool mark = tokens_[at].kind == TokenKind::symbol && segment.sense == Sense::ordinary;
-      const bool filler =
-          segment.sense == Sense::filler || segment.sense == Sense::strength || mark;
+      const bool filler = segment.sense == Sense::filler || segment.sense == Sense::strength ||
+                          is_small_word(segment) || mark;
       const bool passed = filler && segment.value != has;
       const bool unknown = segment.sense == Sense::ordinary && tokens_[at].kind == TokenKind::word;
       const bool suffix = segment.sense == Sense::suffix;
-      token.skip_cost = passed ? filler_cost : suffix ? suffix_cost : unknown ? unknown_cost : -1;
+      const bool goes_on = tokens_[at].han && !input_.tokens.empty() && tokens_[at - 1].han &&
+                           input_.tokens.back().skip_cost >= next_unknown_cost;
+      token.skip_cost = passed               ? filler_cost
+                        : suffix             ? suffix_cost
+                        : goes_on && unknown ? next_unknown_cost
+                        : unknown            ? unknown_cost
+                                             : -1;
       token.counts = !filler && segment.sense != Sense::separator;
       input_.tokens.push_back(std::move(token));
     }
@@ -66,7 +80,7 @@ class InputMaker {
     const std::vector<Lexicon::Match> matches = lexicon_.matches(tokens_, at);
     for (const Lexicon::Match& match : matches) {
       const LexiconRow& row = *match.row;
-      if (is_word_number(row)) continue;
+      if (is_word_number(row) || chinese_.hides(at, at + match.tokens)) continue;
       language::Meaning what;
       if (!row.value.empty()) what.slots["value"] = row.value;
       if (row.number != 0) what.slots["number"] = row.number;
@@ -75,12 +89,21 @@ class InputMaker {
       const bool unknown = row.sense == Sense::ordinary;
       add(at,
           at + match.tokens,
-          is_has    ? std::string_view(has)
-          : unknown ? "unknown"
-                    : name_of(row.sense),
+          is_has                     ? std::string_view(has)
+          : row.sense == Sense::word ? std::string_view(row.value)
+          : unknown                  ? "unknown"
+                                     : name_of(row.sense),
           std::move(what));
     }
-    if (matches.empty() && tokens_[at].kind == TokenKind::word) add(at, at + 1, "unknown", {});
+    const bool known = !matches.empty() || chinese_.hides(at, at + 1);
+    if (!known && tokens_[at].kind == TokenKind::word) add(at, at + 1, "unknown", {});
+  }
+
+  void add_chinese_number(const ChineseNumber& number) {
+    language::Meaning what;
+    what.slots["value"] = number.value;
+    if (number.upper) what.slots["upper"] = *number.upper;
+    add(number.first, number.last, number.category, std::move(what));
   }
 
   struct Numeral {
@@ -110,6 +133,8 @@ class InputMaker {
   }
 
   void add_number(std::size_t at) {
+    if (const ChineseNumber* written = chinese_.number_at(at)) return add_chinese_number(*written);
+    if (chinese_.hides(at, at + 1)) return;
     std::optional<Numeral> number;
     if (tokens_[at].kind == TokenKind::number) {
       if (continues_number(at)) return;
@@ -144,27 +169,32 @@ class InputMaker {
   const std::vector<Token>& tokens_;
   const std::vector<Segment>& segments_;
   const Lexicon& lexicon_;
+  ChineseWords chinese_;
   language::Input input_;
 };
 
 }  // namespace
 
 std::vector<Segment> segments_of(const std::vector<Token>& sentence, const Lexicon& lexicon) {
+  const ChineseWords chinese(sentence, lexicon);
   std::vector<Segment> segments;
   for (std::size_t at = 0; at < sentence.size();) {
     const auto match = lexicon.longest_match(sentence, at);
-    const std::size_t last = at + (match ? match->tokens : 1);
+    const ChineseNumber* number = chinese.number_at(at);
     Segment segment;
     segment.first = at;
-    segment.last = last;
-    if (match) {
+    segment.last = number ? number->last : at + (match ? match->tokens : 1);
+    if (number) {
+      segment.sense = Sense::number;
+    } else if (match) {
       segment.sense = match->row->sense;
       segment.value = match->row->value;
+      segment.content = match->row->number != 0;
     } else if (sentence[at].kind == TokenKind::number) {
       segment.sense = Sense::number;
     }
+    at = segment.last;
     segments.push_back(std::move(segment));
-    at = last;
   }
   return segments;
 }

@@ -200,6 +200,7 @@ Lexicon Lexicon::with_words_of(const catalog::Catalog& catalog) const {
     const std::string zone = zone_selling(catalog, product);
     all.add_if_new(Sense::product, product.subcategory, zone, product.subcategory);
     all.add_if_new(Sense::product, product.name, zone, product.name);
+    all.add_if_new(Sense::product, product.name, zone, product.name_zh);
   }
   return all;
 }

@@ -18,7 +18,9 @@
 
 namespace marketgen::intake {
 
-// What part a phrase plays in a sentence; `value` and `number` of the row say which one.
+// What part a phrase plays in a sentence; `value` and `number` of the row say which one. A `word`
+// is one of the grammar's own: `value` is the category by which rules name it, and one with a
+// `number` says something, so that it is not passed over.
 enum class Sense {
   zone,
   product,
@@ -49,14 +51,15 @@ enum class Sense {
   naming,
   suffix,
   filler,
+  word,
   ordinary
 };
-constexpr std::array<std::string_view, 30> names_of(Sense) {
-  return {"zone",      "product",    "fixture",  "shop",     "profile", "style",
-          "material",  "part",       "color",    "light",    "place",   "relation",
-          "opening",   "unit",       "number",   "fraction", "times",   "counted",
-          "dimension", "comparison", "strength", "negation", "amount",  "size",
-          "stock",     "separator",  "naming",   "suffix",   "filler",  "ordinary"};
+constexpr std::array<std::string_view, 31> names_of(Sense) {
+  return {"zone",     "product",  "fixture", "shop",    "profile",   "style",      "material",
+          "part",     "color",    "light",   "place",   "relation",  "opening",    "unit",
+          "number",   "fraction", "times",   "counted", "dimension", "comparison", "strength",
+          "negation", "amount",   "size",    "stock",   "separator", "naming",     "suffix",
+          "filler",   "word",     "ordinary"};
 }
 
 struct LexiconRow {

@@ -192,7 +192,9 @@ void add_runs(Reading& reading, const language::Meaning& said) {
 
 // "five checkouts", "two promotion areas", "two entrances"
 void add_count(Reading& reading, const language::Meaning& said) {
-  const language::Meaning& number = *said.parts("count").front();
+  language::Meaning number = *said.parts("count").front();
+  if (said.parts("count").size() > 1)  // "two rows of six each"
+    number.slots["value"] = number.number("value") * said.parts("count").back()->number("value");
   const std::string& name = said.text("name");
   const bool tills = name == "checkout" || name == "self_checkout";
   plan::Requirement count =

@@ -26,6 +26,20 @@ Stretch quoted(const std::vector<Token>& tokens, std::size_t i) {
   return {};
 }
 
+// Where a name begins after "店招统一为": what says nothing before a quotation mark is passed over.
+std::size_t past_small_words(const std::vector<Token>& tokens,
+                             std::size_t i,
+                             const Lexicon& lexicon) {
+  constexpr int most = 3;  // phrases
+  std::size_t at = i;
+  for (int passed = 0; passed < most && at < tokens.size() && tokens[at].han; ++passed) {
+    const auto match = lexicon.longest_match(tokens, at);
+    if (!match || (match->row->sense != Sense::filler && match->row->sense != Sense::word)) break;
+    at += match->tokens;
+  }
+  return at < tokens.size() && is_quote(tokens[at]) ? at : i;
+}
+
 // Capitalised words, with "&", "of" and "the" between them.
 Stretch capitalised(const std::vector<Token>& tokens, std::size_t i) {
   std::size_t end = i;
@@ -66,7 +80,7 @@ std::optional<StoreName> take_store_name(std::string_view prompt,
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const auto match = lexicon.longest_match(tokens, i);
     const bool naming = match && match->row->sense == Sense::naming;
-    const std::size_t at = naming ? i + match->tokens : i;
+    const std::size_t at = naming ? past_small_words(tokens, i + match->tokens, lexicon) : i;
     Stretch name = quoted(tokens, at);
     const bool in_quotes = !name.empty();
     if (naming && name.empty()) name = capitalised(tokens, at);

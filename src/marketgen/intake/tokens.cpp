@@ -2,15 +2,18 @@
 
 #include <utf8proc.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
 #include <memory>
 
+#include "intake/han.h"
+
 namespace marketgen::intake {
 namespace {
 
-enum class Glyph { space, newline, letter, digit, superscript, symbol };
+enum class Glyph { space, newline, letter, han, digit, superscript, symbol };
 
 struct Character {
   int code = 0;
@@ -21,6 +24,7 @@ struct Character {
 
 Glyph glyph_of(int code) {
   if (code == '\n' || code == 0x2028 || code == 0x2029) return Glyph::newline;
+  if (is_han(code)) return Glyph::han;
   switch (utf8proc_category(code)) {
     case UTF8PROC_CATEGORY_LU:
     case UTF8PROC_CATEGORY_LL:
@@ -67,7 +71,10 @@ bool is_dash(int code) {
   return code == '-' || (code >= 0x2010 && code <= 0x2015);
 }
 bool is_double_quote(int code) {
-  return code == '"' || (code >= 0x201C && code <= 0x201F) || code == 0xAB || code == 0xBB;
+  const bool corner = code >= 0x300C && code <= 0x300F;  // 「」『』
+  const bool title = code == 0x300A || code == 0x300B;   // 《》
+  return code == '"' || (code >= 0x201C && code <= 0x201F) || code == 0xAB || code == 0xBB ||
+         corner || title;
 }
 bool is_bullet(int code) {
   return is_dash(code) || code == '*' || code == 0x2022;
@@ -112,6 +119,9 @@ class Tokenizer {
       case Glyph::letter:
         take_word();
         break;
+      case Glyph::han:
+        take_character();
+        break;
       case Glyph::digit:
         take_number();
         break;
@@ -120,17 +130,39 @@ class Tokenizer {
     }
   }
 
-  // A line break ends the sentence when the next line is blank or starts with a bullet; otherwise
-  // text was only wrapped.
+  // A line break ends the sentence when the next line is blank or starts with a bullet or a
+  // number, and in Chinese; otherwise text was only wrapped.
   void take_newline() {
     const std::size_t start = at_++;
     while (here().glyph == Glyph::space && at_ < characters_.size())
       ++at_;
-    const bool ends =
-        here().glyph == Glyph::newline || (is_bullet(here().code) && here(1).glyph == Glyph::space);
-    if (!ends) return;
+    const bool bullet = is_bullet(here().code) && here(1).glyph == Glyph::space;
+    const std::size_t number = numbering();
+    const bool chinese =
+        here().glyph == Glyph::han || (!tokens_.empty() && tokens_.back().han && number == 0);
+    if (here().glyph != Glyph::newline && !bullet && number == 0 && !chinese) return;
     tokens_.push_back(token_of(start, start + 1, TokenKind::sentence_end));
-    if (is_bullet(here().code)) ++at_;
+    at_ += bullet ? 1 : number;
+  }
+
+  // Characters of "3." or "3、" that begin a line; 0 when none do. "3.5 m" does not.
+  std::size_t numbering() const {
+    std::size_t digits = 0;
+    while (here(digits).glyph == Glyph::digit)
+      ++digits;
+    if (digits == 0 || digits > 2 || at_ + digits >= characters_.size()) return 0;
+    const int code = here(digits).code;
+    const bool mark =
+        code == '.' || code == ')' || code == 0x3001 || code == 0xFF09 || code == 0xFF0E;
+    return mark && here(digits + 1).glyph != Glyph::digit ? digits + 1 : 0;
+  }
+
+  void take_character() {
+    Token token = token_of(at_, at_ + 1, TokenKind::word);
+    token.stem = simplified(token.text);
+    token.han = true;
+    tokens_.push_back(std::move(token));
+    ++at_;
   }
 
   void take_word() {
@@ -181,7 +213,8 @@ class Tokenizer {
       ++at_;
       take_digits();
     }
-    if ((here().code == '.' || here().code == ',') && digits_after() > 0) {
+    const bool point = here().code == '.' || here().code == ',' || here().code == 0xFF0E;
+    if (point && digits_after() > 0) {
       ++at_;
       digits += '.';
       take_digits();
@@ -235,7 +268,8 @@ class Tokenizer {
 
   bool ends_sentence(int code) const {
     constexpr std::array<std::string_view, 5> abbreviations = {"sq", "approx", "max", "min", "ca"};
-    if (code == '!' || code == '?' || code == ';' || code == 0x3002) return true;
+    constexpr std::array<int, 7> ends = {'!', '?', ';', 0x3002, 0xFF01, 0xFF1F, 0xFF1B};
+    if (std::ranges::find(ends, code) != ends.end()) return true;
     if (code != '.') return false;
     for (const std::string_view word : abbreviations) {
       if (!tokens_.empty() && tokens_.back().text == word) return false;

@@ -26,6 +26,8 @@ bool says_nothing(const Segment& segment) {
     case Sense::shop:
     case Sense::suffix:
       return true;
+    case Sense::word:
+      return !segment.content;
     case Sense::relation:
       return segment.value == "at" || segment.value == "in";
     case Sense::times:
@@ -58,7 +60,8 @@ std::vector<Tokens> sentences_of(const Tokens& tokens, const Language& language)
     if ((ends || is_cut(sentences.back(), token)) && !sentences.back().empty())
       sentences.emplace_back();
     if (ends) continue;
-    const bool mend = token.kind == TokenKind::word && !language.grammar->has_word(token.stem);
+    const bool mend =
+        token.kind == TokenKind::word && !language.english.rules->has_word(token.stem);
     if (const auto better = mend ? language.lexicon.corrected(token.stem) : std::nullopt)
       token.stem = *better;
     sentences.back().push_back(std::move(token));
@@ -97,11 +100,12 @@ class SentenceReader {
   // Whether a word said something.
   bool run() {
     const language::Input input = lexical_input(tokens_, segments_, language_.lexicon);
-    const language::Chart chart(*language_.grammar, input);
+    const SentenceGrammar& grammar = language_.grammar_of(tokens_);
+    const language::Chart chart(*grammar.rules, input);
     const std::vector<plan::Strength> strengths = strengths_of(segments_);
     std::vector<bool> used(tokens_.size(), false);
     bool understood = false;
-    for (const auto& statement : best_cover(chart, language_.statement, input)) {
+    for (const auto& statement : best_cover(chart, grammar.statement, input)) {
       reading_.strength = strengths[static_cast<std::size_t>(statement->begin)];
       const std::size_t first_wish = reading_.found.requirements.size();
       if (!interpret(reading_, *statement->meaning)) {
@@ -136,9 +140,18 @@ class SentenceReader {
         const bool word = token.kind == TokenKind::word || token.kind == TokenKind::number;
         const bool passed_over = used[at] || (word && says_nothing(segment));
         if (passed_over || !(word || is_picture(token))) continue;
-        reading_.found.unparsed.push_back({reading_.words(token.span), token.span});
+        add_unparsed(token, at > 0 && token.han && tokens_[at - 1].han);
       }
     }
+  }
+
+  // Chinese characters that follow one another are one stretch.
+  void add_unparsed(const Token& token, bool goes_on) {
+    std::vector<UnparsedWord>& unparsed = reading_.found.unparsed;
+    if (!goes_on || unparsed.empty() || unparsed.back().span[1] != token.span[0])
+      return unparsed.push_back({reading_.words(token.span), token.span});
+    unparsed.back().span[1] = token.span[1];
+    unparsed.back().text = reading_.words(unparsed.back().span);
   }
 
   const Tokens& tokens_;

@@ -26,7 +26,8 @@ std::map<std::string, std::vector<RectMm>> floors_of(const plan::Plan& plan) {
 
 bool is_furnished_alike(const plan::Zone& a, const plan::Zone& b) {
   return a.type == b.type && a.temperature == b.temperature &&
-         io::write_json_line(a.fixture) == io::write_json_line(b.fixture);
+         io::write_json_line(a.fixture) == io::write_json_line(b.fixture) &&
+         io::write_json_line(a.also) == io::write_json_line(b.also);
 }
 
 // Floor where something of the room changed: doorsteps, walls under windows, columns.

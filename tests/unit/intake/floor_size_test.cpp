@@ -140,7 +140,7 @@ TEST(FloorSizes, OneSideThatWasSaidIsKept) {
 
 TEST(Nonsense, IsSaidToBe) {
   for (const char* prompt :
-       {"asdf qwerty", "lorem ipsum", "一个小超市", "🛒🛒", "please", "!!", "42"}) {
+       {"asdf qwerty", "lorem ipsum", "春眠不觉晓", "🛒🛒", "please", "!!", "42"}) {
     const intake::Understanding found =
         intake::understand(prompt, shipped_language(), committed_catalog());
     EXPECT_FALSE(found.understood) << prompt;

@@ -158,7 +158,7 @@ const std::vector<PromptCase> cases = {
     {"ＢＡＫＥＲＹ", {"zone_present bakery"}, {}},
     {"a bakery with a trampoline", {"zone_present bakery"}, {"trampoline"}},
     {"xyzzy plugh", {}, {"xyzzy", "plugh"}},
-    {"一个小超市", {}, {"一个小超市"}},
+    {"春眠不觉晓", {}, {"春眠不觉晓"}},
     {"five", {}, {"five"}},
 };
 

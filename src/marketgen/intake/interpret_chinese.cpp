@@ -1,0 +1,178 @@
+// What Chinese says by leaving it out: whose floor it is, what lacks the fixtures.
+#include <algorithm>
+
+#include "intake/interpret.h"
+#include "intake/place_nouns.h"
+
+namespace marketgen::intake {
+namespace {
+
+using language::Meaning;
+using language::MeaningPtr;
+using language::Parts;
+using Kind = plan::RequirementKind;
+
+// The zone that was named last.
+std::string zone_spoken_of(const Reading& reading) {
+  if (reading.memory->recent.empty()) return "";
+  return reading.memory->recent.back().back()->text("zone");
+}
+
+bool names_a_shop(const Reading& reading) {
+  return std::ranges::any_of(*reading.segments, [](const Segment& segment) {
+    return segment.sense == Sense::shop || segment.sense == Sense::profile;
+  });
+}
+
+bool floor_was_said(const Reading& reading) {
+  return reading.found.find(Kind::size) != nullptr || reading.found.find(Kind::area, "") != nullptr;
+}
+
+}  // namespace
+
+// "面宽20米，进深15米": always the shop's, so that a second one contradicts the first.
+bool interpret_floor_of_shop(Reading& reading, const Meaning& statement) {
+  return add_floor(reading, statement, nullptr, false);
+}
+
+// "果蔬沿西墙，不少于100平方米": a size with no owner is that of the zone that was spoken of,
+// unless the sentence names a shop whose floor is not known yet.
+bool interpret_floor_of_it(Reading& reading, const Meaning& statement) {
+  const Meaning& extent = *statement.parts("extent").front();
+  const std::string zone = zone_spoken_of(reading);
+  const bool of_shop = !floor_was_said(reading) && (zone.empty() || names_a_shop(reading));
+  if (!of_shop && zone.empty()) return false;
+  plan::Requirement area = reading.wish(Kind::area, extent.span);
+  if (!of_shop) area.subject = zone;
+  add_number(reading, area, extent, false);
+  return true;
+}
+
+// "冷藏柜沿左墙，一共八台": so many of what was named last.
+bool interpret_count_of_it(Reading& reading, const Meaning& statement) {
+  if (reading.memory->recent.empty()) return false;
+  Meaning thing = *reading.memory->recent.back().back();
+  const bool counted = thing.is("type", "fixture") || thing.text("name").ends_with("checkout");
+  if (thing.has("count") || !counted) return false;
+  thing.slots["count"] = statement.parts("count");
+  thing.span = statement.span;
+  add_count(reading, thing);
+  return true;
+}
+
+// "果蔬、肉类、烘焙分别是60、40、25平方米": the first the first, and so on.
+bool interpret_in_turn(Reading& reading, const Meaning& statement) {
+  const Parts& things = statement.parts("things");
+  const Parts& numbers = statement.parts("numbers");
+  if (things.size() != numbers.size()) return false;
+  interpret_mention(reading, statement);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i]->text("zone").empty()) continue;
+    plan::Requirement& area = reading.add(Kind::area, statement.span);
+    area.subject = things[i]->text("zone");
+    area.value = numbers[i]->number("value") * statement.number("per");
+  }
+  return true;
+}
+
+// "冷冻区不要岛柜": none of those fixtures there.
+bool interpret_lacking(Reading& reading, const Meaning& statement) {
+  const Parts things = resolved(reading, statement.parts("things"));
+  if (things.empty()) return false;
+  interpret_mention(reading, statement);
+  const std::string zone = things.back()->text("zone");
+  for (const MeaningPtr& thing : statement.parts("without")) {
+    PlaceNoun noun = noun_of(*thing);
+    noun.negated = true;
+    noun.counted = false;
+    if (noun.kind == NounKind::fixture && !zone.empty()) noun.zone = zone;
+    noun.span = joined(statement.span, noun.span);
+    add_mention(reading, noun);
+  }
+  return true;
+}
+
+// "粮油、罐头、零食一律五层货架": of each.
+bool interpret_levels_of(Reading& reading, const Meaning& statement) {
+  interpret_mention(reading, statement);
+  const Meaning& count = *statement.parts("count").front();
+  for (const MeaningPtr& thing : statement.parts("things")) {
+    if (thing->text("zone").empty()) continue;
+    plan::Requirement levels = reading.wish(Kind::levels, statement.span);
+    levels.subject = thing->text("zone");
+    add_number(reading, levels, count, true);
+  }
+  return true;
+}
+
+// "窗：南墙4扇": so many at a place.
+bool interpret_doors_at(Reading& reading, const Meaning& statement) {
+  auto door = std::make_shared<Meaning>(*statement.parts("door").front());
+  door->slots.erase("count");
+  Meaning placed = statement;
+  placed.slots["things"] = Parts{std::move(door)};
+  const std::size_t first = reading.found.requirements.size();
+  if (!interpret_placed(reading, placed) || reading.found.requirements.size() == first)
+    return false;
+  plan::Requirement& wish = reading.found.requirements[first];
+  wish.value = statement.parts("count").front()->number("value");
+  wish.span = joined(wish.span, statement.span);
+  wish.text = reading.words(wish.span);
+  return true;
+}
+
+// "紧急出口两个，北墙一个，东墙一个", "两个入口，分别在东墙和西墙": each place has its own.
+bool interpret_doors_shared(Reading& reading, const Meaning& statement) {
+  bool any = false;
+  for (const MeaningPtr& part : statement.parts("parts")) {
+    Meaning place;
+    place.slots["relation"] = "at";
+    place.slots["objects"] = part->parts("at");
+    place.span = part->span;
+    const bool spots = part->parts("at").front()->is("type", "place");
+    Meaning lot = statement;
+    lot.span = part->span;
+    lot.slots["door"] = statement.parts("things");
+    lot.slots["at"] =
+        spots ? Parts{std::make_shared<Meaning>(std::move(place))} : part->parts("at");
+    if (part->has("count")) lot.slots["count"] = part->parts("count");
+    if (!part->has("count")) {
+      Meaning one;
+      one.slots["value"] = 1.0;
+      lot.slots["count"] = Parts{std::make_shared<Meaning>(std::move(one))};
+    }
+    any = interpret_doors_at(reading, lot) || any;
+  }
+  return any;
+}
+
+// "收银只要自助": no tills with a cashier.
+bool interpret_only_tills(Reading& reading, const Meaning& statement) {
+  interpret_mention(reading, statement);
+  reading.add(Kind::zone_absent, statement.span).subject = "checkout";
+  return true;
+}
+
+// "货架黑色、钢制": each word for itself.
+bool interpret_surfaces(Reading& reading, const Meaning& statement) {
+  bool any = false;
+  for (const MeaningPtr& word : statement.parts("surface")) {
+    Meaning surface;
+    surface.slots["words"] = Parts{word};
+    surface.span = word->span;
+    Meaning one = statement;
+    one.slots["surface"] = Parts{std::make_shared<Meaning>(std::move(surface))};
+    any = interpret_surface(reading, one) || any;
+  }
+  return any;
+}
+
+// "没有缺货"
+bool interpret_none_of_stock(Reading& reading, const Meaning& statement) {
+  plan::Requirement& stock = reading.add(Kind::stock, statement.span);
+  stock.subject = statement.text("value");
+  stock.comparison = plan::Comparison::at_most;
+  return true;
+}
+
+}  // namespace marketgen::intake
