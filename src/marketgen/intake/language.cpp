@@ -25,9 +25,8 @@ Result<Language> Language::load_for_edits(const std::filesystem::path& data) {
                 language::Grammar::parse(english + "\n" + edits, file.string()));
   const auto change = grammar.category("change");
   if (!change) return Error{"grammar.bad_rule", file.string(), "no rule makes a change"};
-  return Language{std::move(lexicon),
-                  std::make_shared<const language::Grammar>(std::move(grammar)),
-                  *change};
+  return Language{
+      std::move(lexicon), std::make_shared<const language::Grammar>(std::move(grammar)), *change};
 }
 
 }  // namespace marketgen::intake

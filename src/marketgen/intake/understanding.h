@@ -38,7 +38,7 @@ struct Understanding {
   std::vector<WantedRows> rows;
   std::optional<StoreName> name;
   std::vector<WordedChange> changes;  // of an edit
-  double size_factor = 1;  // "small", "large": of the profile's usual floor area
+  double size_factor = 1;             // "small", "large": of the profile's usual floor area
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
   bool understood = false;  // at least one word said something

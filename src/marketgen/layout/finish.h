@@ -4,8 +4,8 @@
 
 namespace marketgen::layout {
 
-// The finish of shelving, from one look to another. Cabinets, counters and fixtures whose finish was
-// asked for keep theirs.
+// The finish of shelving, from one look to another. Cabinets, counters and fixtures whose finish
+// was asked for keep theirs.
 void change_finish(Fixture& fixture,
                    const plan::Look& from,
                    const plan::Look& to,

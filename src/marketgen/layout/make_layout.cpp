@@ -162,8 +162,7 @@ Result<Layout> make_layout_keeping(const plan::Plan& plan,
   MARKETGEN_CHECK(check_floor(plan.shell));
   const Design design = make_design(plan, catalog);
   MARKETGEN_CHECK(check_modules(design));
-  return with_fixtures(design,
-                       furnish_round(design, seed.child(fixtures_stream), before, furnish));
+  return with_fixtures(design, furnish_round(design, seed.child(fixtures_stream), before, furnish));
 }
 
 }  // namespace marketgen::layout

@@ -167,11 +167,10 @@ std::vector<RepairCandidate> propose_narrow_aisles(const RepairTask& task) {
   plan::Patch patch;
   patch.set_fixture.emplace().zone = task.plan.zones[*zone].id;
   patch.set_fixture->aisle_mm = least;
-  add_candidate(
-      out,
-      task,
-      patch,
-      fmt::format("let zone {} have aisles of {} mm", task.plan.zones[*zone].id, least));
+  add_candidate(out,
+                task,
+                patch,
+                fmt::format("let zone {} have aisles of {} mm", task.plan.zones[*zone].id, least));
   return out;
 }
 

@@ -137,8 +137,7 @@ void Site::add(Fixture fixture, int clear_mm) {
 
 void Site::keep(Fixture fixture, int clear_mm) {
   if (fixture.sides == 2 && clear_mm > 0)
-    keep_clear(
-        strip_beyond(footprint_of(fixture), opposite(facing_of(fixture.yaw_deg)), clear_mm));
+    keep_clear(strip_beyond(footprint_of(fixture), opposite(facing_of(fixture.yaw_deg)), clear_mm));
   add(std::move(fixture), clear_mm);
 }
 

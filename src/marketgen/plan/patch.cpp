@@ -79,8 +79,9 @@ std::map<std::string, std::string> settings_of(const Operation& operation) {
       subject += " " + io::write_json_line_of(field.type(), value);
     } else if (field.name != "usual") {
       const bool said = field.type().kind != TypeKind::optional || field.type().count(value) > 0;
-      if (said) settings[subject + " " + std::string(field.name)] =
-          io::write_json_line_of(field.type(), value);
+      if (said)
+        settings[subject + " " + std::string(field.name)] =
+            io::write_json_line_of(field.type(), value);
     }
   }
   return settings;

@@ -113,9 +113,9 @@ struct SplitLeaf {
 
 struct Merge {
   std::string zone, into;
-  static constexpr auto fields =
-      field_list(field("zone", &Merge::zone, "the zone that goes", required(), reference()),
-                 field("into", &Merge::into, "the one that gets its floor", required(), reference()));
+  static constexpr auto fields = field_list(
+      field("zone", &Merge::zone, "the zone that goes", required(), reference()),
+      field("into", &Merge::into, "the one that gets its floor", required(), reference()));
 };
 
 struct AddZone {
@@ -197,11 +197,11 @@ struct MoveOpening {
   std::optional<Wall> wall;
   std::optional<double> center;
   std::optional<int> width_mm;
-  static constexpr auto fields =
-      field_list(field("opening", &MoveOpening::opening, "a door or window", required(), reference()),
-                 changes<Opening>("wall", &MoveOpening::wall),
-                 changes<Opening>("center", &MoveOpening::center),
-                 changes<Opening>("width_mm", &MoveOpening::width_mm));
+  static constexpr auto fields = field_list(
+      field("opening", &MoveOpening::opening, "a door or window", required(), reference()),
+      changes<Opening>("wall", &MoveOpening::wall),
+      changes<Opening>("center", &MoveOpening::center),
+      changes<Opening>("width_mm", &MoveOpening::width_mm));
 };
 
 struct SetLook {
@@ -285,13 +285,13 @@ constexpr std::size_t max_patches = 200;
 struct PatchSet {
   std::string schema = "market-patch/1";
   std::vector<Patch> patches;  // carried out one after the other
-  static constexpr auto fields = field_list(
-      field("schema", &PatchSet::schema, "schema tag", constant("market-patch/1")),
-      field("patches",
-            &PatchSet::patches,
-            "one operation each, carried out in this order",
-            required(),
-            at_most_items(max_patches)));
+  static constexpr auto fields =
+      field_list(field("schema", &PatchSet::schema, "schema tag", constant("market-patch/1")),
+                 field("patches",
+                       &PatchSet::patches,
+                       "one operation each, carried out in this order",
+                       required(),
+                       at_most_items(max_patches)));
 };
 
 // A plan after a patch.

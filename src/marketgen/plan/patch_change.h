@@ -23,7 +23,9 @@ struct PlanChange {
 
 // The index of what a field of the patch names. Error: plan.unknown_reference with the nearest
 // name.
-Result<std::size_t> named_zone(const PlanChange& task, std::string_view field, const std::string& id);
+Result<std::size_t> named_zone(const PlanChange& task,
+                               std::string_view field,
+                               const std::string& id);
 Result<std::size_t> named_opening(const PlanChange& task, const std::string& id);
 
 }  // namespace marketgen::plan

@@ -23,9 +23,10 @@ Result<std::size_t> named_cut(const PlanChange& task, const std::string& id) {
     cuts.push_back(node.id);
   }
   if (find_node(task.plan, id) != nullptr) {
-    return Error{"plan.bad_value",
-                 task.at("node"),
-                 "\"" + id + "\" is a leaf of the tree, which cuts nothing; name the node above it"};
+    return Error{
+        "plan.bad_value",
+        task.at("node"),
+        "\"" + id + "\" is a leaf of the tree, which cuts nothing; name the node above it"};
   }
   return catalog::unknown_name("plan.unknown_reference", task.at("node"), "inner node", id, cuts);
 }
@@ -220,12 +221,8 @@ Result<void> change(PlanChange& task, const AddZone& patch) {
                  "there is a zone \"" + patch.zone.id + "\" already; \"" +
                      unused_id(task.plan, patch.zone.id) + "\" is free"};
   }
-  put_new_zone(task,
-               beside,
-               patch.zone,
-               patch.side,
-               patch.share,
-               patch.gap_mm.value_or(usual_gap_mm(task)));
+  put_new_zone(
+      task, beside, patch.zone, patch.side, patch.share, patch.gap_mm.value_or(usual_gap_mm(task)));
   return {};
 }
 

@@ -58,11 +58,8 @@ Result<void> set_usual(PlanChange& task,
       is_set = true;
     });
     if (!is_set) {
-      return catalog::unknown_name("json.unknown_field",
-                                   task.at("usual/" + std::to_string(i)),
-                                   "field",
-                                   names[i],
-                                   known);
+      return catalog::unknown_name(
+          "json.unknown_field", task.at("usual/" + std::to_string(i)), "field", names[i], known);
     }
     task.paths.push_back(pointer + "/" + names[i]);
   }
@@ -82,7 +79,8 @@ Result<void> change(PlanChange& task, const SetFixture& patch) {
   Zone& zone = task.plan.zones[index];
   const std::string pointer = element_pointer("zones", index, "fixture");
   FixtureSpec usual;
-  if (const catalog::ZoneTypeRow* type = task.catalog.zone_type(zone.type)) usual.kind = type->fixture;
+  if (const catalog::ZoneTypeRow* type = task.catalog.zone_type(zone.type))
+    usual.kind = type->fixture;
   MARKETGEN_CHECK(set_usual(task, zone.fixture, usual, patch.usual, pointer));
   set_fields(task, zone.fixture, patch, pointer);
   return {};

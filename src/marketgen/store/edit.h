@@ -1,10 +1,10 @@
-// Editing a store: patches on its plan, and a new folder in which all that they do not name is as it
-// was.
+// Editing a store: patches on its plan, and a new folder in which all that they do not name is as
+// it was.
 //
 // An edit never writes into the folder that it edits: undo is keeping that. Zones that no patch
 // names, and whose floor stays as it is, keep every fixture and every product to the last bit
-// (layout/kept_layout.h); this is looked at before anything is written. Nothing is repaired: an edit
-// that breaks a hard rule which the store has kept is refused.
+// (layout/kept_layout.h); this is looked at before anything is written. Nothing is repaired: an
+// edit that breaks a hard rule which the store has kept is refused.
 #pragma once
 #include <filesystem>
 #include <set>
@@ -24,7 +24,7 @@ namespace marketgen::store {
 struct Replanned {
   plan::Plan plan;
   layout::Layout layout;
-  std::set<std::string> furnished;         // zones that had to be furnished anew
+  std::set<std::string> furnished;          // zones that had to be furnished anew
   std::vector<layout::Violation> offences;  // hard rules that are broken and were not before
 };
 

@@ -15,8 +15,8 @@ namespace {
 constexpr std::string_view source = "--say";
 
 plan::Wall entrance_of(const plan::Plan& plan) {
-  const auto door = std::ranges::find(
-      plan.shell.openings, plan::OpeningKind::entrance, &plan::Opening::kind);
+  const auto door =
+      std::ranges::find(plan.shell.openings, plan::OpeningKind::entrance, &plan::Opening::kind);
   return door == plan.shell.openings.end() ? plan::Wall::south : door->wall;
 }
 

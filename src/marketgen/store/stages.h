@@ -1,5 +1,5 @@
-// The stages in which a store is made: each timed, told to the progress, and a place where Ctrl-C is
-// heard.
+// The stages in which a store is made: each timed, told to the progress, and a place where Ctrl-C
+// is heard.
 #pragma once
 #include <string>
 #include <utility>

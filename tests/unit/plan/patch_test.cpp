@@ -1,5 +1,5 @@
-// market-patch/1: every operation of the list does what it says and nothing else, can be undone, and
-// is refused with the place where its example is wrong.
+// market-patch/1: every operation of the list does what it says and nothing else, can be undone,
+// and is refused with the place where its example is wrong.
 #include "plan/patch.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ plan::Plan sample() {
 }
 
 Result<plan::Plan> after(const plan::Plan& plan, const std::string& patches) {
-  const auto set = plan::read_patches(
-      R"({"schema": "market-patch/1", "patches": [)" + patches + "]}", "p.json");
+  const auto set =
+      plan::read_patches(R"({"schema": "market-patch/1", "patches": [)" + patches + "]}", "p.json");
   if (!set.ok()) return set.error();
   return plan::apply_patches(plan, *set, "p.json", plan::Source::flag, committed_catalog());
 }
@@ -257,8 +257,7 @@ TEST(Patches, HaveOneOperationEach) {
   ASSERT_FALSE(none.ok());
   EXPECT_EQ(none.error().where, "p.json:/patches/0");
   const auto two = after(
-      sample(),
-      R"({"drop_zone": {"zone": "dairy"}, "set_gap": {"node": "root", "gap_mm": 2000}})");
+      sample(), R"({"drop_zone": {"zone": "dairy"}, "set_gap": {"node": "root", "gap_mm": 2000}})");
   ASSERT_FALSE(two.ok());
   EXPECT_EQ(two.error().code, "plan.bad_value");
 }
@@ -282,8 +281,8 @@ TEST(Patches, ThatContradictEachOtherAreRefused) {
 }
 
 TEST(Patches, AZoneThatMovesLeavesItsFloorToTheOther) {
-  const auto plan = after(
-      sample(), R"({"move_leaf": {"zone": "dairy", "beside": "tills", "side": "east"}})");
+  const auto plan =
+      after(sample(), R"({"move_leaf": {"zone": "dairy", "beside": "tills", "side": "east"}})");
   ASSERT_TRUE(plan.ok()) << to_string(plan.error());
   const auto floor = floors(*plan);
   EXPECT_EQ(floor.at("snacks"), (std::array<int, 4>{0, 7200, 20000, 15000}));
