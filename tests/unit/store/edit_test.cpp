@@ -37,7 +37,7 @@ constexpr const char* shop_text = R"({
             {"id": "snacks", "type": "snacks", "fixture": {"kind": "gondola", "levels": 5}},
             {"id": "dairy", "type": "dairy", "fixture": {"kind": "multideck"}},
             {"id": "canned", "type": "canned", "fixture": {"kind": "gondola", "levels": 5}},
-            {"id": "drinks", "type": "drinks", "fixture": {"kind": "gondola", "levels": 5}}]
+            {"id": "drinks", "type": "beverages", "fixture": {"kind": "gondola", "levels": 5}}]
 })";
 
 const fs::path& parent() {
@@ -135,7 +135,7 @@ const std::vector<Example>& examples() {
        {"canned", "sauces"}},
       {"merge", R"({"merge": {"zone": "drinks", "into": "canned"}})", {"canned", "drinks"}},
       {"add_zone",
-       R"({"add_zone": {"zone": {"id": "wine", "type": "wine"}, "beside": "drinks", "side": "west",
+       R"({"add_zone": {"zone": {"id": "wine", "type": "alcohol"}, "beside": "drinks", "side": "west",
            "share": 0.5, "gap_mm": 1500}})",
        {"drinks", "wine"}},
       {"drop_zone", R"({"drop_zone": {"zone": "snacks"}})", {"snacks", "dairy"}},
