@@ -125,6 +125,8 @@ Result<int> edit(const EditFlags& flags) {
                   store::replan(store, said.patches, source_of(flags), catalog));
     if (!then.offences.empty()) return store::error_of(then.offences.front());
     fmt::print("{}", io::write_json(said.patches));
+    for (const std::string& wish : said.so_already)
+      fmt::print(stderr, "so already: \"{}\"\n", shown(wish));
     for (const intake::UnparsedWord& word : said.unparsed)
       fmt::print(stderr, "not understood: \"{}\"\n", shown(word.text));
     return status;

@@ -53,7 +53,7 @@ TEST(Edit, WordsMakeANewFolderAndLeaveTheOldOne) {
   EXPECT_EQ(manifest["edits"][0]["words"], "fill the dairy to 50 % and a concrete floor");
   EXPECT_EQ(manifest["edits"][0]["from"], old["scene_hash"]);
   const json plan = json::parse(contents_of(edited / "plan.json"));
-  EXPECT_EQ(plan["look"]["floor"], "concrete");
+  EXPECT_EQ(plan["look"]["floor"], "concrete-polished");
   const Ran check = marketgen_run({"check", edited.string()});
   EXPECT_EQ(check.status, 0) << check.out << check.err;
 }
@@ -64,7 +64,7 @@ TEST(Edit, DryRunPrintsPatchesThatPatchTakes) {
   const Ran dry = marketgen_run({"edit", shop.string(), "--say", "a concrete floor", "--dry-run"});
   ASSERT_EQ(dry.status, 0) << dry.err;
   EXPECT_EQ(json::parse(dry.out)["patches"],
-            json::parse(R"([{"set_look": {"floor": "concrete"}}])"));
+            json::parse(R"([{"set_look": {"floor": "concrete-polished", "usual": []}}])"));
   EXPECT_FALSE(fs::exists(scratch.path() / "shop-edit-1"));
   const fs::path file = scratch.path() / "patches.json";
   ASSERT_TRUE(io::write_file(file, dry.out).ok());

@@ -14,10 +14,10 @@ namespace marketgen::intake {
 namespace {
 
 constexpr std::size_t max_ways = 16;
-constexpr int levels_up = 4;           // cuts above a zone that may move
-constexpr int thin_mm = 2500;          // a zone narrower than that holds a wall run at most
+constexpr int levels_up = 4;   // cuts above a zone that may move
+constexpr int thin_mm = 2500;  // a zone narrower than that holds a wall run at most
 constexpr double least_ratio = 0.08, most_ratio = 0.92;  // market-plan/1
-constexpr double least_new_m2 = 6;     // of a zone that is added
+constexpr double least_new_m2 = 6;                       // of a zone that is added
 constexpr double largest_donor_share = 0.5;
 constexpr double area_tolerance = 0.1;  // of the area that was asked for
 
@@ -105,9 +105,9 @@ std::vector<Way> places_for(const plan::Plan& plan, const std::string& zone) {
 
 // Cuts above the zone, each moved so that the zone gets its area.
 std::vector<WeighedWay> cuts_for_area(const StandingStore& store,
-                                     const std::string& zone,
-                                     double area_m2,
-                                     const Way& first) {
+                                      const std::string& zone,
+                                      double area_m2,
+                                      const Way& first) {
   std::vector<WeighedWay> candidates;
   const plan::Plan& plan = store.plan;
   const auto leaf = plan::leaf_of(plan, zone);
@@ -220,12 +220,13 @@ Result<std::vector<Way>> ways_to_resize(const StandingStore& store,
   MARKETGEN_TRY(const std::vector<std::string> zones, zones_called(store, type));
   std::vector<WeighedWay> candidates = cuts_for_area(store, zones.front(), area_m2, {});
   if (!candidates.empty()) return best_of(std::move(candidates));
-  return Error{"plan.bad_value",
-               "--say",
-               fmt::format("no cut of the floor gives zone {} about {:.1f} m2; ask for less of a "
-                           "change",
-                           zones.front(),
-                           area_m2)};
+  return Error{
+      "plan.bad_value",
+      "--say",
+      fmt::format("no cut of the floor gives zone {} about {:.1f} m2: its neighbours would "
+                  "be too narrow; ask for less of a change, or take one of them out first",
+                  zones.front(),
+                  area_m2)};
 }
 
 std::vector<Way> with_more_room(const StandingStore& store, const std::string& zone, Way first) {
@@ -249,8 +250,7 @@ Result<std::vector<Way>> ways_to_add(const StandingStore& store,
     return Error{"plan.unknown_reference", "--say", fmt::format("there are no {} zones", type)};
   const plan::Zone zone = new_zone(store, *row, count);
   const catalog::ProfileRow* profile = store.catalog.profile(store.plan.profile);
-  const int gap_mm =
-      (profile != nullptr ? *profile : catalog::ProfileRow{}).secondary_aisle_mm;
+  const int gap_mm = (profile != nullptr ? *profile : catalog::ProfileRow{}).secondary_aisle_mm;
   const double floor_m2 = plan::shell_rect(store.plan.shell).area_m2();
   const double wanted_m2 = std::max(least_new_m2, row->share * floor_m2);
   const std::vector<RectMm> rects = plan::zone_rectangles(store.plan);
@@ -269,8 +269,8 @@ Result<std::vector<Way>> ways_to_add(const StandingStore& store,
       const double got_m2 = plan::zone_rectangles(*plan_then).back().area_m2();
       const double missed = std::max(0.0, wanted_m2 - got_m2);
       candidates.push_back({{patch},
-                            disturbance(store.plan, *plan_then, zone.id) + 3 * missed +
-                                50 * share + (same_trade ? 0 : 100)});
+                            disturbance(store.plan, *plan_then, zone.id) + 3 * missed + 50 * share +
+                                (same_trade ? 0 : 100)});
     }
   }
   if (!candidates.empty()) return best_of(std::move(candidates));

@@ -102,7 +102,8 @@ Ways set_height(const StandingStore& store,
   }
   const auto takes = [&](const plan::Zone& zone) {
     const catalog::FixtureKind* row = kind_of(store, zone);
-    return row != nullptr && (row->kind == kind || (kind == "fixture" && row->generator == "gondola"));
+    return row != nullptr &&
+           (row->kind == kind || (kind == "fixture" && row->generator == "gondola"));
   };
   return in_zones(store, type, takes, [&](const plan::Zone& zone) {
     plan::Patch patch = set_fixture(zone.id);
@@ -190,15 +191,18 @@ const plan::Opening* opening_of(const plan::Plan& plan, std::string_view kind) {
 Ways opening_wished(const StandingStore& store, const plan::Requirement& wish) {
   const plan::Opening* opening = opening_of(store.plan, wish.subject);
   if (opening == nullptr) {
-    return Error{"plan.unknown_reference",
-                 "--say",
-                 fmt::format("the store has no {} of its own; its doors serve as that, too", wish.subject)};
+    return Error{
+        "plan.unknown_reference",
+        "--say",
+        fmt::format("the store has no {} of its own; its doors serve as that, too", wish.subject)};
   }
   if (wish.object.empty() && wish.second_object.empty()) return not_by_an_edit(wish.text);
   const auto wall = value_named<plan::Wall>(wish.object);
   std::vector<double> centers{0.5, 0.25, 0.75, 0.35, 0.65, 0.15, 0.85};
-  if (wish.second_object == "west" || wish.second_object == "south") centers = {0.2, 0.25, 0.15, 0.3};
-  if (wish.second_object == "east" || wish.second_object == "north") centers = {0.8, 0.75, 0.85, 0.7};
+  if (wish.second_object == "west" || wish.second_object == "south")
+    centers = {0.2, 0.25, 0.15, 0.3};
+  if (wish.second_object == "east" || wish.second_object == "north")
+    centers = {0.8, 0.75, 0.85, 0.7};
   if (wish.second_object == "center") centers = {0.5, 0.45, 0.55};
   if (wish.second_object.empty()) centers.insert(centers.begin(), opening->center);
   std::vector<Way> ways;
@@ -386,8 +390,8 @@ WordedChange resized(const Emphasis& emphasis) {
 }
 
 std::string text_of(std::string_view words, IntRange span) {
-  return std::string(words.substr(static_cast<std::size_t>(span[0]),
-                                  static_cast<std::size_t>(span[1] - span[0])));
+  return std::string(
+      words.substr(static_cast<std::size_t>(span[0]), static_cast<std::size_t>(span[1] - span[0])));
 }
 
 }  // namespace
@@ -399,7 +403,8 @@ Result<EditWords> understand_edit(std::string_view words,
   if (words.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return Error{"brief.empty", "--say", "say what shall change, as in \"swap dairy and bakery\""};
   if (words.size() > max_bytes)
-    return Error{"brief.too_long", "--say", fmt::format("{} bytes; at most {}", words.size(), max_bytes)};
+    return Error{
+        "brief.too_long", "--say", fmt::format("{} bytes; at most {}", words.size(), max_bytes)};
   if (!is_utf8(words)) return Error{"input.not_utf8", "--say", "the words are not UTF-8"};
   Understanding found = understand(words, language.with_words_of(catalog), catalog, entrance);
   EditWords said;

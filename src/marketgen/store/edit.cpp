@@ -21,8 +21,7 @@ namespace {
 
 bool is_broken_in(const std::vector<layout::Violation>& rules, const layout::Violation& rule) {
   return std::ranges::any_of(rules, [&](const layout::Violation& known) {
-    return known.code == rule.code && known.where == rule.where &&
-           known.severity == rule.severity;
+    return known.code == rule.code && known.where == rule.where && known.severity == rule.severity;
   });
 }
 
@@ -167,7 +166,8 @@ Error error_of(const layout::Violation& offence) {
     for (const layout::RepairMove move : rule->repairs)
       helps.push_back(layout::words_of(move));
     message += fmt::format(" (must hold: {}", rule->summary);
-    if (!helps.empty()) message += fmt::format("; a patch helps that {}", fmt::join(helps, ", or "));
+    if (!helps.empty())
+      message += fmt::format("; a patch helps that {}", fmt::join(helps, ", or "));
     if (offence.code == "RELATION_BROKEN")
       message += ", or takes the relation back (set_relation with \"drop\": true)";
     message += ")";
@@ -180,9 +180,8 @@ Result<Replanned> replan(const Store& store,
                          const std::string& source,
                          const catalog::Catalog& catalog) {
   Replanned now;
-  MARKETGEN_TRY(
-      now.plan,
-      plan::apply_patches(store.plan, patches, source, plan::Source::flag, catalog));
+  MARKETGEN_TRY(now.plan,
+                plan::apply_patches(store.plan, patches, source, plan::Source::flag, catalog));
   now.furnished = layout::zones_to_furnish(store.plan, now.plan, catalog);
   Result<layout::Layout> layout = layout_after(store, now.plan, now.furnished, catalog);
   if (!layout.ok()) return plan::in_plan_file(layout.error(), source + " (plan)");
@@ -217,17 +216,12 @@ Result<Edited> edit_store(const Store& store,
   Created created;
   created.manifest = manifest_of(now.plan, scene, catalog, store.manifest.seed);
   keep_history(created.manifest, store.manifest, options);
-  created.report = report_after(
-      before, std::move(audit), scene::unstocked_products(scene, now.plan, catalog));
+  created.report =
+      report_after(before, std::move(audit), scene::unstocked_products(scene, now.plan, catalog));
   edited.lost = lost_wishes(before, created.report);
-  MARKETGEN_TRY(edited.created,
-                save_store(draft,
-                           now.plan,
-                           scene,
-                           std::move(created),
-                           options.previews,
-                           catalog,
-                           stages));
+  MARKETGEN_TRY(
+      edited.created,
+      save_store(draft, now.plan, scene, std::move(created), options.previews, catalog, stages));
   return edited;
 }
 
@@ -248,7 +242,8 @@ std::filesystem::path next_edit_folder(const std::filesystem::path& store) {
   }
   std::error_code failed;
   for (;; ++number) {
-    const std::filesystem::path next = folder.parent_path() / fmt::format("{}-edit-{}", name, number);
+    const std::filesystem::path next =
+        folder.parent_path() / fmt::format("{}-edit-{}", name, number);
     if (!std::filesystem::exists(next, failed)) return next;
   }
 }

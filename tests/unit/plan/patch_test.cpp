@@ -128,7 +128,7 @@ const std::vector<Example>& examples() {
        "plan.bad_value",
        "/merge/into"},
       {"add_zone",
-       R"({"add_zone": {"zone": {"id": "wine", "type": "wine"}, "beside": "snacks", "side": "south",
+       R"({"add_zone": {"zone": {"id": "wine", "type": "alcohol"}, "beside": "snacks", "side": "south",
            "share": 0.4}})",
        [](const plan::Plan& p) { return floors(p)["wine"][1] == floors(p)["dairy"][1]; },
        R"({"drop_zone": {"zone": "wine"}})",

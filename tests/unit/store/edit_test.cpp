@@ -37,7 +37,7 @@ constexpr const char* shop_text = R"({
             {"id": "snacks", "type": "snacks", "fixture": {"kind": "gondola", "levels": 5}},
             {"id": "dairy", "type": "dairy", "fixture": {"kind": "multideck"}},
             {"id": "canned", "type": "canned", "fixture": {"kind": "gondola", "levels": 5}},
-            {"id": "drinks", "type": "drinks", "fixture": {"kind": "gondola", "levels": 5}}]
+            {"id": "drinks", "type": "beverages", "fixture": {"kind": "gondola", "levels": 5}}]
 })";
 
 const fs::path& parent() {
@@ -135,14 +135,14 @@ const std::vector<Example>& examples() {
        {"canned", "sauces"}},
       {"merge", R"({"merge": {"zone": "drinks", "into": "canned"}})", {"canned", "drinks"}},
       {"add_zone",
-       R"({"add_zone": {"zone": {"id": "wine", "type": "wine"}, "beside": "drinks", "side": "west",
+       R"({"add_zone": {"zone": {"id": "wine", "type": "alcohol"}, "beside": "drinks", "side": "west",
            "share": 0.5, "gap_mm": 1500}})",
        {"drinks", "wine"}},
       {"drop_zone", R"({"drop_zone": {"zone": "snacks"}})", {"snacks", "dairy"}},
       {"set_fixture", R"({"set_fixture": {"zone": "canned", "levels": 4}})", {"canned"}},
       {"set_stock", R"({"set_stock": {"zone": "dairy", "fill": 0.4}})", {"dairy"}},
       {"move_opening", R"({"move_opening": {"opening": "out", "center": 0.75}})", {"tills"}},
-      {"set_look", R"({"set_look": {"floor": "concrete", "light_kelvin": 3000}})", {}},
+      {"set_look", R"({"set_look": {"floor": "concrete-polished", "light_kelvin": 3000}})", {}},
       {"set_shell", R"({"set_shell": {"ceiling_mm": 4200}})", {}},
       {"set_relation", R"({"set_relation": {"kind": "near", "a": "dairy", "b": "north"}})", {}},
       {"set_override",
@@ -241,12 +241,19 @@ TEST(Edits, GetTheNextFreeName) {
 
 // ---- Words --------------------------------------------------------------------------------------
 
+std::string without_empty_lists(std::string line) {
+  const std::string nothing = R"(, "usual": [])";
+  if (const std::size_t at = line.find(nothing); at != std::string::npos)
+    line.erase(at, nothing.size());
+  return line;
+}
+
 std::string patches_of(const std::string& words) {
   const auto said = store::patches_of_words(shop(), words, committed_catalog());
   if (!said.ok()) return to_string(said.error());
   std::string out;
   for (const plan::Patch& patch : said->patches.patches)
-    out += (out.empty() ? "" : " ") + io::write_json_line(patch);
+    out += (out.empty() ? "" : " ") + without_empty_lists(io::write_json_line(patch));
   for (const intake::UnparsedWord& word : said->unparsed)
     out += " ?" + word.text;
   return out;
@@ -258,7 +265,7 @@ TEST(EditWords, BecomePatches) {
       {"fill the dairy to 60 %", R"({"set_stock": {"zone": "dairy", "fill": 0.6}})"},
       {"set the shelf levels in snacks to 6",
        R"({"set_fixture": {"zone": "snacks", "levels": 6}})"},
-      {"a concrete floor", R"({"set_look": {"floor": "concrete"}})"},
+      {"a concrete floor", R"({"set_look": {"floor": "concrete-polished"}})"},
       {"a ceiling height of 4 m", R"({"set_shell": {"ceiling_mm": 4000}})"},
       {"remove the canned food", R"({"drop_zone": {"zone": "canned"}})"},
       {"one less checkout", R"({"set_fixture": {"zone": "tills", "count": 1}})"},
