@@ -108,8 +108,8 @@ double room_penalty(const Candidate& candidate, const ScoreInput& input) {
     const ProgramZone& zone = input.program.zones[i];
     const RectMm& rect = candidate.rects[i];
     if (rect.empty() || std::min(rect.width(), rect.depth()) < 1000) sum += unbuildable;
-    const double off = off_floor(rect, input.program);
-    sum += (zone.stance == Stance::front ? tills_off_floor : zone_off_floor) * off * off;
+    const double lost = off_floor(rect, input.program);
+    sum += (zone.stance == Stance::front ? tills_off_floor : zone_off_floor) * lost * lost;
     if (is_type(zone, {"checkout", "self_checkout", "customer_service"})) continue;
     if (zone.wanted_m2) {
       const double off = std::abs(rect.area_m2() / *zone.wanted_m2 - 1);
@@ -117,7 +117,7 @@ double room_penalty(const Candidate& candidate, const ScoreInput& input) {
       continue;
     }
     const double area =
-        (1 - off) * area_with_aisles(rect, candidate.floor, candidate.drafted.run_aisle_mm);
+        (1 - lost) * area_with_aisles(rect, candidate.floor, candidate.drafted.run_aisle_mm);
     const double target = std::max(1.0, zone.target_m2);
     const double ratio = std::max(area / target, target / std::max(0.1, area));
     const bool stressed = zone.stressed && area < target;
