@@ -18,7 +18,7 @@ std::string zone_spoken_of(const Reading& reading) {
   return reading.memory->recent.back().back()->text("zone");
 }
 
-bool names_a_shop(const Reading& reading) {
+bool sentence_names_a_shop(const Reading& reading) {
   return std::ranges::any_of(*reading.segments, [](const Segment& segment) {
     return segment.sense == Sense::shop || segment.sense == Sense::profile;
   });
@@ -40,7 +40,7 @@ bool interpret_floor_of_shop(Reading& reading, const Meaning& statement) {
 bool interpret_floor_of_it(Reading& reading, const Meaning& statement) {
   const Meaning& extent = *statement.parts("extent").front();
   const std::string zone = zone_spoken_of(reading);
-  const bool of_shop = !floor_was_said(reading) && (zone.empty() || names_a_shop(reading));
+  const bool of_shop = !floor_was_said(reading) && (zone.empty() || sentence_names_a_shop(reading));
   if (!of_shop && zone.empty()) return false;
   plan::Requirement area = reading.wish(Kind::area, extent.span);
   if (!of_shop) area.subject = zone;
