@@ -306,8 +306,8 @@ TEST(EditWords, MoveAndResize) {
 }
 
 TEST(EditWords, ThatSayNothingOrWhatIsNotThere) {
-  EXPECT_TRUE(patches_of("colourless green ideas sleep").starts_with("error[brief.not_understood]"))
-      << patches_of("colourless green ideas sleep");
+  EXPECT_TRUE(patches_of("quizzical zeppelins yodel").starts_with("error[brief.not_understood]"))
+      << patches_of("quizzical zeppelins yodel");
   EXPECT_TRUE(patches_of("").starts_with("error[brief.empty]"));
   const std::string unknown = patches_of("move the wine to the back wall");
   EXPECT_TRUE(unknown.starts_with("error[plan.unknown_reference]")) << unknown;
