@@ -186,10 +186,9 @@ Result<std::vector<std::string>> zones_called(const StandingStore& store, std::s
   if (!ids.empty()) return ids;
   return Error{"plan.unknown_reference",
                "--say",
-               fmt::format("the store has no zone \"{}\"; it has {}; to have one, say: add {}",
+               fmt::format("the store has no zone \"{}\"; it has {}; name one of these, or add it first",
                            type,
-                           name_of_zones(store.plan),
-                           type)};
+                           name_of_zones(store.plan))};
 }
 
 Result<std::vector<Way>> ways_to_move(const StandingStore& store,
