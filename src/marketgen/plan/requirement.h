@@ -62,10 +62,10 @@ constexpr std::array<std::string_view, 3> names_of(Comparison) {
 //                   lines; second_value: their stocked sides, 0 = any
 //   aisle_count     value: aisles between gondolas, the outermost included
 //   aisle_width     value: mm
-//   levels          subject: zone type, or "" for all gondolas and wall units; value: stocked levels
+//   levels          subject: zone type, or "" for all gondolas; value: stocked levels
 //   shelf_pitch     subject: as of levels; value: mm from board to board
-//   height          subject: "fixture" (all gondolas), a fixture kind, or "ceiling"; object: zone
-//                   type, or "" for every zone; value: mm
+//   height          subject: "fixture" (gondolas), a fixture kind, or "ceiling"; value: mm;
+//                   object: zone type, or "" for every zone
 //   relation        relation, subject a, object b, second_object c: names of places
 //                   (plan/floor_places.h)
 //   style, profile  object: id
@@ -86,8 +86,8 @@ struct Requirement {
   RequirementKind kind = RequirementKind::zone_present;
   std::string
       subject;  // zone type, fixture kind, material part, product word, opening kind, relation "a"
-  std::string object;         // style, material, colour, profile, relation "b" …
-  std::string second_object;  // relation `between`
+  std::string object;               // style, material, colour, profile, relation "b" …
+  std::string second_object;        // relation `between`
   std::vector<std::string> except;  // zone types that it does not hold for
   RelationKind relation = RelationKind::near;
   Comparison comparison = Comparison::equal;
@@ -101,7 +101,10 @@ struct Requirement {
                  field("subject", &Requirement::subject, "of what"),
                  field("object", &Requirement::object, "what it should be or relate to"),
                  field("second_object", &Requirement::second_object, "second reference"),
-                 field("except", &Requirement::except, "zone types that it does not hold for", at_most_items(40)),
+                 field("except",
+                       &Requirement::except,
+                       "zone types that it does not hold for",
+                       at_most_items(40)),
                  field("relation", &Requirement::relation, "for relations"),
                  field("comparison", &Requirement::comparison, "for numbers"),
                  field("value", &Requirement::value, "number asked for"),

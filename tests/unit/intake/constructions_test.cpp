@@ -14,7 +14,7 @@ void PrintTo(const ConstructionCase& row, std::ostream* out) {
   *out << row.prompt;
 }
 
-const std::vector<ConstructionCase> cases = {
+const std::vector<ConstructionCase> constructions = {
     // ---- Limits of single zones ----
     {"Canned goods: shelf pitch 9 inches, six boards high.",
      {"zone_present canned", "shelf_pitch canned 228.6", "levels canned 6"}},
@@ -112,7 +112,7 @@ TEST_P(Constructions, AreUnderstood) {
   EXPECT_TRUE(found.conflicts.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, Constructions, testing::ValuesIn(cases));
+INSTANTIATE_TEST_SUITE_P(Table, Constructions, testing::ValuesIn(constructions));
 
 }  // namespace
 }  // namespace marketgen
