@@ -184,14 +184,13 @@ std::vector<Segment> segments_of(const std::vector<Token>& sentence, const Lexic
     Segment segment;
     segment.first = at;
     segment.last = number ? number->last : at + (match ? match->tokens : 1);
-    if (number) {
+    const bool digits = !match && sentence[at].kind == TokenKind::number;
+    if (number != nullptr || digits) {
       segment.sense = Sense::number;
     } else if (match) {
       segment.sense = match->row->sense;
       segment.value = match->row->value;
       segment.content = match->row->number != 0;
-    } else if (sentence[at].kind == TokenKind::number) {
-      segment.sense = Sense::number;
     }
     at = segment.last;
     segments.push_back(std::move(segment));

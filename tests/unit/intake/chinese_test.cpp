@@ -190,6 +190,14 @@ const std::vector<ChineseCase> chinese_cases = {
     {"香烟不卖", {"product_absent cigarettes"}, {}},
     {"冷冻区不要岛柜", {"zone_present frozen", "fixture_count island_freezer <=0"}, {}},
     {"酒不用货架", {"zone_present alcohol", "fixture_count gondola <=0"}, {}},
+    {"没有窗户", {"opening window <=0"}, {}},
+    // ---- What was named last ----
+    {"冷藏柜沿着左侧墙，一共八台",
+     {"fixture_count multideck >=1", "relation along dairy west", "fixture_count multideck 8"},
+     {}},
+    {"库房设在里墙，面积30平方米",
+     {"zone_present backroom", "relation along backroom north", "area backroom 30"},
+     {}},
     // ---- Places ----
     {"乳品沿北墙", {"zone_present dairy", "relation along dairy north"}, {}},
     {"乳製品沿著最後面那道牆", {"zone_present dairy", "relation along dairy north"}, {}},
