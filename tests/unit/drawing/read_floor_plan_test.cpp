@@ -86,8 +86,11 @@ TEST(FloorPlanUnits, ThatAreMissingAreAskedFor) {
     EXPECT_EQ(code_of(plan), "drawing.no_scale");
     EXPECT_NE(plan.error().message.find("--floor-plan-scale"), std::string::npos);
   }
-  EXPECT_EQ(code_of(read(svg(room, R"(width="260mm" height="170mm" viewBox="0 0 26000 17000")"))),
-            "drawing.no_scale");
+  // A sheet of paper as large as it is holds no floor.
+  const auto sheet =
+      read(svg(room, R"(width="260mm" height="170mm" viewBox="0 0 26000 17000")"));
+  EXPECT_EQ(code_of(sheet), "drawing.no_outline");
+  EXPECT_NE(sheet.error().message.find("--floor-plan-scale"), std::string::npos);
   drawing::ReadOptions by_size;
   by_size.width_mm = 36000;
   EXPECT_EQ(size_of(drawing::read_floor_plan_bytes(dxf(dxf_room, ""), "plan", by_size)),
