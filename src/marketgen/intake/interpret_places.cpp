@@ -278,11 +278,8 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   if (things.empty()) return false;
   reading.memory->last_object = nullptr;
   bool any = mention_placed(reading, statement);
-  if (things.front()->is("type", "opening") && !denied) {
-    any = add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
-    reading.memory->recent.push_back({things.front()});  // "the tills next to it"
-    return any;
-  }
+  if (things.front()->is("type", "opening") && !denied)
+    return add_door(reading, noun_of(*things.front()), statement.parts("at")) || any;
   for (const MeaningPtr& place : statement.parts("at")) {
     if (add_place(reading, *place, things, denied))
       any = true;
