@@ -365,7 +365,6 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   if (things.front()->is("type", "opening") && !denied) {
     for (const MeaningPtr& door : things)
       any = add_door(reading, noun_of(*door), statement.parts("at")) || any;
-    reading.memory->recent.push_back(things);  // "the tills next to it"
     return any;
   }
   for (const MeaningPtr& place : statement.parts("at")) {

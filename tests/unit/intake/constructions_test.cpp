@@ -89,8 +89,6 @@ const std::vector<ConstructionCase> constructions = {
       "relation along meat_fish north"}},
     {"bakery on the left and near the entrance",
      {"zone_present bakery", "relation at bakery west", "relation near bakery entrance"}},
-    {"The entrance on the east wall, with the checkouts next to it.",
-     {"opening entrance east", "zone_present checkout", "relation near checkout entrance"}},
     // ---- Openings ----
     {"two entrances, one west and one east",
      {"opening entrance 2", "opening entrance west 1", "opening entrance east 1"}},
