@@ -172,8 +172,7 @@ int till_width_mm(const ProgramZone& zone, int front_depth_mm) {
     return zone.count.value_or(1) * (width + passage_mm) + passage_mm + lane_margin_mm;
   }
   if (zone.kind->generator == "self_checkout") {  // rows run from the exit inwards
-    const int kept_free = zone.count ? exit_floor_mm : passage_mm / 2;
-    const int machines_a_row = std::max(1, (front_depth_mm - kept_free) / width);
+    const int machines_a_row = std::max(1, (front_depth_mm - passage_mm / 2) / width);
     const int rows = (zone.count.value_or(2) + machines_a_row - 1) / machines_a_row;
     if (rows <= 2) return rows * zone.kind->depth_mm + 2 * passage_mm;
     return rows * zone.kind->depth_mm + (rows + 1) / 2 * machine_aisle_mm + passage_mm;

@@ -1,6 +1,8 @@
 #include "store/design.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "base/interrupt.h"
@@ -81,6 +83,21 @@ class Bargain {
     }
   }
 
+  // Counts of goods and equipment alone stand in the way: they are given up, and nothing else.
+  // False when something else does.
+  bool give_up_counts(const Designed& now) {
+    for (const layout::Violation& fault : now.layout.violations) {
+      const bool counted = fault.code == "COUNT_SHORT" && !is_about_tills(fault, now.planned.plan);
+      if (fault.severity == layout::Severity::hard && !counted) return false;
+    }
+    for (const layout::Violation& fault : now.layout.violations) {
+      if (fault.severity != layout::Severity::hard) continue;
+      short_of_[what_of(fault, now.planned.plan)] = 1;
+      cap_count(fault, now.planned);
+    }
+    return true;
+  }
+
   // The plainest floor there is: nothing is left to try.
   void concede_all() {
     concessions_.relations_may_fail = true;
@@ -91,10 +108,23 @@ class Bargain {
   const std::vector<intake::Conflict>& given_up() const { return given_up_; }
 
  private:
+  // Another floor has room for other numbers: each shortage of the same is met with less, and in
+  // the end with none, or with as many as fit. So no shop becomes a plain one for a table too many.
   void cap_count(const layout::Violation& fault, const intake::Planned& planned) {
     const Place place = place_of(fault, planned.plan);
-    concessions_.max_count[place.name + place.part] = static_cast<int>(fault.value);
+    const std::string what = what_of(fault, planned.plan);
+    const auto value = static_cast<int>(fault.value);
+    const int times = ++short_of_[what];
+    const bool own = place.part.empty() || place.part == "/runs";
+    int most = value;
+    if (!is_about_tills(fault, planned.plan) && times > 1) most = own || times > 2 ? 0 : value / 2;
+    concessions_.max_count[what] = most;
     note(fault, planned);
+  }
+
+  static std::string what_of(const layout::Violation& fault, const plan::Plan& plan) {
+    const Place place = place_of(fault, plan);
+    return place.name + place.part;
   }
 
   static bool is_about_tills(const layout::Violation& fault, const plan::Plan& plan) {
@@ -124,6 +154,7 @@ class Bargain {
 
   intake::Concessions concessions_;
   std::vector<intake::Conflict> given_up_;
+  std::map<std::string, int> short_of_;  // how often there were too few of it
   int crowded_rounds_ = 0;
 };
 
@@ -174,7 +205,7 @@ Result<Designed> concede(Designed first,
     MARKETGEN_CHECK(check_interrupt());
     bargain.concede(now);
     const bool last = work_left <= 0;
-    if (last) bargain.concede_all();
+    if (last && !bargain.give_up_counts(now)) bargain.concede_all();
     intake::Concessions concessions = bargain.concessions();
     concessions.plans_before = round + 1;
     MARKETGEN_TRY(intake::Planned planned, plan_again(concessions));
