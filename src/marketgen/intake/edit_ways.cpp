@@ -184,11 +184,12 @@ Result<std::vector<std::string>> zones_called(const StandingStore& store, std::s
   for (const std::size_t i : found)
     ids.push_back(store.plan.zones[i].id);
   if (!ids.empty()) return ids;
-  return Error{"plan.unknown_reference",
-               "--say",
-               fmt::format("the store has no zone \"{}\"; it has {}; name one of these, or add it first",
-                           type,
-                           name_of_zones(store.plan))};
+  return Error{
+      "plan.unknown_reference",
+      "--say",
+      fmt::format("the store has no zone \"{}\"; it has {}; name one of these, or add it first",
+                  type,
+                  name_of_zones(store.plan))};
 }
 
 Result<std::vector<Way>> ways_to_move(const StandingStore& store,

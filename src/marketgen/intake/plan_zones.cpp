@@ -14,7 +14,7 @@ using Kind = plan::RequirementKind;
 constexpr int six_levels_from_mm = 1900;     // gondolas this high hold a sixth level
 constexpr int endcaps_front_from_mm = 5200;  // runs this long spare the floor for an endcap
 constexpr int endcaps_both_from_mm = 8000;
-constexpr double min_area_share = 0.6;  // of the target
+constexpr double min_area_share = 0.6;     // of the target
 constexpr double no_gap_from_fill = 0.99;  // "to the brim": nothing is sold out, either
 constexpr int canopy_mm = 160;             // of wall units, over the highest level's goods
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "intake/store_size.h"
-#include "layout/floor.h"
 #include "intake/zone_sizes.h"
+#include "layout/floor.h"
 
 namespace marketgen::intake {
 namespace {

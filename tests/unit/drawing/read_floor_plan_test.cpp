@@ -87,8 +87,7 @@ TEST(FloorPlanUnits, ThatAreMissingAreAskedFor) {
     EXPECT_NE(plan.error().message.find("--floor-plan-scale"), std::string::npos);
   }
   // A sheet of paper as large as it is holds no floor.
-  const auto sheet =
-      read(svg(room, R"(width="260mm" height="170mm" viewBox="0 0 26000 17000")"));
+  const auto sheet = read(svg(room, R"(width="260mm" height="170mm" viewBox="0 0 26000 17000")"));
   EXPECT_EQ(code_of(sheet), "drawing.no_outline");
   EXPECT_NE(sheet.error().message.find("--floor-plan-scale"), std::string::npos);
   drawing::ReadOptions by_size;
