@@ -17,7 +17,7 @@ intake::Understanding understood(const std::string& prompt) {
 
 plan::Plan counted_plan(const std::string& prompt) {
   static const std::unique_ptr<intake::Planner> planner = [] {
-    auto made = intake::make_planner("offline");
+    auto made = intake::offline_planner();
     if (!made.ok()) fatal(to_string(made.error()).c_str());
     return std::move(made).value();
   }();
