@@ -73,8 +73,9 @@ bool has_till(const layout::Layout& layout) {
   });
 }
 
-// Kinds of shop that can do without tills have none, and need none to be lawful; others keep one.
-TEST(Designs, HaveNoTillsWhereTheirKindCanDoWithout) {
+// Shops whose kind has no tills, and those that were asked for without, have none and need none to be
+// lawful.
+TEST(Designs, HaveNoTillsWhereNoneAreWanted) {
   const auto tills = [](const store::Designed& store) {
     return std::ranges::count_if(store.layout.fixtures, [](const layout::Fixture& fixture) {
       return fixture.kind == "checkout_lane" || fixture.kind == "self_checkout" ||
@@ -83,16 +84,14 @@ TEST(Designs, HaveNoTillsWhereTheirKindCanDoWithout) {
   };
   const std::vector<std::string> without = {"a dark store with frozen food",
                                             "a kiosk with snacks and drinks, no tills",
-                                            "snacks and canned food only, no checkouts"};
+                                            "snacks and canned food only, no checkouts",
+                                            "a hypermarket without checkouts"};
   for (const std::string& prompt : without) {
     const auto store = designed(prompt, 1);
     ASSERT_TRUE(store.ok()) << prompt << ": " << to_string(store.error());
     EXPECT_EQ(hard_faults(store->layout), "") << prompt;
     EXPECT_EQ(tills(*store), 0) << prompt;
   }
-  const auto kept = designed("a hypermarket without checkouts", 1);
-  ASSERT_TRUE(kept.ok()) << to_string(kept.error());
-  EXPECT_GT(tills(*kept), 0);
 }
 
 TEST(Designs, SayWhatWasGivenUp) {
