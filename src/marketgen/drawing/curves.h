@@ -11,8 +11,8 @@ struct Affine {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
 
   Vec2 operator*(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
-  // This one after `first`.
-  Affine operator*(const Affine& first) const;
+  // This one after `m`.
+  Affine operator*(const Affine& m) const;
   double scale() const;  // of lengths, where it is the same in all directions
   bool finite() const;
 };

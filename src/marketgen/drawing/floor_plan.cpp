@@ -99,7 +99,7 @@ Result<FloorPlan> plan_of(Sketch sketch, double mm_per_unit, const std::string& 
   plan.openings_confidence = plan.outline_confidence;
   plan.columns_confidence = plan.outline_confidence;
   if (plan.shell.openings.empty())
-    plan.warnings.push_back(
+    plan.warnings.emplace_back(
         "no door was found in the outer walls; doors are put where they suit the shop");
   return plan;
 }

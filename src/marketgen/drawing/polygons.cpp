@@ -17,7 +17,7 @@ constexpr double miter_limit = 4;
 cl::Path path_of(const Polygon& polygon) {
   cl::Path path;
   for (const Vec2& p : polygon)
-    path.push_back({std::llround(p.x * steps_per_mm), std::llround(p.y * steps_per_mm)});
+    path.emplace_back(std::llround(p.x * steps_per_mm), std::llround(p.y * steps_per_mm));
   return path;
 }
 

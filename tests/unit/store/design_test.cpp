@@ -73,8 +73,8 @@ bool has_till(const layout::Layout& layout) {
   });
 }
 
-// Shops whose kind has no tills, and those that were asked for without, have none and need none to be
-// lawful.
+// Shops whose kind has no tills, and those that were asked for without, have none and need none to
+// be lawful.
 TEST(Designs, HaveNoTillsWhereNoneAreWanted) {
   const auto tills = [](const store::Designed& store) {
     return std::ranges::count_if(store.layout.fixtures, [](const layout::Fixture& fixture) {
