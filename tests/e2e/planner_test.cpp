@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* secret = "e2e-test-key-789";
+constexpr const char* planner_key = "e2e-test-key-789";
 
 json saying(const std::string& text) {
   return {{"body",
@@ -19,7 +19,7 @@ json saying(const std::string& text) {
 
 class PlannerFlag : public testing::Test {
  protected:
-  void SetUp() override { setenv("OPENAI_API_KEY", secret, 1); }
+  void SetUp() override { setenv("OPENAI_API_KEY", planner_key, 1); }
   void TearDown() override { unsetenv("OPENAI_API_KEY"); }
 
   Ran generate(const std::vector<std::string>& more) const {
@@ -60,7 +60,7 @@ TEST_F(PlannerFlag, AModelThatTalksNonsenseLeavesTheOfflineStore) {
   EXPECT_NE(contents_of(scratch_.path() / "shop/agents/index.html").find("openai:m"),
             std::string::npos);
   EXPECT_EQ(marketgen_run({"check", "shop"}, scratch_.path()).status, 0);
-  EXPECT_EQ(all_text_in(scratch_.path()).find(secret), std::string::npos);
+  EXPECT_EQ(all_text_in(scratch_.path()).find(planner_key), std::string::npos);
 }
 
 TEST_F(PlannerFlag, AReplayNeedsNeitherServerNorKey) {
