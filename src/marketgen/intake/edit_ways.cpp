@@ -229,7 +229,9 @@ Result<std::vector<Way>> ways_to_resize(const StandingStore& store,
                   area_m2)};
 }
 
-std::vector<Way> with_more_room(const StandingStore& store, const std::string& zone, Way first) {
+std::vector<Way> with_more_room(const StandingStore& store,
+                                const std::string& zone,
+                                const Way& first) {
   std::vector<Way> ways{first};
   const auto index = plan::zone_index(store.plan, zone);
   if (!index) return ways;

@@ -23,7 +23,9 @@ Result<std::vector<Way>> ways_to_resize(const StandingStore& store,
                                         std::string_view type,
                                         double area_m2);
 // The same beside `first`, which comes before in every way; for a zone that needs more room.
-std::vector<Way> with_more_room(const StandingStore& store, const std::string& zone, Way first);
+std::vector<Way> with_more_room(const StandingStore& store,
+                                const std::string& zone,
+                                const Way& first);
 // Another zone of the type, with so many fixtures where it is counted.
 Result<std::vector<Way>> ways_to_add(const StandingStore& store,
                                      std::string_view type,

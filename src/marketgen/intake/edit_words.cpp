@@ -70,14 +70,25 @@ Ways in_zones(const StandingStore& store, const std::string& type, Takes takes, 
   return one_way(std::move(way));
 }
 
+bool has_gondolas(const StandingStore& store, const plan::Zone& zone) {
+  const catalog::FixtureKind* kind = kind_of(store, zone);
+  return kind != nullptr && kind->generator == "gondola";
+}
+
 Ways set_levels(const StandingStore& store, const std::string& type, int levels) {
-  const auto takes = [&](const plan::Zone& zone) {
-    const catalog::FixtureKind* kind = kind_of(store, zone);
-    return kind != nullptr && kind->generator == "gondola";
-  };
+  const auto takes = [&](const plan::Zone& zone) { return has_gondolas(store, zone); };
   return in_zones(store, type, takes, [&](const plan::Zone& zone) {
     plan::Patch patch = set_fixture(zone.id);
     patch.set_fixture->levels = levels;
+    return patch;
+  });
+}
+
+Ways set_pitch(const StandingStore& store, const std::string& type, int spacing_mm) {
+  const auto takes = [&](const plan::Zone& zone) { return has_gondolas(store, zone); };
+  return in_zones(store, type, takes, [&](const plan::Zone& zone) {
+    plan::Patch patch = set_fixture(zone.id);
+    patch.set_fixture->spacing_mm = spacing_mm;
     return patch;
   });
 }
@@ -310,12 +321,14 @@ Ways ways_of_wish(const StandingStore& store, const plan::Requirement& wish) {
       return ways_to_resize(store, wish.subject, wish.value);
     case Kind::levels:
       return set_levels(store, wish.subject, number);
+    case Kind::shelf_pitch:
+      return set_pitch(store, wish.subject, number);
     case Kind::height:
-      return set_height(store, "", wish.subject, number);
+      return set_height(store, wish.object, wish.subject, number);
     case Kind::aisle_width:
       return set_aisles(store, "", number);
     case Kind::stock:
-      return set_goods(store, "", wish.subject, wish.value);
+      return set_goods(store, wish.object, wish.subject, wish.value);
     case Kind::style:
     case Kind::material:
     case Kind::color:
@@ -329,6 +342,7 @@ Ways ways_of_wish(const StandingStore& store, const plan::Requirement& wish) {
       return size_wished(wish);
     case Kind::zone_count:
     case Kind::aisle_count:
+    case Kind::run_count:
     case Kind::profile:
       break;
   }

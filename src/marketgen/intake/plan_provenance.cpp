@@ -63,9 +63,9 @@ class ProvenanceWriter {
   void add_drawing() {
     if (!sources_.program.shell) return;
     const plan::Shell& drawn = *sources_.program.shell;
-    const bool said = sources_.brief.size_mm || sources_.understanding.find(Kind::size) != nullptr;
-    if (!said) add_drawn("/shell/width_mm");
-    if (!said) add_drawn("/shell/depth_mm");
+    const bool sized = sources_.brief.size_mm || sources_.understanding.find(Kind::size) != nullptr;
+    if (!sized) add_drawn("/shell/width_mm");
+    if (!sized) add_drawn("/shell/depth_mm");
     if (drawn.outline_mm) add_drawn("/shell/outline_mm");
     if (!drawn.columns.empty()) add_drawn("/shell/columns");
     for (std::size_t i = 0; i < plan_.shell.openings.size(); ++i) {
