@@ -72,7 +72,9 @@ TEST(FixtureCounts, RunsAreRead) {
     EXPECT_EQ(runs->second_value, expected.sides) << expected.prompt;
     const plan::Requirement* count = found.find(Kind::fixture_count);
     EXPECT_EQ(count != nullptr, expected.fixtures > 0) << expected.prompt;
-    if (count != nullptr) EXPECT_EQ(count->value, expected.fixtures) << expected.prompt;
+    if (count != nullptr) {
+      EXPECT_EQ(count->value, expected.fixtures) << expected.prompt;
+    }
     EXPECT_TRUE(found.unparsed.empty() || found.unparsed.front().text == "parallel")
         << expected.prompt;
   }

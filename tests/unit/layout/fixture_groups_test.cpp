@@ -130,7 +130,9 @@ TEST(CountedRuns, AreAsManyAsWereAskedFor) {
     EXPECT_EQ(modules_by_run(layout, "gondola").size(), static_cast<std::size_t>(runs));
     EXPECT_TRUE(of_code(layout, "COUNT_SHORT").empty());
     for (const layout::Fixture& fixture : layout.fixtures) {
-      if (fixture.kind == "gondola") EXPECT_EQ(fixture.sides, 2) << fixture.id;
+      if (fixture.kind == "gondola") {
+        EXPECT_EQ(fixture.sides, 2) << fixture.id;
+      }
     }
   }
 }
