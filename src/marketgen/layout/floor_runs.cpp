@@ -64,7 +64,7 @@ std::optional<PlacedRun> build_rows(const FloorTask& task, std::vector<Row> rows
 
 // All that is free; of counted runs one a group, where it is longest.
 std::vector<Span> spans_to_fill(const FloorTask& task, const std::vector<Row>& rows) {
-  const std::vector<Span> spans = common_spans(task.build.site, rows);
+  std::vector<Span> spans = common_spans(task.build.site, rows);
   if (!task.zone.zone->fixture.runs) return spans;
   const std::optional<Span> longest = longest_span(spans);
   return longest ? std::vector{*longest} : std::vector<Span>{};

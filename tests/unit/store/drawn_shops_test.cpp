@@ -83,9 +83,10 @@ TEST(DrawnShops, KeepTheHardRulesInRoomsOfAnyShape) {
                  entrance,
                  designed->repaired.plan.zones.size(),
                  designed->layout.fixtures.size(),
-                 designed->layout.fixtures.size() / area_m2(room.outline),
+                 static_cast<double>(designed->layout.fixtures.size()) / area_m2(room.outline),
                  designed->layout.violations.size());
-      EXPECT_GE(designed->layout.fixtures.size(), area_m2(room.outline) / 12) << room.name;
+      EXPECT_GE(static_cast<double>(designed->layout.fixtures.size()), area_m2(room.outline) / 12)
+          << room.name;
     }
   }
 }
