@@ -32,6 +32,7 @@ const std::map<std::string, Work>& works() {
   static const std::map<std::string, Work> all{
       {"doctor", {{}, false}},
       {"generate", {{"a supermarket", "--size=60x40m", "--count", "50", "-o", "{out}"}}},
+      {"edit", {{"{store}", "--say", "a ceiling height of 4 m", "-o", "{out}"}, false}},
       {"check", {{"{store}"}, false}},
       {"report",
        {{"{store}",

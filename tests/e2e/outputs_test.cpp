@@ -58,6 +58,7 @@ const std::vector<Output>& outputs() {
         "--record",
         "{out}"},
        true},
+      {{"edit"}, "--output", {"{store}", "--say", "a ceiling height of 4 m", "-o", "{out}"}, true},
       {{"report"}, "--output", {"{store}", "-o", "{out}"}},
       {{"query"}, "--output", {"{store}", "products", "-o", "{out}"}, false, true},
       {{"render"}, "--output", {"{store}", "--size", "16x9", "--quality", "fast", "-o", "{out}"}},
