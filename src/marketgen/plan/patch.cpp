@@ -1,5 +1,7 @@
 #include "plan/patch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -95,11 +97,15 @@ class Agreement {
       const auto [known, is_new] = set_.try_emplace(key, Setting{value, index});
       if (is_new || known->second.value == value) continue;
       const std::string field = key.substr(key.rfind(' ') + 1);
-      return Error{"plan.bad_value",
-                   where + "/" + field,
-                   "contradicts /patches/" + std::to_string(known->second.patch) + ", which sets " +
-                       field + " to " + known->second.value + " and not to " + value +
-                       "; keep one of them"};
+      return Error{
+          "plan.bad_value",
+          fmt::format("{}/{}", where, field),
+          fmt::format("contradicts /patches/{}, which sets {} to {} and not to {}; keep one "
+                      "of them",
+                      known->second.patch,
+                      field,
+                      known->second.value,
+                      value)};
     }
     return {};
   }
