@@ -29,6 +29,8 @@ GENERATE = [
     ("profile", 7),
     ("style", "scandinavia"),
     ("plan", 5),
+    ("floor_plan", 5),
+    ("floor_plan_scale", 3),
     ("catalogs", "mine.csv"),
     ("catalogs", [3]),
     ("previews", "yes"),
