@@ -242,8 +242,7 @@ std::filesystem::path next_edit_folder(const std::filesystem::path& store) {
   }
   std::error_code failed;
   for (;; ++number) {
-    std::filesystem::path next =
-        folder.parent_path() / fmt::format("{}-edit-{}", name, number);
+    std::filesystem::path next = folder.parent_path() / fmt::format("{}-edit-{}", name, number);
     if (!std::filesystem::exists(next, failed)) return next;
   }
 }
