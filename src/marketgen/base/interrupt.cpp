@@ -94,11 +94,13 @@ void wait_for_holds() {
   std::error_code ignored;
   for (const std::filesystem::path& path : paths)
     std::filesystem::remove_all(path, ignored);
-  const std::string line = to_string(interrupted_error()) + "\n";
+  Error error = interrupted_error();
+  error.message = "interrupted, and ended by force; nothing half-written was left behind";
+  const std::string line = to_string(error) + "\n";
   pollfd err{STDERR_FILENO, POLLOUT, 0};
   [[maybe_unused]] const ssize_t told =
       poll(&err, 1, 100) > 0 ? write(STDERR_FILENO, line.data(), line.size()) : 0;
-  _exit(exit_status_of(interrupted_error().code));
+  _exit(exit_status_of(error.code));
 }
 
 }  // namespace

@@ -201,6 +201,11 @@ Result<episodes::EpisodeResult> WorkerProcess::run(const std::string& episode,
   bool asked = false;
   while (true) {
     MARKETGEN_TRY(const std::string line, next_line(asked ? for_an_answer : for_ever));
+    // Here too: next_line() looks only where it has to wait, and some are never silent.
+    if (const auto go_on = check_interrupt(); !go_on.ok()) {
+      ended();
+      return go_on.error();
+    }
     asked = line == "asked";
     if (line.starts_with(answered)) {
       if (auto fault = late(line, limits)) return *std::move(fault);

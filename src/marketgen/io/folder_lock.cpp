@@ -65,6 +65,7 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
     if (ftruncate(lock.descriptor_, 0) != 0 ||
         pwrite(lock.descriptor_, owner.data(), owner.size(), 0) < 0)
       return lock_fault(file);
+    add_leftover(file);
     return lock;
   }
   return Error{"io.in_use", folder.string(), "other processes come and go there: try again"};
@@ -86,6 +87,7 @@ FolderLock::FolderLock(FolderLock&& other) noexcept
 
 FolderLock::~FolderLock() {
   if (descriptor_ < 0) return;
+  drop_leftover(file_);
   unlink(file_.c_str());
   close(descriptor_);
 }

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <thread>
 
+#include "base/call_interrupt.h"
 #include "evaluation/evaluate.h"
 #include "io/file.h"
 #include "support/drawn_checkout.h"
@@ -69,6 +72,23 @@ TEST(WorkerProcess, AnAnswerThatNeverComesEndsTheWorker) {
   const auto result = (*worker)->run("{}", {20, 0.4});
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, "episode.policy_hung");
+  EXPECT_FALSE((*worker)->alive());
+}
+
+// It is never silent, so that nobody has to wait for it.
+TEST(WorkerProcess, AnInterruptEndsOneThatAnswersWithoutEnd) {
+  const auto worker =
+      started(script("echo ready; read -r spec; while :; do echo asked; echo 'answered 0'; done"));
+  ASSERT_TRUE(worker.ok()) << to_string(worker.error());
+  std::atomic<bool> stop = false;
+  const CallInterrupt call(&stop);
+  std::jthread stopping([&stop] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    stop = true;
+  });
+  const auto result = (*worker)->run("{}", {20, 1000});
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, "internal.interrupted");
   EXPECT_FALSE((*worker)->alive());
 }
 
