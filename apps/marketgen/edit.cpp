@@ -8,6 +8,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "say.h"
+#include "say_unparsed.h"
 #include "store/edit.h"
 #include "store/edit_words.h"
 
@@ -49,14 +50,6 @@ Result<store::SaidPatches> patches_of(const EditFlags& flags,
   return said;
 }
 
-void print_unparsed(const std::vector<intake::UnparsedWord>& unparsed) {
-  if (unparsed.empty()) return;
-  std::vector<std::string> words;
-  for (const intake::UnparsedWord& word : unparsed)
-    words.push_back("\"" + word.text + "\"");
-  say("unparsed    {}\n", fmt::join(words, ", "));
-}
-
 std::string words_of(const store::ChangeCount& count) {
   const auto number = [](std::uint64_t n) { return with_thousands(static_cast<std::int64_t>(n)); };
   return fmt::format("{} kept, {} moved, {} new, {} gone",
@@ -72,7 +65,7 @@ void print_summary(const EditOutput& output) {
   for (const std::string& wish : output.so_already)
     say("so already  \"{}\"\n", wish);
   if (output.folder.empty()) {
-    print_unparsed(output.unparsed);
+    say_unparsed(output.unparsed);
     return;
   }
   say("store       {}\n", output.folder);
@@ -86,7 +79,7 @@ void print_summary(const EditOutput& output) {
   say("wishes      {} of {} of the prompt met\n", met, output.report.requirements.size());
   for (const std::string& wish : output.lost)
     say("  no longer \"{}\"\n", wish);
-  print_unparsed(output.unparsed);
+  say_unparsed(output.unparsed);
   for (const layout::Violation& v : output.report.rules)
     say("  {:<9} {} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
 }

@@ -10,6 +10,7 @@
 #include "io/output.h"
 #include "number_flags.h"
 #include "say.h"
+#include "say_unparsed.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -93,11 +94,7 @@ void print_requirements(const store::StoreReport& report) {
   }
   for (const intake::Conflict& c : report.conflicts)
     say("  given up  {}: kept {}, not \"{}\": {}\n", c.what, c.kept, c.dropped, c.why);
-  if (report.unparsed.empty()) return;
-  std::vector<std::string> words;
-  for (const intake::UnparsedWord& word : report.unparsed)
-    words.push_back("\"" + word.text + "\"");
-  say("unparsed    {}\n", fmt::join(words, ", "));
+  say_unparsed(report.unparsed);
 }
 
 void print_rules(const store::StoreReport& report) {

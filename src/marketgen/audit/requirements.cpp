@@ -2,104 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <fmt/format.h>
 
+#include "audit/fixture_requirements.h"
 #include "audit/metrics.h"
-#include "audit/straight_runs.h"
+#include "audit/requirement_facts.h"
 #include "audit/traffic.h"
-#include "layout/floor.h"
 #include "layout/relations.h"
 #include "scene/assortment.h"
 
 namespace marketgen::audit {
 namespace {
-
-struct Verdict {
-  bool met;
-  std::string why;
-};
-
-// What every check may look at.
-struct Facts {
-  const scene::Scene& scene;
-  const catalog::Catalog& catalog;
-  std::vector<std::uint64_t> items_on_fixture;
-};
-
-Facts facts_of(const scene::Scene& scene, const catalog::Catalog& catalog) {
-  Facts facts{scene, catalog, std::vector<std::uint64_t>(scene.fixtures.size(), 0)};
-  for (const scene::Facing& f : scene.facings)
-    facts.items_on_fixture[scene.shelves[f.shelf].fixture] += f.product_count;
-  return facts;
-}
-
-bool compares(const plan::Requirement& r, double measured, double tolerance = 1e-9) {
-  switch (r.comparison) {
-    case plan::Comparison::at_least:
-      return measured >= r.value - tolerance;
-    case plan::Comparison::at_most:
-      return measured <= r.value + tolerance;
-    default:
-      return std::abs(measured - r.value) <= tolerance;
-  }
-}
-
-std::string_view sign(plan::Comparison comparison) {
-  switch (comparison) {
-    case plan::Comparison::at_least:
-      return "at least ";
-    case plan::Comparison::at_most:
-      return "at most ";
-    default:
-      return "";
-  }
-}
-
-Verdict number_verdict(const plan::Requirement& r,
-                       double measured,
-                       std::string_view what,
-                       std::string_view unit,
-                       double tolerance = 1e-9) {
-  return {compares(r, measured, tolerance),
-          fmt::format("{} {:g}{}; asked for {}{:g}{}",
-                      what,
-                      measured,
-                      unit,
-                      sign(r.comparison),
-                      r.value,
-                      unit)};
-}
-
-bool is_of(const layout::LayoutZone& zone, const std::string& name) {
-  return zone.type == name || zone.id == name;
-}
-
-std::vector<const layout::LayoutZone*> zones_of(const Facts& facts, const std::string& name) {
-  std::vector<const layout::LayoutZone*> zones;
-  for (const layout::LayoutZone& zone : facts.scene.layout.zones) {
-    if (is_of(zone, name)) zones.push_back(&zone);
-  }
-  return zones;
-}
-
-bool in_zone(const Facts& facts, const layout::Fixture& fixture, const std::string& name) {
-  if (name.empty()) return true;
-  const layout::LayoutZone* zone = layout::find_zone(facts.scene.layout, fixture.zone);
-  return zone != nullptr && is_of(*zone, name);
-}
-
-// Within a few steps of such a door.
-bool stands_by(const Facts& facts, const layout::Fixture& fixture, plan::OpeningKind kind) {
-  constexpr double steps_mm = 6000;
-  const RectMm rect = layout::footprint_of(fixture);
-  const layout::Floor floor = layout::make_floor(facts.scene.layout.shell);
-  return std::any_of(floor.doorways.begin(), floor.doorways.end(), [&](const auto& door) {
-    return facts.scene.layout.shell.openings[door.opening].kind == kind &&
-           distance_mm(rect, point_rect(door.threshold)) <= steps_mm + door.span.length() / 2.0;
-  });
-}
 
 // A zone is there when it covers floor and what its type needs stands in it: shelving with goods on
 // it, or tills and equipment. What stands at the entrance happens to lie in some zone.
@@ -182,125 +96,8 @@ Verdict check_zone_absent(const Facts& facts, const plan::Requirement& r) {
   return {number == 0, fmt::format("{} {} zones", number, r.subject)};
 }
 
-// Of the kind, in the zone type or by the door that the wish names (second_object).
-bool is_counted(const Facts& facts, const plan::Requirement& r, const layout::Fixture& fixture) {
-  const std::string kind = r.subject == "checkout" ? "checkout_lane" : r.subject;
-  const bool counter = kind == "checkout_lane" && fixture.kind == "till-counter";  // small shops
-  if (fixture.kind != kind && !counter) return false;
-  const auto door = value_named<plan::OpeningKind>(r.second_object);
-  return door ? stands_by(facts, fixture, *door) : in_zone(facts, fixture, r.second_object);
-}
-
-Verdict check_fixture_count(const Facts& facts, const plan::Requirement& r) {
-  const auto& fixtures = facts.scene.layout.fixtures;
-  const auto number = std::count_if(fixtures.begin(), fixtures.end(), [&](const auto& fixture) {
-    return is_counted(facts, r, fixture);
-  });
-  return number_verdict(r, static_cast<double>(number), r.subject + ":", "");
-}
-
-// Straight lines of modules that stand together: those of one run, a double-sided one or two back
-// to back counting once where sides are asked for.
-Verdict check_run_count(const Facts& facts, const plan::Requirement& r) {
-  std::vector<layout::Fixture> counted;
-  for (const layout::Fixture& fixture : facts.scene.layout.fixtures) {
-    if (is_counted(facts, r, fixture)) counted.push_back(fixture);
-  }
-  const std::vector<StraightRun> runs = straight_runs(counted);
-  int single = 0, paired = 0, twofold = 0;
-  for (const StraightRun& run : runs) {
-    if (run.sides == 2)
-      ++twofold;
-    else
-      ++(run.back_to_back ? paired : single);
-  }
-  if (r.second_value == 0) return number_verdict(r, static_cast<double>(runs.size()), "runs:", "");
-  const int both = twofold + paired / 2;
-  const bool two = r.second_value == 2;
-  Verdict verdict =
-      number_verdict(r, two ? both : single, two ? "double-sided runs:" : "single-sided runs:", "");
-  const int others = two ? single : both;
-  if (others == 0) return verdict;
-  return {false, verdict.why + fmt::format("; {} others", others)};
-}
-
 Verdict check_aisle_count(const Facts& facts, const plan::Requirement& r) {
   return number_verdict(r, shopping_aisles(facts.scene), "aisles between shelves:", "");
-}
-
-// Ambient shelving with several levels: what people mean by "shelves".
-bool is_shelving(const Facts& facts, const layout::Fixture& fixture) {
-  const catalog::FixtureKind* kind = facts.catalog.fixture_kind(fixture.kind);
-  constexpr int several = 4;
-  return kind != nullptr && kind->role == catalog::FixtureRole::shelving &&
-         kind->temperature == catalog::Storage::ambient && kind->level_range[1] >= several;
-}
-
-// Whether what is asked of `zone` ("": of all but some) is asked of what stands there.
-bool holds_for(const Facts& facts,
-               const plan::Requirement& r,
-               const std::string& zone,
-               const layout::Fixture& fixture) {
-  return in_zone(facts, fixture, zone) &&
-         std::ranges::none_of(
-             r.except, [&](const std::string& name) { return in_zone(facts, fixture, name); });
-}
-
-// The shelves of a zone, or all gondolas.
-bool levels_count(const Facts& facts, const plan::Requirement& r, std::size_t i) {
-  const layout::Fixture& fixture = facts.scene.layout.fixtures[i];
-  const bool meant = r.subject.empty() ? is_shelving(facts, fixture) && fixture.kind == "gondola"
-                                       : facts.scene.fixtures[i].shelf_count > 0;
-  return meant && fixture.endcap_of.empty() && holds_for(facts, r, r.subject, fixture);
-}
-
-// Heights of the boards of one side over the floor, lowest first.
-std::vector<double> boards_mm(const Facts& facts, std::size_t i) {
-  const scene::SceneFixture& row = facts.scene.fixtures[i];
-  std::vector<double> heights;
-  for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s) {
-    if (facts.scene.shelves[s].side == 0)
-      heights.push_back(1e3 * static_cast<double>(facts.scene.shelves[s].position_m[2]));
-  }
-  std::ranges::sort(heights);
-  return heights;
-}
-
-Verdict check_levels(const Facts& facts, const plan::Requirement& r) {
-  std::set<std::size_t> seen;
-  for (std::size_t i = 0; i < facts.scene.fixtures.size(); ++i) {
-    if (levels_count(facts, r, i)) seen.insert(boards_mm(facts, i).size());
-  }
-  const bool met = !seen.empty() && std::ranges::all_of(seen, [&](std::size_t n) {
-    return compares(r, static_cast<double>(n));
-  });
-  return {met,
-          fmt::format("shelves have {} levels; asked for {}{:g}",
-                      fmt::join(seen, " or "),
-                      sign(r.comparison),
-                      r.value)};
-}
-
-Verdict check_shelf_pitch(const Facts& facts, const plan::Requirement& r) {
-  constexpr double tolerance_mm = 5;  // boards hang in slots
-  std::set<long> seen;                // whole millimetres
-  bool met = true;
-  for (std::size_t i = 0; i < facts.scene.fixtures.size(); ++i) {
-    if (!levels_count(facts, r, i)) continue;
-    const std::vector<double> heights = boards_mm(facts, i);
-    for (std::size_t k = 1; k < heights.size(); ++k) {
-      const double pitch = heights[k] - heights[k - 1];
-      met = met && compares(r, pitch, tolerance_mm);
-      seen.insert(std::lround(pitch));
-    }
-  }
-  if (seen.empty()) return {false, "there are no such shelves with several levels"};
-  return {met,
-          fmt::format("boards are {} to {} mm apart; asked for {}{:g} mm",
-                      *seen.begin(),
-                      *seen.rbegin(),
-                      sign(r.comparison),
-                      r.value)};
 }
 
 Verdict check_relation_holds(const Facts& facts, const plan::Requirement& r) {
@@ -394,36 +191,6 @@ Verdict check_opening(const Facts& facts, const plan::Requirement& r) {
   return {number > 0, fmt::format("{} {}", what, number)};
 }
 
-Verdict check_endcaps(const Facts& facts, const plan::Requirement& r) {
-  const auto& fixtures = facts.scene.layout.fixtures;
-  const auto number =
-      std::count_if(fixtures.begin(), fixtures.end(), [&](const layout::Fixture& f) {
-        return !f.endcap_of.empty() && in_zone(facts, f, r.subject);
-      });
-  const bool unwanted = r.comparison == plan::Comparison::at_most && r.value == 0;
-  return {unwanted ? number == 0 : number > 0, fmt::format("{} endcaps", number)};
-}
-
-Verdict check_height(const Facts& facts, const plan::Requirement& r) {
-  if (r.subject == "ceiling")
-    return number_verdict(r, facts.scene.layout.shell.ceiling_mm, "the ceiling is at", " mm", 10);
-  double lowest = 0, highest = 0;
-  for (const layout::Fixture& f : facts.scene.layout.fixtures) {
-    const bool counted = r.subject.empty() || r.subject == "shelf" ||
-                                 facts.catalog.fixture_kind(r.subject) == nullptr
-                             ? f.kind == "gondola"
-                             : f.kind == r.subject;
-    if (!counted || !holds_for(facts, r, r.object, f)) continue;
-    lowest = lowest == 0 ? f.height_mm : std::min<double>(lowest, f.height_mm);
-    highest = std::max<double>(highest, f.height_mm);
-  }
-  if (highest == 0) return {false, "there are no such fixtures"};
-  const bool low_is_worse =
-      r.comparison == plan::Comparison::at_least ||
-      (r.comparison == plan::Comparison::equal && r.value - lowest > highest - r.value);
-  return number_verdict(r, low_is_worse ? lowest : highest, "shelves are high", " mm", 10);
-}
-
 Verdict check_aisle_width(const Facts& facts, const plan::Requirement& r) {
   int narrowest = 0;
   for (const layout::Aisle& aisle : facts.scene.layout.aisles) {
@@ -438,47 +205,6 @@ Verdict check_aisle_width(const Facts& facts, const plan::Requirement& r) {
             fmt::format(
                 "narrowest aisle between shelves {} mm; asked for {:g} mm", narrowest, r.value)};
   return number_verdict(at_least, narrowest, "narrowest aisle between shelves", " mm", 10);
-}
-
-// On the fixtures that the wish is about.
-StockCount stock_meant(const Facts& facts, const plan::Requirement& r) {
-  std::vector<bool> meant;
-  for (const layout::Fixture& fixture : facts.scene.layout.fixtures)
-    meant.push_back(holds_for(facts, r, r.object, fixture));
-  return stock_on(facts.scene, meant);
-}
-
-double share_of(double part, double whole) {
-  return whole > 0 ? part / whole : 0;
-}
-
-// Disorder shows as items in the wrong place: some when it was asked for, no more than the share
-// that was allowed.
-Verdict check_order(const plan::Requirement& r, const StockCount& count) {
-  const bool wanted = r.comparison == plan::Comparison::at_least ||
-                      (r.comparison == plan::Comparison::equal && r.value > 0);
-  const double most = r.value * static_cast<double>(count.items);
-  return {wanted ? count.misplaced > 0 : static_cast<double>(count.misplaced) <= most,
-          fmt::format("{} items stand in the wrong place", count.misplaced)};
-}
-
-Verdict check_gaps(const plan::Requirement& r, const StockCount& count) {
-  const double share =
-      share_of(static_cast<double>(count.empty_blocks), static_cast<double>(count.blocks));
-  const double tolerance = 0.01 + r.value / 4;  // which blocks are sold out is drawn by chance
-  return {compares(r, share, tolerance),
-          fmt::format("{:.0f} % of the facing blocks are sold out", 100 * share)};
-}
-
-Verdict check_stock(const Facts& facts, const plan::Requirement& r) {
-  const StockCount count = stock_meant(facts, r);
-  if (count.blocks == 0) return {false, "no goods stand there"};
-  if (r.subject == "misplaced" || r.subject == "jitter") return check_order(r, count);
-  if (r.subject == "out_of_stock") return check_gaps(r, count);
-  const double fill = share_of(count.stocked_m, count.front_m);
-  constexpr double tolerance = 0.12;  // packs do not divide a shelf evenly
-  return {compares(r, fill, tolerance),
-          fmt::format("{:.0f} % of the shelf front is stocked", 100 * fill)};
 }
 
 Verdict check_light(const Facts& facts, const plan::Requirement& r) {

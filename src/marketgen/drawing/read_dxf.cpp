@@ -144,14 +144,6 @@ class DxfReader {
   }
 
  private:
-  Error too_much() const {
-    return {
-        "drawing.bad_file",
-        where_,
-        "the drawing has too many lines for a floor plan; leave walls, doors, windows and columns "
-        "only"};
-  }
-
   void read_header() {
     for (; at_ < tags_.size() && tags_[at_].code != 0; ++at_) {
       if (tags_[at_].code != 9 || tags_[at_].value != "$INSUNITS" || at_ + 1 >= tags_.size())
@@ -205,7 +197,7 @@ class DxfReader {
                     const std::string& name,
                     int symbol,
                     int depth) {
-    if (++drawn_ > max_points) return too_much();
+    if (++drawn_ > max_points) return too_many_lines(where_);
     if (e.whole(67) == 1) return {};  // paper space
     const std::string layer(e.text(8));
     if (const Role said = role_of(layer); said != Role::unknown) role = said;
@@ -251,7 +243,7 @@ class DxfReader {
                           moved(column * e.number(44), row * e.number(45)) *
                           scaled(e.number(41, 1), e.number(42, 1)) *
                           moved(-found->second.base.x, -found->second.base.y);
-        if (++drawn_ > max_points) return too_much();
+        if (++drawn_ > max_points) return too_many_lines(where_);
         const int own = row + column == 0 ? symbol : symbols_++;
         for (const Entity& inner : found->second.entities)
           MARKETGEN_CHECK(draw(inner, at, role, full, own, depth + 1));
@@ -386,7 +378,8 @@ class DxfReader {
                    double width = 0,
                    bool curved = false) {
     points_ += points.size();
-    if (sketch_.strokes.size() >= max_strokes || points_ > max_points) return too_much();
+    if (sketch_.strokes.size() >= max_strokes || points_ > max_points)
+      return too_many_lines(where_);
     if (points.size() < 2) return {};
     Stroke stroke;
     for (Vec2& p : points) {

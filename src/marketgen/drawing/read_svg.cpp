@@ -100,14 +100,6 @@ class SvgReader {
   }
 
  private:
-  Error too_much() const {
-    return {
-        "drawing.bad_file",
-        where_,
-        "the drawing has too many lines for a floor plan; leave walls, doors, windows and columns "
-        "only"};
-  }
-
   void warn(const std::string& text) {
     if (warned_.insert(text).second) sketch_.warnings.push_back(text);
   }
@@ -147,7 +139,7 @@ class SvgReader {
   }
 
   Result<void> element(const XMLElement& e, const Around& around, int uses) {
-    if (++elements_ > max_strokes) return too_much();
+    if (++elements_ > max_strokes) return too_many_lines(where_);
     std::string_view tag = e.Name();
     if (tag.starts_with("svg:")) tag.remove_prefix(4);
     if (note_unread(e, tag)) return {};
@@ -289,7 +281,8 @@ class SvgReader {
   Result<void> add(std::vector<Vec2> points, bool closed, bool curved, const Around& around) {
     if (points.size() < 2) return {};
     points_ += points.size();
-    if (sketch_.strokes.size() >= max_strokes || points_ > max_points) return too_much();
+    if (sketch_.strokes.size() >= max_strokes || points_ > max_points)
+      return too_many_lines(where_);
     Stroke stroke;
     for (Vec2& p : points)
       p = around.place * p;

@@ -49,6 +49,13 @@ struct Sketch {
 // More than these is no floor plan.
 constexpr std::size_t max_strokes = 200'000;
 constexpr std::size_t max_points = 2'000'000;
+inline Error too_many_lines(const std::string& where) {
+  return {
+      "drawing.bad_file",
+      where,
+      "the drawing has too many lines for a floor plan; leave walls, doors, windows and columns "
+      "only"};
+}
 
 // `where` names the text in errors: drawing.bad_file. Nothing outside the text is ever read.
 Result<Sketch> read_svg(std::string_view text, const std::string& where);

@@ -41,16 +41,13 @@ SaidSize said_size(const Brief& brief, const Understanding& found) {
   return {};
 }
 
-double floor_m2(const plan::Shell& shell) {
-  return shell.outline_mm ? area_m2(*shell.outline_mm) : 1e-6 * shell.width_mm * shell.depth_mm;
-}
-
 // How much wider and deeper the drawing must be.
 std::array<double, 2> stretch_of(const SaidSize& said, const plan::Shell& drawn) {
   const double x = said.width_mm / drawn.width_mm, y = said.depth_mm / drawn.depth_mm;
   if (x > 0 && y > 0) return {x, y};
   if (x > 0 || y > 0) return {x + y, x + y};
-  const double both = said.area_m2 > 0 ? std::sqrt(said.area_m2 / floor_m2(drawn)) : 1;
+  const double both =
+      said.area_m2 > 0 ? std::sqrt(said.area_m2 / area_m2(plan::floor_of(drawn))) : 1;
   return {both, both};
 }
 

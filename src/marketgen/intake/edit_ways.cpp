@@ -144,15 +144,9 @@ std::vector<WeighedWay> cuts_for_area(const StandingStore& store,
 plan::Zone new_zone(const StandingStore& store,
                     const catalog::ZoneTypeRow& type,
                     std::optional<int> count) {
-  plan::Zone zone;
+  plan::Zone zone = plan::usual_zone(type, store.catalog);
   zone.id = plan::unused_id(store.plan, type.type);
-  zone.type = type.type;
-  zone.label = type.label;
-  zone.anchor = type.anchor;
-  zone.fixture.kind = type.fixture;
   zone.fixture.count = count;
-  const catalog::FixtureKind* kind = store.catalog.fixture_kind(type.fixture);
-  zone.temperature = kind != nullptr ? kind->temperature : type.temperature;
   if (const catalog::ProfileRow* profile = store.catalog.profile(store.plan.profile))
     zone.stock.fill = profile->stock_fill;
   return zone;

@@ -106,7 +106,6 @@ constexpr StatementKind statement_kinds[] = {
     {"floor_of_shop", interpret_floor_of_shop},
     {"doors_shared", interpret_doors_shared},
     {"only_tills", interpret_only_tills},
-    {"in_turn", interpret_in_turn},
     {"count_of_it", interpret_count_of_it},
 };
 

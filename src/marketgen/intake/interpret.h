@@ -72,6 +72,10 @@ bool interpret(Reading& reading, const language::Meaning& statement);
 // What a statement says besides: nouns are mentioned, statements interpreted (slot also).
 void interpret_also(Reading& reading, const language::Meaning& statement);
 
+// Whether a size or an area of the shop's floor was said before.
+bool shop_is_measured(const Reading& reading);
+bool names_a_shop(const Segment& segment);
+
 // What "20 m2" or "5 x 4 m" is said of: `zone`, or the shop (null, or a zone that is what was asked
 // for or one of many that it has). `after`: the zone stands after the number.
 bool add_floor(Reading& reading,
@@ -135,7 +139,6 @@ bool interpret_zone_value(Reading& reading, const language::Meaning& said);
 bool interpret_floor_of_shop(Reading& reading, const language::Meaning& statement);
 bool interpret_floor_of_it(Reading& reading, const language::Meaning& statement);
 bool interpret_count_of_it(Reading& reading, const language::Meaning& statement);
-bool interpret_in_turn(Reading& reading, const language::Meaning& statement);
 bool interpret_lacking(Reading& reading, const language::Meaning& statement);
 bool interpret_levels_of(Reading& reading, const language::Meaning& statement);
 bool interpret_doors_at(Reading& reading, const language::Meaning& statement);

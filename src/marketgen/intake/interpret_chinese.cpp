@@ -18,16 +18,6 @@ std::string zone_spoken_of(const Reading& reading) {
   return reading.memory->recent.back().back()->text("zone");
 }
 
-bool sentence_names_a_shop(const Reading& reading) {
-  return std::ranges::any_of(*reading.segments, [](const Segment& segment) {
-    return segment.sense == Sense::shop || segment.sense == Sense::profile;
-  });
-}
-
-bool floor_was_said(const Reading& reading) {
-  return reading.found.find(Kind::size) != nullptr || reading.found.find(Kind::area, "") != nullptr;
-}
-
 }  // namespace
 
 // "面宽20米，进深15米": always the shop's, so that a second one contradicts the first.
@@ -40,7 +30,8 @@ bool interpret_floor_of_shop(Reading& reading, const Meaning& statement) {
 bool interpret_floor_of_it(Reading& reading, const Meaning& statement) {
   const Meaning& extent = *statement.parts("extent").front();
   const std::string zone = zone_spoken_of(reading);
-  const bool of_shop = !floor_was_said(reading) && (zone.empty() || sentence_names_a_shop(reading));
+  const bool shop_is_named = std::ranges::any_of(*reading.segments, names_a_shop);
+  const bool of_shop = !shop_is_measured(reading) && (zone.empty() || shop_is_named);
   if (!of_shop && zone.empty()) return false;
   plan::Requirement area = reading.wish(Kind::area, extent.span);
   if (!of_shop) area.subject = zone;
@@ -57,21 +48,6 @@ bool interpret_count_of_it(Reading& reading, const Meaning& statement) {
   thing.slots["count"] = statement.parts("count");
   thing.span = statement.span;
   add_count(reading, thing);
-  return true;
-}
-
-// "果蔬、肉类、烘焙分别是60、40、25平方米": the first the first, and so on.
-bool interpret_in_turn(Reading& reading, const Meaning& statement) {
-  const Parts& things = statement.parts("things");
-  const Parts& numbers = statement.parts("numbers");
-  if (things.size() != numbers.size()) return false;
-  interpret_mention(reading, statement);
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    if (things[i]->text("zone").empty()) continue;
-    plan::Requirement& area = reading.add(Kind::area, statement.span);
-    area.subject = things[i]->text("zone");
-    area.value = numbers[i]->number("value") * statement.number("per");
-  }
   return true;
 }
 

@@ -121,8 +121,7 @@ bool interpret_respectively(Reading& reading, const Meaning& statement) {
       number.slots["value"] = number.number("value") * statement.number("per");
     add_number(reading, wish, number, true);
   }
-  mention_zones(reading, things);
-  return true;
+  return interpret_mention(reading, statement);
 }
 
 // "Detergents exactly as the dry goods": whatever the other zone has for itself.

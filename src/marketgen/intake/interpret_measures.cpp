@@ -14,18 +14,10 @@ constexpr double metre_mm = 1000;
 // Two bare numbers are metres when a shop could have that size.
 constexpr double min_store_m = 4, max_store_m = 200;
 
-bool shop_is_measured(const Reading& reading) {
-  return reading.found.find(Kind::size) != nullptr || reading.found.find(Kind::area, "") != nullptr;
-}
-
 bool floor_is_known(const Reading& reading) {
   const plan::Requirement* size = reading.found.find(Kind::size);
   return reading.found.find(Kind::area, "") != nullptr ||
          (size != nullptr && size->value > 0 && size->second_value > 0);
-}
-
-bool names_a_shop(const Segment& segment) {
-  return segment.sense == Sense::shop || segment.sense == Sense::profile;
 }
 
 bool is_goods(const Segment& segment) {
@@ -103,6 +95,14 @@ void mention_parts(Reading& reading, const language::Parts& parts) {
 }
 
 }  // namespace
+
+bool shop_is_measured(const Reading& reading) {
+  return reading.found.find(Kind::size) != nullptr || reading.found.find(Kind::area, "") != nullptr;
+}
+
+bool names_a_shop(const Segment& segment) {
+  return segment.sense == Sense::shop || segment.sense == Sense::profile;
+}
 
 bool add_floor(Reading& reading, const Meaning& floor, const Meaning* zone, bool after) {
   const std::string owner = owner_of(reading, zone, after);

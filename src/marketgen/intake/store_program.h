@@ -47,7 +47,7 @@ struct StoreProgram {
   std::optional<plan::Shell> shell;            // drawn
   std::vector<RectMm> outside;                 // what is no floor within its bounds
   double area_m2() const {
-    if (shell && shell->outline_mm) return marketgen::area_m2(*shell->outline_mm);
+    if (shell) return marketgen::area_m2(plan::floor_of(*shell));
     return 1e-6 * width_mm * depth_mm;
   }
 };

@@ -17,6 +17,7 @@ class AsciiPlan {
  public:
   explicit AsciiPlan(const Layout& layout)
       : layout_(layout),
+        floor_(plan::floor_of(layout.shell)),
         cell_mm_(std::max(
             min_cell_mm,
             (std::max(layout.shell.width_mm, layout.shell.depth_mm) + max_cells - 1) / max_cells)),
@@ -53,13 +54,13 @@ class AsciiPlan {
   }
 
   char floor_at(PointMm point) const {
-    if (!contains(plan::floor_of(layout_.shell), point)) return ' ';
+    if (!contains(floor_, point)) return ' ';
     for (const plan::Column& column : layout_.shell.columns) {
       if (plan::footprint_of(column).contains(point)) return 'o';
     }
-    for (const LayoutZone& zone : layout_.zones) {
-      if (contains(zone.polygon_mm, point))
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(mark_of(zone.id))));
+    for (std::size_t i = 0; i < layout_.zones.size(); ++i) {
+      if (contains(layout_.zones[i].polygon_mm, point))
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(mark_of_zone(i))));
     }
     return '.';
   }
@@ -116,6 +117,7 @@ class AsciiPlan {
   }
 
   const Layout& layout_;
+  PolygonMm floor_;
   int cell_mm_, columns_, rows_;
   std::vector<std::string> lines_;
 };

@@ -68,6 +68,17 @@ std::string unused_id(const Plan& plan, const std::string& wanted) {
   return id;
 }
 
+Zone usual_zone(const catalog::ZoneTypeRow& type, const catalog::Catalog& catalog) {
+  Zone zone;
+  zone.type = type.type;
+  zone.label = type.label;
+  zone.anchor = type.anchor;
+  zone.fixture.kind = type.fixture;
+  const catalog::FixtureKind* kind = catalog.fixture_kind(type.fixture);
+  zone.temperature = kind != nullptr ? kind->temperature : type.temperature;
+  return zone;
+}
+
 Node take_out_leaf(Plan& plan, std::size_t leaf) {
   const std::size_t parent = *parent_of(plan, leaf);
   Node cut = plan.nodes[parent];

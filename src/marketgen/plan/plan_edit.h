@@ -18,6 +18,9 @@ std::optional<std::size_t> node_index(const Plan& plan, std::string_view node);
 // `wanted`, or "wanted-2", "wanted-3"…: no zone, node or opening has it.
 std::string unused_id(const Plan& plan, const std::string& wanted);
 
+// A zone as its type's row has it: label, anchor, fixture kind and temperature; no id yet.
+Zone usual_zone(const catalog::ZoneTypeRow& type, const catalog::Catalog& catalog);
+
 // Takes the leaf and the cut above it out of the tree: what was cut off with it gets its floor.
 // Pointers of the provenance that come after are counted anew, those into removed rows go.
 // Precondition: not the root. Returns the cut.

@@ -118,10 +118,8 @@ Result<std::unique_ptr<intake::Planner>> make_planner(const std::string& name,
   if (std::ranges::find(families, family) == families.end() || named == (family == "offline"))
     return bad_name(name);
   MARKETGEN_CHECK(check_access(name, family, access));
+  if (family == "offline") return intake::offline_planner();
   MARKETGEN_TRY(intake::OfflinePlanner offline, intake::OfflinePlanner::load());
-  if (family == "offline")
-    return std::unique_ptr<intake::Planner>(
-        std::make_unique<intake::OfflinePlanner>(std::move(offline)));
   MARKETGEN_TRY(
       llm::LanguageModel model,
       family == "replay" ? recorded_model(name.substr(colon + 1)) : live_model(name, access));

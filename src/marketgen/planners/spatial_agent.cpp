@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "layout/layout_rules.h"
+#include "plan/plan_edit.h"
 #include "plan/style_look.h"
 
 namespace marketgen::planners {
@@ -144,12 +145,7 @@ Result<plan::Zone> zone_of(const FloorProposal::ProposedZone& proposed,
       return catalog::unknown_name(
           "llm.bad_answer", "answer:/zones/type", "zone type", proposed.type, names);
     }
-    const catalog::FixtureKind* kind = assignment.catalog.fixture_kind(row->fixture);
-    zone.type = row->type;
-    zone.label = row->label;
-    zone.anchor = row->anchor;
-    zone.temperature = kind != nullptr ? kind->temperature : row->temperature;
-    zone.fixture.kind = row->fixture;
+    zone = plan::usual_zone(*row, assignment.catalog);
   }
   zone.id = proposed.id;
   if (!proposed.label.empty()) zone.label = proposed.label;

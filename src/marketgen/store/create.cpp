@@ -97,15 +97,8 @@ Result<Designed> design(const CreateOptions& options,
                              : layout_of(designed.repaired, catalog, layout_seed);
   }));
   if (options.plan_file || keeps_hard_rules(designed.layout.violations)) return designed;
-  // The offline planner concedes; what a language model did before stays on record.
-  std::optional<intake::PlannerRecord> record = std::move(designed.planned.record);
-  std::vector<intake::PlannerFile> files = std::move(designed.planned.files);
-  MARKETGEN_TRY(Designed conceded, stages.run("concede", [&] {
-    return concede(std::move(designed), plan, catalog, layout_seed);
-  }));
-  conceded.planned.record = std::move(record);
-  conceded.planned.files = std::move(files);
-  return conceded;
+  return stages.run("concede",
+                    [&] { return concede(std::move(designed), plan, catalog, layout_seed); });
 }
 
 // Why a wish was not met is what was measured, and what stood in its way.

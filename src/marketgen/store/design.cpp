@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -198,6 +199,9 @@ Result<Designed> concede(Designed first,
                          const PlanAgain& plan_again,
                          const catalog::Catalog& catalog,
                          Seed layout_seed) {
+  // Whatever is planned again, what a language model did before stays on record.
+  const std::optional<intake::PlannerRecord> record = first.planned.record;
+  const std::vector<intake::PlannerFile> files = first.planned.files;
   Designed best = first, now = std::move(first);
   Bargain bargain;
   std::int64_t work_left = layout::max_repair_work / 2;  // for all rounds together
@@ -219,6 +223,8 @@ Result<Designed> concede(Designed first,
   }
   if (best.layout.fixtures.empty())
     return Error{"layout.impossible", "prompt", best.layout.violations.front().message};
+  best.planned.record = record;
+  best.planned.files = files;
   return best;
 }
 

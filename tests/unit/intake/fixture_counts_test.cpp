@@ -16,14 +16,9 @@ intake::Understanding understood(const std::string& prompt) {
 }
 
 plan::Plan counted_plan(const std::string& prompt) {
-  static const std::unique_ptr<intake::Planner> planner = [] {
-    auto made = intake::offline_planner();
-    if (!made.ok()) fatal(to_string(made.error()).c_str());
-    return std::move(made).value();
-  }();
   intake::Brief brief;
   brief.prompt = prompt;
-  auto made = intake::plan_from_brief(brief, committed_catalog(), *planner, Seed(1));
+  auto made = intake::plan_from_brief(brief, committed_catalog(), shipped_planner(), Seed(1));
   if (!made.ok()) fatal(to_string(made.error()).c_str());
   return std::move(made->plan);
 }

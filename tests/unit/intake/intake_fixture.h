@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catalog/catalog.h"
@@ -24,6 +26,15 @@ inline const intake::Language& shipped_language() {
 }
 inline const intake::Lexicon& shipped_lexicon() {
   return shipped_language().lexicon;
+}
+
+inline const intake::Planner& shipped_planner() {
+  static const std::unique_ptr<intake::Planner> planner = [] {
+    auto made = intake::offline_planner();
+    if (!made.ok()) fatal(to_string(made.error()).c_str());
+    return std::move(made).value();
+  }();
+  return *planner;
 }
 
 // "relation left_of bakery entrance", "fixture_count checkout_lane >=3", "size 24000x15000",

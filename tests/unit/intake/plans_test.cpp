@@ -13,14 +13,9 @@ namespace marketgen {
 namespace {
 
 Result<intake::Planned> planned(const std::string& prompt, std::uint64_t seed = 1) {
-  static const std::unique_ptr<intake::Planner> planner = [] {
-    auto made = intake::offline_planner();
-    if (!made.ok()) fatal(to_string(made.error()).c_str());
-    return std::move(made).value();
-  }();
   intake::Brief brief;
   brief.prompt = prompt;
-  return intake::plan_from_brief(brief, committed_catalog(), *planner, Seed(seed));
+  return intake::plan_from_brief(brief, committed_catalog(), shipped_planner(), Seed(seed));
 }
 
 plan::Plan plan_of(const std::string& prompt, std::uint64_t seed = 1) {
