@@ -89,7 +89,8 @@ Result<std::array<int, 2>> floor_size_of(const Brief& brief,
 
 bool floor_size_is_said(const Brief& brief, const Understanding& found) {
   double area_m2 = 0;
-  return brief.size_mm || found.find(Kind::size) != nullptr || area_wish(found, area_m2) != nullptr;
+  return brief.shell || brief.size_mm || found.find(Kind::size) != nullptr ||
+         area_wish(found, area_m2) != nullptr;
 }
 
 }  // namespace marketgen::intake

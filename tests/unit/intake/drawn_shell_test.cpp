@@ -53,6 +53,18 @@ TEST(DrawnShell, IsThePlansShell) {
     EXPECT_EQ(source_of(result->plan, path), plan::Source::drawing) << path;
 }
 
+// What is counted makes a floor larger where nobody said how large it is; the drawing says it.
+TEST(DrawnShell, DoesNotGrowWithWhatIsCounted) {
+  const auto result = planned(brief_with_l("a supermarket with ninety chest freezers"));
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  EXPECT_EQ(result->plan.shell.width_mm, 30000);
+  EXPECT_EQ(result->plan.shell.depth_mm, 20000);
+  const bool told = std::ranges::any_of(result->trace, [](const std::string& line) {
+    return line.find("30 x 20 m") != std::string::npos;
+  });
+  EXPECT_TRUE(told) << "the floor that was planned on";
+}
+
 TEST(DrawnShell, NeedsNoWords) {
   const auto result = planned(brief_with_l(""));
   ASSERT_TRUE(result.ok()) << to_string(result.error());
