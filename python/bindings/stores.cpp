@@ -13,8 +13,11 @@
 #include "io/json.h"
 #include "io/png.h"
 #include "layout/layout_picture.h"
+#include "plan/patch.h"
 #include "render/cameras/camera.h"
 #include "scene/query.h"
+#include "store/edit.h"
+#include "store/edit_words.h"
 #include "store_handle.h"
 #include "told_progress.h"
 
@@ -72,6 +75,37 @@ StoreHandle generate(const std::string& prompt,
   return opened(folder, std::move(catalog));
 }
 
+// What Store.patches() and Store.edit() have of words: (market-patch/1, not understood, so
+// already).
+nb::tuple said(const StoreHandle& handle, const std::string& words) {
+  const store::SaidPatches said = value_or_raise(without_interpreter(
+      [&] { return store::patches_of_words(*handle.store, words, *handle.catalog); }));
+  std::vector<std::string> unparsed;
+  for (const intake::UnparsedWord& word : said.unparsed)
+    unparsed.push_back(word.text);
+  return nb::make_tuple(io::write_json(said.patches), unparsed, said.so_already);
+}
+
+// The edited store, and the wishes of its prompt that are no longer met.
+nb::tuple edit(const StoreHandle& handle,
+               const std::string& patches,
+               const std::string& words,
+               const std::optional<std::string>& folder,
+               bool previews,
+               const Callable& progress) {
+  store::EditOptions options;
+  options.folder =
+      folder ? std::filesystem::path(*folder) : store::next_edit_folder(handle.store->folder);
+  options.patches = value_or_raise(plan::read_patches(patches, "patches"));
+  options.source = words.empty() ? "patches" : "say";
+  options.words = words;
+  options.previews = previews;
+  const store::Edited edited = value_or_raise(telling(progress, [&](Progress& told) {
+    return store::edit_store(*handle.store, options, *handle.catalog, told);
+  }));
+  return nb::make_tuple(opened(options.folder.string(), *handle.catalog), edited.lost);
+}
+
 std::vector<std::string> camera_names(const StoreHandle& handle) {
   std::vector<std::string> names;
   for (const render::Camera& camera : render::standard_cameras(handle.store->scene, 16, 9))
@@ -104,6 +138,8 @@ void add_stores(nb::module_& module) {
           [](const StoreHandle& h, const std::string& table, const std::string& where) {
             return scene::to_json(value_or_raise(scene::query_scene(h.store->scene, table, where)));
           })
+      .def("_said", &said)
+      .def("_edit", &edit)
       .def("camera_names", &camera_names)
       .def("camera", [](const StoreHandle& h, const std::string& name, int width, int height) {
         return value_or_raise(render::camera_named(h.store->scene, name, width, height));

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import difflib
+import json
 import math
 import operator
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from .errors import Error
@@ -40,6 +41,19 @@ def paths(name: str, values: Any) -> list[str]:
     if isinstance(values, (str, bytes, os.PathLike)) or not isinstance(values, Iterable):
         raise bad(name, values, "a list of paths")
     return [a_path(name, value) for value in values]
+
+
+def documents(name: str, values: Any) -> list[dict[str, Any]]:
+    """Objects as JSON has them."""
+    if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
+        raise bad(name, values, "a list of objects")
+    rows = list(values)
+    if not all(isinstance(row, Mapping) for row in rows):
+        raise bad(name, values, "a list of objects")
+    try:
+        return json.loads(json.dumps(rows, default=dict, allow_nan=False))
+    except (TypeError, ValueError) as fault:
+        raise bad(name, values, f"objects that JSON can hold ({fault})") from None
 
 
 def a_whole(name: str, value: Any, low: int, high: int) -> int:

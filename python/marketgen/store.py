@@ -7,12 +7,12 @@ import html
 import json
 import pathlib
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from . import _core, arguments
 from .arguments import MAX_SEED, MAX_SIDE_PX, PathLike, Progress
-from .errors import StoreWarning
+from .errors import Error, StoreWarning
 from .pictures import Camera, Renderer
 
 
@@ -85,6 +85,61 @@ class Store:
         Row i of query("products") without `where` is product i of Renderer.move().
         """
         return json.loads(self._handle._query(arguments.a_text("table", table), arguments.a_text("where", where)))
+
+    def patches(self, say: str) -> list[dict[str, Any]]:
+        """What edit(say) would do, as market-patch/1 patches; nothing is written. Warnings and errors as there."""
+        return self._said(arguments.a_text("say", say))[0]
+
+    def edit(
+        self,
+        say: str = "",
+        folder: PathLike | None = None,
+        *,
+        patches: Sequence[Mapping[str, Any]] | None = None,
+        previews: bool = False,
+        strict: bool = False,
+        progress: Progress | None = None,
+    ) -> Store:
+        """A changed store in a new folder; what is not named is as it was, to the last bit (docs/editing.md). This one is not written.
+
+        say       what shall change, in words: "swap dairy and bakery"
+        folder    to make; left out: FOLDER-edit-1, or the next number that is free
+        patches   instead of words, market-patch/1 patches: [{"swap_leaves": {"a": "dairy", "b": "bakery"}}]
+        previews  draw its pictures, too (seconds)
+        strict    raise brief.not_understood when a word was not understood
+        progress  as of generate()
+
+        Returns this store when it is so already. A StoreWarning says what was not understood, what is so already, and which
+        wishes of the prompt are no longer met. Raises Error layout.violation when a hard rule would be broken anew,
+        plan.* and json.* of patches, store.exists. Nothing is left behind when it fails or is interrupted.
+        """
+        say, strict = arguments.a_text("say", say), arguments.a_truth("strict", strict)
+        target = None if folder is None else arguments.a_path("folder", folder)
+        if (patches is None) == (say == ""):
+            raise arguments.bad("patches" if say else "say", patches if say else say, "either words or patches")
+        if patches is None:
+            said, unparsed = self._said(say)
+            if strict and unparsed:
+                raise Error("brief.not_understood", "say", f"not understood: {', '.join(map(repr, unparsed))}")
+            if not said:
+                return self
+        else:
+            said = arguments.documents("patches", patches)
+        document = json.dumps({"schema": "market-patch/1", "patches": said})
+        handle, lost = self._handle._edit(
+            document, say, target, arguments.a_truth("previews", previews), arguments.a_progress(progress)
+        )
+        for wish in lost:
+            warnings.warn(f'no longer met: "{wish}"', StoreWarning, stacklevel=2)
+        return Store(handle, self._catalogs)
+
+    def _said(self, words: str) -> tuple[list[dict[str, Any]], list[str]]:
+        document, unparsed, so_already = self._handle._said(words)
+        for text in unparsed:
+            warnings.warn(f'not understood: "{text}"', StoreWarning, stacklevel=3)
+        for wish in so_already:
+            warnings.warn(f'so already: "{wish}"', StoreWarning, stacklevel=3)
+        return json.loads(document)["patches"], unparsed
 
     def camera_names(self) -> list[str]:
         """The views that every store has: top, entrance, aisle, checkout, and zone:<id> for each zone."""

@@ -57,6 +57,13 @@ def assert_pythonic(error):
 CALLS = {
     "folder": [lambda on: marketgen.open_store(5)],
     "catalogs": [lambda on: marketgen.open_store(on.store.folder, catalogs=on.store.folder)],
+    "say": [lambda on: on.store.edit(3), lambda on: on.store.patches(3), lambda on: on.store.edit()],
+    "patches": [
+        lambda on: on.store.edit(patches="swap"),
+        lambda on: on.store.edit(patches=[3]),
+        lambda on: on.store.edit(patches=[{"set_look": {"floor": object()}}]),
+        lambda on: on.store.edit(patches=[{"swop_leaves": {}}]),
+    ],
     "table": [lambda on: on.store.query("produce"), lambda on: on.store.query(3)],
     "where": [
         lambda on: on.store.query("products", 3),
@@ -162,7 +169,7 @@ def test_every_public_function_is_tried_above():
     import inspect
 
     functions = [marketgen.generate, marketgen.open_store, marketgen.evaluate, marketgen.render_batch]
-    functions += [marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
+    functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py
     for function in functions:

@@ -89,3 +89,28 @@ def test_pictures_are_saved_by_the_ending_of_their_name(store, renderer, tmp_pat
     assert (tmp_path / "aisle.jpg").read_bytes()[:3] == b"\xff\xd8\xff"
     with pytest.raises(marketgen.Error, match="cannot be written as .gif"):
         frame.save(str(tmp_path / "aisle.gif"))
+
+
+def test_edits_are_the_programs(store, tmp_path):
+    words = "concrete floor, fill the snacks to 50 %"
+    edited = store.edit(words, tmp_path / "here")
+    run("edit", store.folder, "--say", words, "-o", tmp_path / "there", "--no-previews", "--quiet")
+    made = json.loads((tmp_path / "there" / "store.json").read_text())
+    assert edited.folder == str(tmp_path / "here")
+    assert edited.manifest["scene_hash"] == made["scene_hash"] != store.manifest["scene_hash"]
+    assert edited.plan["look"]["floor"].startswith("concrete")
+    again = store.edit(patches=store.patches(words), folder=tmp_path / "patched")
+    assert again.manifest["scene_hash"] == edited.manifest["scene_hash"]
+
+
+def test_edits_say_what_they_leave_out(store, tmp_path):
+    with pytest.warns(marketgen.StoreWarning, match="zzyzx"):
+        patches = store.patches("concrete floor and zzyzx")
+    assert [list(patch) for patch in patches] == [["set_look"]]
+    with pytest.warns(marketgen.StoreWarning, match="zzyzx"), pytest.raises(marketgen.Error, match="brief.not_understood"):
+        store.edit("concrete floor and zzyzx", tmp_path / "shop", strict=True)
+    with pytest.raises(marketgen.Error, match="plan.unknown_reference"):
+        store.edit(patches=[{"drop_zone": {"zone": "nowhere"}}], folder=tmp_path / "shop")
+    with pytest.raises(marketgen.Error, match="either words or patches"):
+        store.edit()
+    assert list(tmp_path.iterdir()) == []

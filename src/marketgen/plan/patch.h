@@ -37,7 +37,7 @@ constexpr Field<Change, Member> changes(std::string_view name, Member Change::*m
 }
 
 // Names of fields to be taken back to what is usual.
-using UsualFields = std::vector<std::string>;
+using UsualFields = std::optional<std::vector<std::string>>;
 constexpr std::string_view usual_doc = "fields that shall be as usual again, by name";
 
 struct SetRatio {

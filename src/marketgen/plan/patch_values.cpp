@@ -46,8 +46,9 @@ template <class Owner>
 Result<void> set_usual(PlanChange& task,
                        Owner& owner,
                        const Owner& usual,
-                       const UsualFields& names,
+                       const UsualFields& fields,
                        const std::string& pointer) {
+  const std::vector<std::string> names = fields.value_or(std::vector<std::string>{});
   for (std::size_t i = 0; i < names.size(); ++i) {
     bool is_set = false;
     std::vector<std::string_view> known;

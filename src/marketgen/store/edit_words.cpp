@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "io/file.h"
 #include "store/edit.h"
@@ -115,6 +116,21 @@ Error nothing_understood() {
           "self-checkouts\", \"make the bakery 20 % larger\" (docs/editing.md has the words)"};
 }
 
+bool speaks_of(const intake::EditWish& wish, const std::string& zone_type) {
+  return std::visit(
+      [&](const auto& what) { return what.subject == zone_type || what.object == zone_type; },
+      wish.what);
+}
+
+// "Snacks" in "6-tier shelves in the snacks" says where, and asks for nothing itself.
+bool says_where(const intake::EditWish& wish, const std::vector<intake::EditWish>& all) {
+  const auto* named = std::get_if<plan::Requirement>(&wish.what);
+  if (named == nullptr || named->kind != plan::RequirementKind::zone_present) return false;
+  return std::ranges::any_of(all, [&](const intake::EditWish& other) {
+    return &other != &wish && speaks_of(other, named->subject);
+  });
+}
+
 }  // namespace
 
 Result<SaidPatches> patches_of_words(const Store& store,
@@ -137,7 +153,7 @@ Result<SaidPatches> patches_of_words(const Store& store,
     }
     if (!ways.ok()) return ways.error();
     if (ways->front().empty()) {
-      said.so_already.push_back(wish.text);
+      if (!says_where(wish, understood.wishes)) said.so_already.push_back(wish.text);
       continue;
     }
     MARKETGEN_CHECK(take_way(store, wish, *ways, catalog, now));

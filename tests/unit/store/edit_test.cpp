@@ -244,19 +244,12 @@ TEST(Edits, GetTheNextFreeName) {
 
 // ---- Words --------------------------------------------------------------------------------------
 
-std::string without_empty_lists(std::string line) {
-  const std::string nothing = R"(, "usual": [])";
-  if (const std::size_t at = line.find(nothing); at != std::string::npos)
-    line.erase(at, nothing.size());
-  return line;
-}
-
 std::string patches_of(const std::string& words) {
   const auto said = store::patches_of_words(shop(), words, committed_catalog());
   if (!said.ok()) return to_string(said.error());
   std::string out;
   for (const plan::Patch& patch : said->patches.patches)
-    out += (out.empty() ? "" : " ") + without_empty_lists(io::write_json_line(patch));
+    out += (out.empty() ? "" : " ") + io::write_json_line(patch);
   for (const intake::UnparsedWord& word : said->unparsed)
     out += " ?" + word.text;
   return out;
@@ -303,6 +296,15 @@ TEST(EditWords, MoveAndResize) {
               0.1 * before);
   const plan::Plan added = plan_after("add a bakery");
   EXPECT_EQ(added.zones.back().type, "bakery");
+}
+
+TEST(EditWords, SayWhatIsSoAlready) {
+  const auto so_already = [](const std::string& words) {
+    const auto said = store::patches_of_words(shop(), words, committed_catalog());
+    return said.ok() ? said->so_already : std::vector{to_string(said.error())};
+  };
+  EXPECT_EQ(so_already("with snacks"), std::vector<std::string>{"snacks"});
+  EXPECT_TRUE(so_already("6-tier shelves in the snacks").empty()) << "that says where";
 }
 
 TEST(EditWords, ThatSayNothingOrWhatIsNotThere) {
