@@ -1,6 +1,7 @@
 #include "audit/audit.h"
 
 #include "audit/collisions.h"
+#include "audit/egress.h"
 #include "audit/item_bounds.h"
 #include "audit/metrics.h"
 #include "audit/requirements.h"
@@ -39,6 +40,7 @@ Result<Audit> audit_store(const scene::Scene& scene,
   MARKETGEN_TRY(const CollisionCount collisions, count_collisions(scene, bounds));
   const std::vector<std::uint32_t> out_of_place = items_out_of_place(scene, bounds);
   const Traffic traffic = measure_traffic(scene);
+  const Egress egress = measure_egress(scene.layout);
 
   Audit audit;
   Metrics& metrics = audit.metrics;
@@ -49,11 +51,13 @@ Result<Audit> audit_store(const scene::Scene& scene,
   metrics.OOB = out_of_place.size();
   metrics.NAV = traffic.largest_share;
   metrics.reachable_shelves = traffic.reachable_shelves;
+  metrics.REACH = traffic.reachable_bays;
   add_stock_metrics(metrics, scene);
   audit.requirements = check_requirements(scene, catalog, requirements);
   metrics.prompt = share_met(audit.requirements);
   audit.rules = scene.layout.violations;
-  for (layout::Violation& v : check_scene({scene, metrics, collisions, traffic, out_of_place}))
+  for (layout::Violation& v :
+       check_scene({scene, metrics, collisions, traffic, out_of_place, egress, catalog}))
     audit.rules.push_back(std::move(v));
   return audit;
 }

@@ -35,9 +35,10 @@ struct Metrics {
   std::uint64_t OOB = 0;  // products outside their shelf or the room
   double NAV = 1;         // largest free component / free area, for a 0.42 m radius robot
   double reachable_shelves =
-      1;            // share of shelves with free floor in front, connected to the entrance
-  double fill = 0;  // occupied / available shelf front
-  double DENS = 0;  // items per m2 of selling area
+      1;             // share of shelves with free floor in front, connected to the entrance
+  double REACH = 1;  // the same of bays: sides of modules of which a shelf can be reached
+  double fill = 0;   // occupied / available shelf front
+  double DENS = 0;   // items per m2 of selling area
   double selling_area_m2 = 0, gross_area_m2 = 0;
   double facings_per_sku = 0;
   double prompt = 1;          // share of requirements met
@@ -54,6 +55,9 @@ struct Metrics {
       field("reachable_shelves",
             &Metrics::reachable_shelves,
             "share of shelves with free floor before them, connected to the entrance"),
+      field("REACH",
+            &Metrics::REACH,
+            "share of bays (sides of modules) of which one shelf at least is reachable"),
       field("fill", &Metrics::fill, "occupied over available shelf front"),
       field("DENS", &Metrics::DENS, "items per m2 of selling area"),
       field("selling_area_m2", &Metrics::selling_area_m2, "floor area of the zones that sell"),

@@ -5,15 +5,15 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "catalog/zone_goods.h"
 #include "scene/planogram.h"
 
 namespace marketgen::audit {
-namespace {
 
-layout::Violation violation(const SceneRule& rule,
-                            std::string where,
-                            double value,
-                            std::string message) {
+layout::Violation violation_of(const SceneRule& rule,
+                               std::string where,
+                               double value,
+                               std::string message) {
   return {std::string(rule.code),
           rule.severity,
           std::move(where),
@@ -28,20 +28,20 @@ std::vector<layout::Violation> check_ITEM_COLLISION(const SceneFacts& facts,
   const CollisionCount& found = facts.collisions;
   if (!found.deepest) return {};
   const auto [first, second] = found.deepest->items;
-  return {violation(rule,
-                    scene::product_id(facts.scene, first),
-                    static_cast<double>(found.colliding_pairs),
-                    fmt::format("{} pairs of items are more than 1 mm inside one another; the "
-                                "deepest is it and {}, by {:.2f} mm",
-                                found.colliding_pairs,
-                                scene::product_id(facts.scene, second),
-                                1000 * found.deepest->depth_m))};
+  return {violation_of(rule,
+                       scene::product_id(facts.scene, first),
+                       static_cast<double>(found.colliding_pairs),
+                       fmt::format("{} pairs of items are more than 1 mm inside one another; the "
+                                   "deepest is it and {}, by {:.2f} mm",
+                                   found.colliding_pairs,
+                                   scene::product_id(facts.scene, second),
+                                   1000 * found.deepest->depth_m))};
 }
 
 std::vector<layout::Violation> check_ITEM_OUTSIDE_SHELF(const SceneFacts& facts,
                                                         const SceneRule& rule) {
   if (facts.out_of_place.empty()) return {};
-  return {violation(
+  return {violation_of(
       rule,
       scene::product_id(facts.scene, facts.out_of_place.front()),
       static_cast<double>(facts.out_of_place.size()),
@@ -58,7 +58,7 @@ std::vector<layout::Violation> check_SHELF_EMPTY(const SceneFacts& facts, const 
   if (share <= rule.limit) return {};
   const auto first =
       static_cast<std::size_t>(std::find(stocked.begin(), stocked.end(), 0) - stocked.begin());
-  return {violation(
+  return {violation_of(
       rule,
       facts.scene.layout.fixtures[facts.scene.shelves[first].fixture].id,
       share,
@@ -78,7 +78,7 @@ std::vector<layout::Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts,
     if (number++ == 0) where = scene::product_id(facts.scene, i);
   }
   if (number == 0) return {};
-  return {violation(
+  return {violation_of(
       rule,
       where,
       static_cast<double>(number),
@@ -90,29 +90,66 @@ std::vector<layout::Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts,
                   scene::heavy_board_m))};
 }
 
+std::vector<layout::Violation> check_STORAGE_WRONG(const SceneFacts& facts, const SceneRule& rule) {
+  std::size_t number = 0;
+  std::string where;
+  for (const scene::Facing& f : facts.scene.facings) {
+    const layout::Fixture& fixture =
+        facts.scene.layout.fixtures[facts.scene.shelves[f.shelf].fixture];
+    const catalog::FixtureKind* kind = facts.catalog.fixture_kind(fixture.kind);
+    if (f.product_count == 0 || kind == nullptr ||
+        catalog::keeps(kind->temperature, facts.scene.catalog[f.sku].storage))
+      continue;
+    if (number++ == 0) where = scene::product_id(facts.scene, f.first_product);
+  }
+  if (number == 0) return {};
+  return {violation_of(
+      rule,
+      where,
+      static_cast<double>(number),
+      fmt::format("{} facings of chilled or frozen goods stand where they are not kept cold",
+                  number))};
+}
+
+std::vector<layout::Violation> check_PRICE_MISSING(const SceneFacts& facts, const SceneRule& rule) {
+  std::vector<std::uint8_t> priced(facts.scene.facings.size(), 0);
+  for (const scene::PriceLabel& label : facts.scene.price_labels)
+    priced[label.facing] = 1;
+  std::size_t number = 0;
+  std::string where;
+  for (std::size_t i = 0; i < priced.size(); ++i) {
+    const scene::Facing& f = facts.scene.facings[i];
+    if (priced[i] != 0 || facts.scene.shelves[f.shelf].price_rail == 0) continue;
+    if (number++ == 0) where = facts.scene.layout.fixtures[facts.scene.shelves[f.shelf].fixture].id;
+  }
+  if (number == 0) return {};
+  return {violation_of(rule,
+                       where,
+                       static_cast<double>(number),
+                       fmt::format("{} facings have no price on the edge of their shelf", number))};
+}
+
 std::vector<layout::Violation> check_DENSITY_LOW(const SceneFacts& facts, const SceneRule& rule) {
   if (facts.metrics.DENS >= rule.limit) return {};
-  return {
-      violation(rule,
-                "store",
-                facts.metrics.DENS,
-                fmt::format("{:.0f} items per m2 of selling area; real shops have {:.0f} and more",
-                            facts.metrics.DENS,
-                            rule.limit))};
+  return {violation_of(
+      rule,
+      "store",
+      facts.metrics.DENS,
+      fmt::format("{:.0f} items per m2 of selling area; real shops have {:.0f} and more",
+                  facts.metrics.DENS,
+                  rule.limit))};
 }
 
 std::vector<layout::Violation> check_SHELF_UNREACHABLE(const SceneFacts& facts,
                                                        const SceneRule& rule) {
   if (facts.traffic.unreachable.empty()) return {};
   const scene::SceneShelf& shelf = facts.scene.shelves[facts.traffic.unreachable.front()];
-  return {violation(rule,
-                    facts.scene.layout.fixtures[shelf.fixture].id,
-                    static_cast<double>(facts.traffic.unreachable.size()),
-                    fmt::format("a robot finds no free floor before {} shelves",
-                                facts.traffic.unreachable.size()))};
+  return {violation_of(rule,
+                       facts.scene.layout.fixtures[shelf.fixture].id,
+                       static_cast<double>(facts.traffic.unreachable.size()),
+                       fmt::format("a robot finds no free floor before {} shelves",
+                                   facts.traffic.unreachable.size()))};
 }
-
-}  // namespace
 
 const std::vector<SceneRule>& scene_rules() {
   static const std::vector<SceneRule> rules = {

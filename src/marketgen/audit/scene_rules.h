@@ -5,6 +5,7 @@
 
 #include "audit/audit.h"
 #include "audit/collisions.h"
+#include "audit/egress.h"
 #include "audit/traffic.h"
 #include "geometry/mesh.h"
 #include "layout/layout.h"
@@ -19,6 +20,8 @@ struct SceneFacts {
   const CollisionCount& collisions;
   const Traffic& traffic;
   const std::vector<std::uint32_t>& out_of_place;  // rows of scene.products
+  const Egress& egress;
+  const catalog::Catalog& catalog;
 };
 
 struct SceneRule {
@@ -29,6 +32,18 @@ struct SceneRule {
   std::vector<layout::Violation> (*check)(const SceneFacts& facts, const SceneRule& rule);
 };
 const std::vector<SceneRule>& scene_rules();
+
+// A broken rule of a scene.
+layout::Violation violation_of(const SceneRule& rule,
+                               std::string where,
+                               double value,
+                               std::string message);
+
+// The check of each rule: of goods in scene_rules.cpp, of the room in room_rules.cpp.
+#define SCENE_RULE(code, severity, limit, source) \
+  std::vector<layout::Violation> check_##code(const SceneFacts& facts, const SceneRule& rule);
+#include "audit/scene_rules.inc"
+#undef SCENE_RULE
 
 std::vector<layout::Violation> check_scene(const SceneFacts& facts);
 

@@ -1,6 +1,9 @@
 #include "audit/traffic.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "navigation/occupancy.h"
 #include "plan/bsp.h"
@@ -8,15 +11,6 @@
 
 namespace marketgen::audit {
 namespace {
-
-std::vector<RectMm> obstacles_of(const layout::Layout& layout) {
-  std::vector<RectMm> obstacles;
-  for (const layout::Fixture& fixture : layout.fixtures)
-    obstacles.push_back(layout::footprint_of(fixture));
-  for (const plan::Column& column : layout.shell.columns)
-    obstacles.push_back(plan::footprint_of(column));
-  return obstacles;
-}
 
 // Component that people enter: that of the first entrance, or the largest.
 int entrance_component(const layout::Layout& layout,
@@ -41,6 +35,15 @@ PointMm standing_point(const scene::Scene& scene, std::uint32_t shelf) {
 
 }  // namespace
 
+std::vector<RectMm> obstacles_of(const layout::Layout& layout) {
+  std::vector<RectMm> obstacles;
+  for (const layout::Fixture& fixture : layout.fixtures)
+    obstacles.push_back(layout::footprint_of(fixture));
+  for (const plan::Column& column : layout.shell.columns)
+    obstacles.push_back(plan::footprint_of(column));
+  return obstacles;
+}
+
 Traffic measure_traffic(const scene::Scene& scene) {
   Traffic traffic;
   const navigation::OccupancyGrid grid = navigation::make_occupancy(
@@ -58,14 +61,19 @@ Traffic measure_traffic(const scene::Scene& scene) {
         static_cast<double>(free_cells);
 
   const int entrance = entrance_component(scene.layout, grid, components);
+  std::map<std::pair<std::uint32_t, std::int32_t>, bool> bays;  // fixture and side: is it reached
   for (std::uint32_t shelf = 0; shelf < scene.shelves.size(); ++shelf) {
     const auto cell =
         navigation::nearest_free(grid, standing_point(scene, shelf), standing_reach_mm);
-    if (!cell || components.label[*cell] != entrance) traffic.unreachable.push_back(shelf);
+    const bool is_reached = cell && components.label[*cell] == entrance;
+    if (!is_reached) traffic.unreachable.push_back(shelf);
+    bays[{scene.shelves[shelf].fixture, scene.shelves[shelf].side}] |= is_reached;
   }
   if (!scene.shelves.empty()) {
     traffic.reachable_shelves = 1 - static_cast<double>(traffic.unreachable.size()) /
                                         static_cast<double>(scene.shelves.size());
+    const auto reached = std::ranges::count_if(bays, [](const auto& bay) { return bay.second; });
+    traffic.reachable_bays = static_cast<double>(reached) / static_cast<double>(bays.size());
   }
   return traffic;
 }

@@ -13,8 +13,13 @@ struct Traffic {
   double largest_share = 1;  // largest free component / free floor
   double reachable_shelves =
       1;  // shelves with free floor before them that hangs together with the entrance
+  double reachable_bays = 1;  // sides of modules of which one shelf at least is such a shelf
   std::vector<std::uint32_t> unreachable;  // rows of scene.shelves
 };
+
+// Footprints of fixtures and columns: what ways over the floor go round.
+std::vector<RectMm> obstacles_of(const layout::Layout& layout);
+
 Traffic measure_traffic(const scene::Scene& scene);
 
 }  // namespace marketgen::audit

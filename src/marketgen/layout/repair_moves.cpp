@@ -17,7 +17,8 @@ namespace {
 constexpr int gap_step_mm = 300, widest_gap_mm = 4000;
 constexpr double min_ratio = 0.08, max_ratio = 0.92;      // market-plan/1
 constexpr std::array<double, 2> ratio_steps{0.15, 0.35};  // of the zone's present share
-constexpr int levels_up = 3;                              // ancestors whose cut may move
+constexpr std::size_t levels_up = 3;                      // ancestors whose cut may move
+constexpr std::size_t levels_balanced = 6;                // those whose halves may be weighed anew
 constexpr std::size_t max_swaps = 5;
 constexpr std::array<double, 4> door_steps{0.06, -0.06, 0.14, -0.14};  // of the wall
 constexpr int shortest_run_mm = 4000;
@@ -55,9 +56,9 @@ struct Step {
   bool first;
 };
 
-std::vector<Step> ancestors(const plan::Plan& plan, std::size_t leaf) {
+std::vector<Step> ancestors(const plan::Plan& plan, std::size_t leaf, std::size_t levels) {
   std::vector<Step> steps;
-  for (std::size_t at = leaf; steps.size() < levels_up;) {
+  for (std::size_t at = leaf; steps.size() < levels;) {
     const auto parent = plan::parent_of(plan, at);
     if (!parent) break;
     steps.push_back({*parent, plan.nodes[*parent].children.front() == plan.nodes[at].id});
@@ -66,10 +67,18 @@ std::vector<Step> ancestors(const plan::Plan& plan, std::size_t leaf) {
   return steps;
 }
 
-std::vector<Step> ancestors_of_fault(const RepairTask& task) {
+std::vector<Step> ancestors_of_fault(const RepairTask& task, std::size_t levels = levels_up) {
   const auto zone = zone_of(task);
   const auto leaf = zone ? plan::leaf_of(task.plan, task.plan.zones[*zone].id) : std::nullopt;
-  return leaf ? ancestors(task.plan, *leaf) : std::vector<Step>{};
+  return leaf ? ancestors(task.plan, *leaf, levels) : std::vector<Step>{};
+}
+
+// A person, in words, by a flag or with a picture: the value at `path`, or what lies below it.
+bool somebody_said(const plan::Plan& plan, const std::string& path) {
+  return std::ranges::any_of(plan.provenance, [&](const plan::Provenance& p) {
+    return (p.path == path || p.path.starts_with(path + "/")) && p.source >= plan::Source::photo &&
+           p.source != plan::Source::repair;
+  });
 }
 
 std::vector<RepairCandidate> propose_widen_gap(const RepairTask& task) {
@@ -114,6 +123,44 @@ std::vector<RepairCandidate> propose_set_ratio(const RepairTask& task) {
                                 old,
                                 ratio));
     }
+  }
+  return out;
+}
+
+// The floor that the zones under a node want: what the plan says, or what is usual.
+double wanted_m2(const RepairTask& task, const plan::Node& node) {
+  if (!node.zone) {
+    double sum = 0;
+    for (const std::string& child : node.children)
+      sum += wanted_m2(task, *plan::find_node(task.plan, child));
+    return sum;
+  }
+  const plan::Zone& zone = *plan::find_zone(task.plan, *node.zone);
+  const catalog::ZoneTypeRow* type = task.catalog.zone_type(zone.type);
+  const double usual = (type != nullptr ? type->share : catalog::ZoneTypeRow{}.share) *
+                       plan::shell_rect(task.plan.shell).area_m2();
+  return zone.area_m2.target.value_or(std::max(usual, zone.area_m2.min.value_or(0)));
+}
+
+// A cut that is far off is not mended in small steps.
+std::vector<RepairCandidate> propose_balance(const RepairTask& task) {
+  std::vector<RepairCandidate> out;
+  for (const Step& step : ancestors_of_fault(task, levels_balanced)) {
+    const plan::Node& node = task.plan.nodes[step.node];
+    const double first = wanted_m2(task, *plan::find_node(task.plan, node.children[0]));
+    const double second = wanted_m2(task, *plan::find_node(task.plan, node.children[1]));
+    const double old = node.ratio.value_or(plan::default_split_ratio);
+    const double ratio =
+        std::round(1e4 * std::clamp(first / (first + second), min_ratio, max_ratio)) * 1e-4;
+    if (!(first + second > 0) || ratio == old) continue;
+    plan::Patch patch;
+    patch.set_ratio = {node.id, ratio};
+    add_candidate(
+        out,
+        task,
+        patch,
+        fmt::format(
+            "divided {} as its zones need: ratio from {:.3f} to {:.3f}", node.id, old, ratio));
   }
   return out;
 }
@@ -171,6 +218,27 @@ std::vector<RepairCandidate> propose_narrow_aisles(const RepairTask& task) {
                 task,
                 patch,
                 fmt::format("let zone {} have aisles of {} mm", task.plan.zones[*zone].id, least));
+  return out;
+}
+
+// As wide as the rule wants them, where nobody said how wide they shall be.
+std::vector<RepairCandidate> propose_widen_aisles(const RepairTask& task) {
+  const auto zone = zone_of(task);
+  if (!zone || !task.plan.zones[*zone].fixture.aisle_mm) return {};
+  const int now = *task.plan.zones[*zone].fixture.aisle_mm;
+  const int wide = static_cast<int>(std::ceil(task.violation.limit));
+  const std::string path = fmt::format("/zones/{}/fixture/aisle_mm", *zone);
+  if (now >= wide || somebody_said(task.plan, path)) return {};
+  std::vector<RepairCandidate> out;
+  plan::Patch patch;
+  patch.set_fixture.emplace().zone = task.plan.zones[*zone].id;
+  patch.set_fixture->aisle_mm = wide;
+  add_candidate(
+      out,
+      task,
+      patch,
+      fmt::format(
+          "widened the aisles of zone {} from {} to {} mm", task.plan.zones[*zone].id, now, wide));
   return out;
 }
 
@@ -255,11 +323,7 @@ bool somebody_asked_for(const plan::Plan& plan, std::size_t zone) {
     return r.a == id || r.b == id || r.c == id || r.a == plan.zones[zone].type ||
            r.b == plan.zones[zone].type;
   });
-  const bool said = std::ranges::any_of(plan.provenance, [&](const plan::Provenance& p) {
-    const std::string path = "/zones/" + std::to_string(zone);
-    return (p.path == path || p.path.starts_with(path + "/")) && p.source >= plan::Source::photo &&
-           p.source != plan::Source::repair;
-  });
+  const bool said = somebody_said(plan, "/zones/" + std::to_string(zone));
   const bool changed = std::ranges::any_of(
       plan.overrides, [&](const plan::Override& o) { return o.fixture.starts_with(id + "/"); });
   return related || said || changed;

@@ -15,9 +15,9 @@ namespace {
 // Layouts that may be tried: many while the shop is unlawful, few for the sake of habit, fewer
 // where each takes long.
 constexpr int max_trials_hard = 60;
-constexpr int max_trials_soft = 10;
+constexpr int max_trials_soft = 18;
 constexpr double large_shop_m2 = 600;
-constexpr int max_trials_soft_large = 4;
+constexpr int max_trials_soft_large = 8;
 constexpr int impossible = 1'000'000;  // hard faults of a plan that has no layout
 
 struct Score {

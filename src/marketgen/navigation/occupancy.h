@@ -56,6 +56,11 @@ struct GridPath {
 // Shortest 8-connected path by A*, then shortened by line of sight. Nothing when unreachable.
 std::optional<GridPath> shortest_path(const OccupancyGrid& grid, PointMm from, PointMm to);
 
+// Way in mm from each free cell to the nearest of `starts`, by steps to the eight cells round it;
+// infinity where there is none. Dijkstra.
+std::vector<float> distances_from(const OccupancyGrid& grid,
+                                  const std::vector<std::size_t>& starts);
+
 // Distance in mm from each free cell to the nearest blocked cell or border, by an exact Euclidean
 // transform (Felzenszwalb & Huttenlocher 2012).
 std::vector<float> clearance_field(const OccupancyGrid& grid);

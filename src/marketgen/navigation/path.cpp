@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include <queue>
+#include <utility>
 
 #include "navigation/occupancy.h"
 
@@ -129,6 +130,36 @@ std::vector<std::size_t> pulled_straight(const OccupancyGrid& grid,
 }
 
 }  // namespace
+
+std::vector<float> distances_from(const OccupancyGrid& grid,
+                                  const std::vector<std::size_t>& starts) {
+  using Open = std::pair<int, std::size_t>;
+  std::vector<int> cost(grid.blocked.size(), unreached);
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  for (const std::size_t start : starts) {
+    cost[start] = 0;
+    open.emplace(0, start);
+  }
+  while (!open.empty()) {
+    const auto [so_far, cell] = open.top();
+    open.pop();
+    if (so_far > cost[cell]) continue;  // an older, dearer entry
+    const Cell at = cell_of(grid, cell);
+    for (const Step& step : steps) {
+      if (!can_step(grid, at, step)) continue;
+      const std::size_t next = grid.index(at.column + step.dx, at.row + step.dy);
+      const int through = so_far + step.cost;
+      if (through >= cost[next]) continue;
+      cost[next] = through;
+      open.emplace(through, next);
+    }
+  }
+  std::vector<float> ways(cost.size(), std::numeric_limits<float>::infinity());
+  const double mm_per_cost = static_cast<double>(grid.cell_mm) / straight_cost;
+  for (std::size_t cell = 0; cell < cost.size(); ++cell)
+    if (cost[cell] != unreached) ways[cell] = static_cast<float>(cost[cell] * mm_per_cost);
+  return ways;
+}
 
 std::optional<GridPath> shortest_path(const OccupancyGrid& grid, PointMm from, PointMm to) {
   const std::optional<std::size_t> start = nearest_free(grid, from, snap_reach_mm);

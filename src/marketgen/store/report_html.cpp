@@ -62,7 +62,10 @@ std::vector<MetricLine> metric_lines(const audit::Metrics& m) {
        "from one place; 1 when no corner is cut off."},
       {"shelves in reach",
        percent(m.reachable_shelves),
-       "Shelves before which such a robot can stand when it comes from the entrance."}};
+       "Shelves before which such a robot can stand when it comes from the entrance."},
+      {"REACH",
+       percent(m.REACH),
+       "Bays, that is sides of modules, of which it can stand before one shelf at least."}};
   if (m.STB)
     lines.push_back({"STB",
                      percent(*m.STB),

@@ -115,6 +115,11 @@ class AuditedShop {
              {1, 0, 0, 0},
              scene::product_front_row});
       }
+      scene::PriceLabel label;
+      label.shelf = shelf;
+      label.sku = block.sku;
+      label.facing = static_cast<std::uint32_t>(scene.facings.size());
+      scene.price_labels.push_back(label);
       scene.facings.push_back(block);
     }
   }

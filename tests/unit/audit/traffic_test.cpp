@@ -1,6 +1,8 @@
 // NAV and reach on rooms whose free floor is known.
 #include "audit/traffic.h"
 
+#include "audit/egress.h"
+
 #include <gtest/gtest.h>
 
 #include "audit/metrics.h"
@@ -87,6 +89,29 @@ TEST(Traffic, ShelvesBehindAWallAreOutOfReach) {
   const audit::Traffic traffic = audit::measure_traffic(shop.scene);
   EXPECT_EQ(traffic.unreachable.size(), 4U);
   EXPECT_NEAR(traffic.reachable_shelves, 1 - 4.0 / 20, 1e-9);
+  EXPECT_NEAR(traffic.reachable_bays, 1 - 1.0 / 5, 1e-9) << "the dairy's is one of five";
+}
+
+TEST(Egress, GoesRoundWhatStandsThere) {
+  AuditedShop shop;
+  shop.scene.layout.fixtures.clear();
+  const audit::Egress open = audit::measure_egress(shop.scene.layout);
+  EXPECT_EQ(open.doors, 2);
+  EXPECT_EQ(open.width_mm, 4000);
+  EXPECT_NEAR(open.people, 200 / 5.574, 0.1);
+  // 20 x 10 m, doors at 4 and 16 m: from the middle of the back wall 6 m along and 10 m across.
+  EXPECT_NEAR(open.longest_m, 9.5 + 0.41 * 6, 0.6);
+  layout::Fixture wall;
+  wall.id = wall.run = "wall";
+  wall.x_mm = 10000, wall.y_mm = 5000, wall.width_mm = 20000, wall.depth_mm = 200;
+  shop.scene.layout.fixtures = {wall};
+  EXPECT_LT(audit::measure_egress(shop.scene.layout).longest_m, 8) << "nobody is behind the wall";
+  wall.x_mm = 8500, wall.width_mm = 17000;
+  shop.scene.layout.fixtures = {wall};
+  EXPECT_GT(audit::measure_egress(shop.scene.layout).longest_m, 18) << "round its end";
+  EXPECT_EQ(audit::doors_for(49), 1);
+  EXPECT_EQ(audit::doors_for(50), 2);
+  EXPECT_EQ(audit::doors_for(1001), 4);
 }
 
 TEST(Metrics, FillOfKnownShelves) {  // 20 shelves of 1 m with 0.8 m each, two of them sold out

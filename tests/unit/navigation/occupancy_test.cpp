@@ -189,6 +189,19 @@ TEST(Path, NothingThroughAClosedWall) {
   EXPECT_FALSE(navigation::shortest_path(grid, {550, 550}, {3550, 550}).has_value());
 }
 
+TEST(Path, DistancesAreThoseToTheNearestStart) {
+  const navigation::OccupancyGrid grid =
+      navigation::make_occupancy(room_4x3, {{1900, 0, 2100, 3000}}, 0, 100);
+  const auto west = grid.index(0, 0), east = grid.index(39, 29);
+  const std::vector<float> both = navigation::distances_from(grid, {west, east});
+  EXPECT_EQ(both[west], 0);
+  EXPECT_NEAR(both[grid.index(3, 4)], 3 * 141.4 + 100, 0.1);
+  EXPECT_NEAR(both[grid.index(39, 9)], 2000, 0.1) << "the eastern one is the nearest";
+  const std::vector<float> one = navigation::distances_from(grid, {west});
+  EXPECT_FALSE(std::isfinite(one[east])) << "behind the wall";
+  EXPECT_FALSE(std::isfinite(one[grid.index(20, 3)])) << "in the wall";
+}
+
 TEST(Path, LegsCrossOnlyFreeCells) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const navigation::OccupancyGrid grid = cluttered_grid(seed, 200);
