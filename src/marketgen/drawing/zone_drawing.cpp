@@ -35,7 +35,10 @@ Result<Found> found_in(const ZonePicture& picture, const std::string& where) {
       FoundOpening one;
       one.edge = static_cast<std::size_t>(gap.side);
       const bool along_x = gap.side == 0 || gap.side == 2;
-      const double level = gap.side == 0 ? south : gap.side == 2 ? north : gap.side == 1 ? east : west;
+      const double level = gap.side == 0   ? south
+                           : gap.side == 2 ? north
+                           : gap.side == 1 ? east
+                                           : west;
       one.from = along_x ? Vec2{west + gap.from, level} : Vec2{level, south + gap.from};
       one.to = along_x ? Vec2{west + gap.to, level} : Vec2{level, south + gap.to};
       found.openings.push_back(one);
@@ -59,13 +62,15 @@ struct KnownSize {
 };
 
 // "20 m" above or below the plan is its width, beside it its depth.
-std::optional<double> written_scale(const ZonePicture& picture, const std::vector<WrittenLine>& lines) {
+std::optional<double> written_scale(const ZonePicture& picture,
+                                    const std::vector<WrittenLine>& lines) {
   const cv::Rect2d& f = picture.floor;
   for (const WrittenLine& line : lines) {
     const auto mm = dimension_mm(line.words);
     if (!mm) continue;
     const cv::Point2d at = (cv::Point2d(line.box.tl()) + cv::Point2d(line.box.br())) / 2;
-    const bool over_x = at.x > f.x && at.x < f.x + f.width, over_y = at.y > f.y && at.y < f.y + f.height;
+    const bool over_x =
+        at.x > f.x && at.x<f.x + f.width, over_y = at.y> f.y && at.y < f.y + f.height;
     if (over_x == over_y) continue;
     return *mm / (over_x ? f.width : f.height);
   }
@@ -80,11 +85,14 @@ Result<KnownSize> size_of(const ZonePicture& picture,
   if (options.scale && options.scale->mm_per_unit > 0)
     return KnownSize{options.scale->mm_per_unit * picture.px_of_file, "--floor-plan-scale"};
   const double by_width = options.width_mm / f.width, by_depth = options.depth_mm / f.height;
-  if (by_width > 0 && by_depth > 0) return KnownSize{(by_width + by_depth) / 2, "the size of the shop"};
+  if (by_width > 0 && by_depth > 0)
+    return KnownSize{(by_width + by_depth) / 2, "the size of the shop"};
   if (by_width + by_depth > 0) return KnownSize{by_width + by_depth, "the size of the shop"};
-  if (const auto written = written_scale(picture, lines)) return KnownSize{*written, "a dimension written on it"};
+  if (const auto written = written_scale(picture, lines))
+    return KnownSize{*written, "a dimension written on it"};
   if (options.usual_area_m2 > 0)
-    return KnownSize{std::sqrt(options.usual_area_m2 * 1e6 / f.area()), "the usual size of such a shop", true};
+    return KnownSize{
+        std::sqrt(options.usual_area_m2 * 1e6 / f.area()), "the usual size of such a shop", true};
   return Error{"drawing.no_scale",
                where,
                "a picture does not say how large a pixel is on the floor: write the width of the "
@@ -107,10 +115,13 @@ Found scaled_by(Found found, double by) {
 }
 
 // What the word beside a door says it is for, as names of blocks do.
-void name_openings(Found& found, const ZonePicture& picture, const std::vector<WrittenLine>& lines) {
+void name_openings(Found& found,
+                   const ZonePicture& picture,
+                   const std::vector<WrittenLine>& lines) {
   for (const WrittenLine& line : lines) {
     if (role_of(line.words) != Role::door) continue;
-    const Vec2 at{line.box.x + line.box.width / 2.0, picture.bgr.rows - (line.box.y + line.box.height / 2.0)};
+    const Vec2 at{line.box.x + line.box.width / 2.0,
+                  picture.bgr.rows - (line.box.y + line.box.height / 2.0)};
     FoundOpening* nearest = nullptr;
     double near = 0.1 * picture.longer_side;
     for (FoundOpening& one : found.openings) {
@@ -151,7 +162,9 @@ int part_under(const Segments& segments, const cv::Rect& box) {
   return most == under.end() || *most == 0 ? -1 : static_cast<int>(most - under.begin());
 }
 
-std::vector<DrawnZone> zones_of(const ZonePicture& picture, const Segments& segments, std::vector<WrittenLine> lines) {
+std::vector<DrawnZone> zones_of(const ZonePicture& picture,
+                                const Segments& segments,
+                                std::vector<WrittenLine> lines) {
   std::vector<DrawnZone> zones(segments.parts.size());
   std::vector<int> counts(zones.size());
   std::ranges::stable_sort(lines, {}, [](const WrittenLine& line) { return line.box.y; });
@@ -177,14 +190,18 @@ const WrittenLine* line_beside(const Swatch& swatch, const std::vector<WrittenLi
     const int middle = line.box.y + line.box.height / 2;
     const int right = line.box.x - (swatch.box.x + swatch.box.width);
     const bool beside = middle > swatch.box.y && middle < swatch.box.y + swatch.box.height;
-    if (!beside || line.words.empty() || right < -swatch.box.width / 4 || right >= nearest) continue;
+    if (!beside || line.words.empty() || right < -swatch.box.width / 4 || right >= nearest)
+      continue;
     nearest = right;
     best = &line;
   }
   return best;
 }
 
-void add_legend(std::vector<DrawnZone>& zones, const ZonePicture& picture, const Segments& segments, const std::vector<WrittenLine>& lines) {
+void add_legend(std::vector<DrawnZone>& zones,
+                const ZonePicture& picture,
+                const Segments& segments,
+                const std::vector<WrittenLine>& lines) {
   if (!segments.coloured) return;
   const std::vector<Swatch> swatches = swatches_of(picture.bgr, picture.floor, picture.longer_side);
   for (std::size_t i = 0; i < zones.size(); ++i) {
@@ -203,26 +220,35 @@ void add_legend(std::vector<DrawnZone>& zones, const ZonePicture& picture, const
 }
 
 // The labels of the picture on squares of the floor; parts that are no zones become bare.
-ZoneMap map_of(const FloorPlan& floor, const Segments& segments, const std::vector<int>& zone_of, Vec2 corner, double mm_per_px, int rows_px, double turned) {
+ZoneMap map_of(const FloorPlan& floor,
+               const Segments& segments,
+               const std::vector<int>& zone_of,
+               Vec2 corner,
+               double mm_per_px,
+               int rows_px,
+               double turned) {
   ZoneMap map;
   map.cell_mm = cell_mm;
   map.columns = static_cast<int>(std::ceil(floor.shell.width_mm / cell_mm));
   map.rows = static_cast<int>(std::ceil(floor.shell.depth_mm / cell_mm));
   map.zone.assign(static_cast<std::size_t>(map.columns) * map.rows, ZoneMap::outside);
-  const PolygonMm outline = floor.shell.outline_mm.value_or(polygon_of(RectMm{0, 0, floor.shell.width_mm, floor.shell.depth_mm}));
+  const PolygonMm outline = floor.shell.outline_mm.value_or(
+      polygon_of(RectMm{0, 0, floor.shell.width_mm, floor.shell.depth_mm}));
   Polygon polygon;
   for (const PointMm& p : outline)
     polygon.push_back({double(p[0]), double(p[1])});
   const Affine back = rotated(turned);
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns; ++column) {
-      const Vec2 at{std::min((column + 0.5) * cell_mm, floor.shell.width_mm - 1.0), std::min((row + 0.5) * cell_mm, floor.shell.depth_mm - 1.0)};
+      const Vec2 at{std::min((column + 0.5) * cell_mm, floor.shell.width_mm - 1.0),
+                    std::min((row + 0.5) * cell_mm, floor.shell.depth_mm - 1.0)};
       if (!contains(polygon, at)) continue;
       const Vec2 px = (back * (at + corner)) * (1 / mm_per_px);
       const int x = std::clamp(static_cast<int>(px.x), 0, segments.label.cols - 1);
       const int y = std::clamp(static_cast<int>(rows_px - px.y), 0, segments.label.rows - 1);
       const int part = segments.label.at<int>(y, x);
-      map.zone[static_cast<std::size_t>(row) * map.columns + column] = static_cast<std::int16_t>(part < 0 ? ZoneMap::bare : zone_of[part]);
+      map.zone[static_cast<std::size_t>(row) * map.columns + column] =
+          static_cast<std::int16_t>(part < 0 ? ZoneMap::bare : zone_of[part]);
     }
   }
   return map;
@@ -269,14 +295,17 @@ void add_areas(ZoneDrawing& drawing) {
     if (i >= 0) drawing.zones[i].area_m2 += cell_mm * cell_mm * 1e-6;
 }
 
-Result<ZoneDrawing> drawing_of(const ZonePicture& picture, const std::string& where, const ReadOptions& options) {
+Result<ZoneDrawing> drawing_of(const ZonePicture& picture,
+                               const std::string& where,
+                               const ReadOptions& options) {
   MARKETGEN_TRY(Found found, found_in(picture, where));
   ZoneDrawing drawing;
   const cv::Mat floor = mask_of(found, picture.bgr);
   const Segments segments = segments_of(picture.bgr, picture.ink, floor, picture.longer_side);
   if (segments.parts.size() < 2) return no_zones(where);
   const cv::Mat letters = letter_ink(picture.bgr, picture.longer_side, segments.hatched);
-  const std::vector<cv::Rect> boxes = lines_of_writing(letters, borders_of(segments), picture.longer_side);
+  const std::vector<cv::Rect> boxes =
+      lines_of_writing(letters, borders_of(segments), picture.longer_side);
   std::vector<WrittenLine> lines;
   if (auto read = read_lines(picture.bgr, letters, boxes, picture.longer_side); read.ok())
     lines = std::move(*read);
@@ -286,12 +315,14 @@ Result<ZoneDrawing> drawing_of(const ZonePicture& picture, const std::string& wh
   name_openings(found, picture, lines);
   const Found in_mm = scaled_by(found, size.mm_per_px);
   const double px_mm = size.mm_per_px;
-  MARKETGEN_TRY(drawing.floor, shell_of(in_mm, {std::max(20.0, 2 * px_mm), std::max(10.0, 1.5 * px_mm)}, where));
+  MARKETGEN_TRY(drawing.floor,
+                shell_of(in_mm, {std::max(20.0, 2 * px_mm), std::max(10.0, 1.5 * px_mm)}, where));
   drawing.floor.mm_per_unit = px_mm / picture.px_of_file;
   drawing.floor.scale_from = size.from;
   drawing.scale_is_guessed = size.guessed;
   constexpr double by_pixels = 0.7;
-  drawing.floor.outline_confidence = drawing.floor.openings_confidence = drawing.floor.columns_confidence = by_pixels;
+  drawing.floor.outline_confidence = drawing.floor.openings_confidence =
+      drawing.floor.columns_confidence = by_pixels;
   drawing.zones = zones_of(picture, segments, lines);
   add_legend(drawing.zones, picture, segments, lines);
   const std::vector<int> zone_of = kept_zones(drawing.zones, segments);
@@ -312,16 +343,19 @@ Result<ZoneDrawing> drawing_of(const ZonePicture& picture, const std::string& wh
 Result<ZoneDrawing> read_zone_drawing_bytes(std::string_view bytes,
                                             const std::string& where,
                                             const ReadOptions& options) {
-  const double aspect = options.width_mm > 0 && options.depth_mm > 0 ? options.width_mm / options.depth_mm : 0;
+  const double aspect =
+      options.width_mm > 0 && options.depth_mm > 0 ? options.width_mm / options.depth_mm : 0;
   MARKETGEN_TRY(const ZonePicture picture, zone_picture(bytes, where, aspect));
   try {
     return drawing_of(picture, where, options);
   } catch (const cv::Exception& fault) {
-    return Error{"drawing.bad_file", where, std::string("the picture cannot be looked at: ") + fault.what()};
+    return Error{
+        "drawing.bad_file", where, std::string("the picture cannot be looked at: ") + fault.what()};
   }
 }
 
-Result<ZoneDrawing> read_zone_drawing(const std::filesystem::path& path, const ReadOptions& options) {
+Result<ZoneDrawing> read_zone_drawing(const std::filesystem::path& path,
+                                      const ReadOptions& options) {
   MARKETGEN_TRY(const std::string bytes, io::read_file(path, max_drawing_bytes));
   return read_zone_drawing_bytes(bytes, path.string(), options);
 }

@@ -130,7 +130,9 @@ std::vector<Sample> samples_of(const cv::Mat& bgr, const cv::Mat& mask) {
     for (int x = step / 2; x < bgr.cols; x += step) {
       if (mask.at<std::uint8_t>(y, x) == 0) continue;
       const cv::Vec3b& p = smooth.at<cv::Vec3b>(y, x);
-      samples.push_back({2.0 * x / bgr.cols - 1, 2.0 * y / bgr.rows - 1, {double(p[0]), double(p[1]), double(p[2])}});
+      samples.push_back({2.0 * x / bgr.cols - 1,
+                         2.0 * y / bgr.rows - 1,
+                         {double(p[0]), double(p[1]), double(p[2])}});
     }
   }
   return samples;
@@ -155,6 +157,7 @@ Ray edge_points(const cv::Mat& ink, cv::Point2d a, cv::Point2d b, double reach) 
   const cv::Point2d way = (b - a) / cv::norm(b - a);
   const cv::Point2d in(-way.y, way.x);  // clockwise in a picture: inwards
   Ray points;
+  std::vector<double> thickness;
   constexpr int rays = 160;
   const auto inked = [&](cv::Point2d p) {
     const cv::Point at(cvRound(p.x), cvRound(p.y));
@@ -170,10 +173,17 @@ Ray edge_points(const cv::Mat& ink, cv::Point2d a, cv::Point2d b, double reach) 
     while (end < 3 * reach && inked(start + in * end))
       end += 0.5;
     if (end >= 3 * reach) continue;
-    const cv::Point2d first = start + in * t, last = start + in * end;
+    const cv::Point2d first = start + in * t;
     points.outer.emplace_back(static_cast<float>(first.x), static_cast<float>(first.y));
-    points.inner.emplace_back(static_cast<float>(last.x), static_cast<float>(last.y));
+    thickness.push_back(end - t);
   }
+  if (thickness.empty()) return points;
+  // Lines that end at the wall make it look thicker.
+  const auto thin = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() * 2 / 5);
+  std::ranges::nth_element(thickness, thin);
+  const cv::Point2f through(static_cast<float>(in.x * *thin), static_cast<float>(in.y * *thin));
+  for (const cv::Point2f& p : points.outer)
+    points.inner.push_back(p + through);
   return points;
 }
 
@@ -221,7 +231,7 @@ std::vector<cv::Point> hull_of_lines(const cv::Mat& ink) {
   };
   for (int i = 1; i < count; ++i)
     longest = std::max(longest, side(i));
-  constexpr double wall_share = 0.2;
+  constexpr double wall_share = 0.08;
   std::vector<cv::Point> points;
   for (int y = 0; y < labels.rows; ++y) {
     for (int x = 0; x < labels.cols; ++x) {
@@ -255,7 +265,10 @@ void add_gaps(ZonePicture& picture, const cv::Mat& dark, int side, double wall_p
   const cv::Rect2d& f = picture.floor;
   const bool along_x = side == 0 || side == 2;
   const int length = static_cast<int>(along_x ? f.width : f.height);
-  const double level = side == 0 ? f.y + f.height : side == 2 ? f.y : side == 1 ? f.x + f.width : f.x;
+  const double level = side == 0   ? f.y + f.height
+                       : side == 2 ? f.y
+                       : side == 1 ? f.x + f.width
+                                   : f.x;
   const double out = side == 0 || side == 1 ? 1 : -1;
   const double within = std::max(1.5, 0.3 * wall_px);  // hatching ends at the wall's inner face
   std::vector<bool> open(length);
@@ -297,7 +310,9 @@ ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double asp
                                       cv::Point2f(float(x), float(y + d))};
     return cv::getPerspectiveTransform(from, to);
   };
-  std::vector<cv::Point2f> sheet{{0, 0}, {float(flat.cols), 0}, {0, float(flat.rows)}, {float(flat.cols), float(flat.rows)}}, seen;
+  std::vector<cv::Point2f> sheet{
+      {0, 0}, {float(flat.cols), 0}, {0, float(flat.rows)}, {float(flat.cols), float(flat.rows)}},
+      seen;
   cv::perspectiveTransform(sheet, seen, map_to(0, 0));
   const double most = 0.6 * longer;
   double left = 20, top = 20, right = 20, bottom = 20;
@@ -411,12 +426,14 @@ cv::Mat dark_ink(const cv::Mat& flat) {
   // Where walls are black, what is much lighter is a coloured pen whose colour the picture lost.
   constexpr double towards_paper = 0.42;
   const double darkest = low_value(high, dark, 0.1);
-  return dark & (high < std::min<double>(faintest, darkest + towards_paper * (paper_value - darkest)));
+  return dark &
+         (high < std::min<double>(faintest, darkest + towards_paper * (paper_value - darkest)));
 }
 
 std::optional<FourWalls> four_walls(const cv::Mat& ink) {
   const std::vector<cv::Point> hull = hull_of_lines(ink);
-  if (hull.size() < 4 || cv::contourArea(hull) < 0.05 * static_cast<double>(ink.total())) return std::nullopt;
+  if (hull.size() < 4 || cv::contourArea(hull) < 0.05 * static_cast<double>(ink.total()))
+    return std::nullopt;
   const auto corners = four_corners(hull);
   if (!corners) return std::nullopt;
   std::array<Line, 4> outer, inner;
@@ -430,7 +447,8 @@ std::optional<FourWalls> four_walls(const cv::Mat& ink) {
   }
   FourWalls walls;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto out = meeting(outer[(i + 3) % 4], outer[i]), in = meeting(inner[(i + 3) % 4], inner[i]);
+    const auto out = meeting(outer[(i + 3) % 4], outer[i]),
+               in = meeting(inner[(i + 3) % 4], inner[i]);
     if (!out || !in || cv::norm(*out - (*corners)[i]) > 3 * reach) return std::nullopt;
     walls.outer[i] = *out;
     walls.inner[i] = *in;
@@ -470,10 +488,12 @@ double aspect_of(const std::array<cv::Point2d, 4>& corners, cv::Size picture) {
 
 Result<ZonePicture> zone_picture(std::string_view bytes, const std::string& where, double aspect) {
   if (!bytes.starts_with("\x89PNG") && !bytes.starts_with("\xFF\xD8\xFF"))
-    return Error{"drawing.bad_file", where, "this is no PNG or JPEG; save the drawing of zones as one of these"};
-  MARKETGEN_TRY(const Image image,
-                bytes.starts_with("\x89PNG") ? io::decode_png(bytes, where)
-                                             : io::decode_jpeg(bytes, where));
+    return Error{"drawing.bad_file",
+                 where,
+                 "this is no PNG or JPEG; save the drawing of zones as one of these"};
+  MARKETGEN_TRY(
+      const Image image,
+      bytes.starts_with("\x89PNG") ? io::decode_png(bytes, where) : io::decode_jpeg(bytes, where));
   constexpr int least_px = 120;
   if (std::min(image.width, image.height) < least_px)
     return Error{"drawing.bad_file",

@@ -11,6 +11,7 @@ namespace {
 
 constexpr float least_chroma = 9;  // less is paper
 constexpr int unlabelled = -1;
+constexpr double narrowest = 0.012;  // half a zone's width, of the floor's longer side
 
 cv::Mat chroma_of(const cv::Mat& ab) {
   std::array<cv::Mat, 2> channels;
@@ -142,8 +143,24 @@ cv::Mat strongest_class(const cv::Mat& colours,
   return label;
 }
 
-// Connected parts of each value of `label`; those too small lose it.
-cv::Mat connected_parts(const cv::Mat& label, int values, double least_px, int& count) {
+// How far a piece's innermost pixel is from what is not of it.
+std::vector<float> half_widths(const cv::Mat& mask, const cv::Mat& pieces, int count) {
+  cv::Mat framed, depth;
+  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::distanceTransform(framed, depth, cv::DIST_L2, 3);
+  std::vector<float> half(count);
+  for (int y = 0; y < pieces.rows; ++y) {
+    for (int x = 0; x < pieces.cols; ++x) {
+      float& most = half[pieces.at<int>(y, x)];
+      most = std::max(most, depth.at<float>(y + 1, x + 1));
+    }
+  }
+  return half;
+}
+
+// Connected parts of each value of `label`; those too small and those too narrow lose it.
+cv::Mat connected_parts(
+    const cv::Mat& label, int values, double least_px, double half_px, int& count) {
   cv::Mat parts(label.size(), CV_32S, cv::Scalar(unlabelled));
   count = 0;
   for (int value = 0; value < values; ++value) {
@@ -151,8 +168,9 @@ cv::Mat connected_parts(const cv::Mat& label, int values, double least_px, int& 
     cv::Mat pieces, stats, centres;
     const int found = cv::connectedComponentsWithStats(mask, pieces, stats, centres, 4, CV_32S);
     std::vector<int> number(found, unlabelled);
+    const std::vector<float> half = half_widths(mask, pieces, found);
     for (int i = 1; i < found; ++i)
-      if (stats.at<int>(i, cv::CC_STAT_AREA) >= least_px) number[i] = count++;
+      if (stats.at<int>(i, cv::CC_STAT_AREA) >= least_px && half[i] >= half_px) number[i] = count++;
     for (int y = 0; y < label.rows; ++y) {
       for (int x = 0; x < label.cols; ++x) {
         const int piece = pieces.at<int>(y, x);
@@ -173,7 +191,10 @@ Segments finished(cv::Mat label, int count, const cv::Mat& floor) {
 }
 
 // The mean colours of the parts.
-void add_colours(Segments& segments, const cv::Mat& bgr, const cv::Mat& colours, const cv::Mat& use) {
+void add_colours(Segments& segments,
+                 const cv::Mat& bgr,
+                 const cv::Mat& colours,
+                 const cv::Mat& use) {
   std::vector<cv::Vec3d> sum(segments.parts.size());
   std::vector<cv::Vec2d> ab(segments.parts.size());
   std::vector<int> used(segments.parts.size());
@@ -202,7 +223,8 @@ enum class Surface { even, strokes, hatched };
 Surface surface_of(const cv::Mat& ab, const cv::Mat& coloured, const cv::Mat& floor, double side) {
   cv::Mat closed;
   cv::morphologyEx(coloured, closed, cv::MORPH_CLOSE, square(odd(0.02 * side)));
-  const double filled = cv::countNonZero(coloured & floor) / std::max(1.0, double(cv::countNonZero(closed & floor)));
+  const double filled =
+      cv::countNonZero(coloured & floor) / std::max(1.0, double(cv::countNonZero(closed & floor)));
   if (filled < 0.75) return Surface::hatched;
   const cv::Mat fine = pen_colours(ab, coloured, odd(0.006 * side));
   const cv::Mat mean = pen_colours(ab, coloured, odd(0.03 * side));
@@ -234,7 +256,12 @@ cv::Mat ratio_colours(const cv::Mat& bgr, const cv::Mat& ab, const cv::Mat& use,
   return part;
 }
 
-Segments by_colour(const cv::Mat& bgr, const cv::Mat& ab, const cv::Mat& coloured, const cv::Mat& ink, const cv::Mat& floor, double side) {
+Segments by_colour(const cv::Mat& bgr,
+                   const cv::Mat& ab,
+                   const cv::Mat& coloured,
+                   const cv::Mat& ink,
+                   const cv::Mat& floor,
+                   double side) {
   const Surface surface = surface_of(ab, coloured, floor, side);
   const bool even = surface == Surface::even, hatched = surface == Surface::hatched;
   cv::Mat near_ink, inked = coloured;
@@ -250,7 +277,7 @@ Segments by_colour(const cv::Mat& bgr, const cv::Mat& ab, const cv::Mat& coloure
     colours = pen_colours(ab, coloured, odd((even ? 0.006 : 0.03) * side));
   }
   const cv::Mat core = core_of(colours, inked, odd((even ? 0.008 : 0.03) * side));
-  const double apart = even ? 9 : 13;
+  const double apart = surface == Surface::strokes ? 13 : 9;
   std::vector<cv::Vec2d> classes = main_colours(colours, core & floor, apart);
   if (classes.empty()) classes = main_colours(colours, inked & floor, apart);
   const int window = odd((even ? 0.006 : 0.022) * side);
@@ -269,7 +296,7 @@ Segments by_colour(const cv::Mat& bgr, const cv::Mat& ab, const cv::Mat& coloure
   label.setTo(bare_value, bare);
   const double least_px = 0.006 * cv::countNonZero(floor);
   int count = 0;
-  cv::Mat parts = connected_parts(label, bare_value + 1, least_px, count);
+  cv::Mat parts = connected_parts(label, bare_value + 1, least_px, narrowest * side, count);
   cv::Mat value_of(1, std::max(1, count), CV_32S, cv::Scalar(unlabelled));
   for (int y = 0; y < parts.rows; ++y)
     for (int x = 0; x < parts.cols; ++x)
@@ -304,14 +331,18 @@ Segments by_lines(const cv::Mat& bgr, const cv::Mat& ink, const cv::Mat& floor, 
   cv::Mat grey, faint;
   cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
   cv::GaussianBlur(grey, grey, {3, 3}, 0);
-  cv::adaptiveThreshold(grey, faint, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, odd(0.03 * side), 14);
+  cv::adaptiveThreshold(
+      grey, faint, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, odd(0.03 * side), 14);
   cv::Mat lines = without_letters((faint | ink) & floor, side);
   // Lines that stop short of one another meet.
-  cv::dilate(lines, lines, cv::getStructuringElement(cv::MORPH_ELLIPSE, {odd(0.012 * side), odd(0.012 * side)}));
+  cv::dilate(lines,
+             lines,
+             cv::getStructuringElement(cv::MORPH_ELLIPSE, {odd(0.012 * side), odd(0.012 * side)}));
   cv::Mat free(floor.size(), CV_32S, cv::Scalar(unlabelled));
   free.setTo(0, floor & ~lines);
   int count = 0;
-  const cv::Mat parts = connected_parts(free, 1, 0.006 * cv::countNonZero(floor), count);
+  const cv::Mat parts =
+      connected_parts(free, 1, 0.006 * cv::countNonZero(floor), narrowest * side, count);
   Segments segments = finished(parts, count, floor);
   add_colours(segments, bgr, cv::Mat::zeros(bgr.size(), CV_32FC2), ~ink);
   return segments;
@@ -331,7 +362,10 @@ cv::Mat colours_of(const cv::Mat& bgr) {
   return ab;
 }
 
-Segments segments_of(const cv::Mat& bgr, const cv::Mat& ink, const cv::Mat& floor, double longer_side) {
+Segments segments_of(const cv::Mat& bgr,
+                     const cv::Mat& ink,
+                     const cv::Mat& floor,
+                     double longer_side) {
   const cv::Mat ab = colours_of(bgr);
   cv::Mat near_ink, coloured = chroma_of(ab) > least_chroma;
   cv::dilate(ink, near_ink, square(3));
@@ -339,7 +373,8 @@ Segments segments_of(const cv::Mat& bgr, const cv::Mat& ink, const cv::Mat& floo
   cv::Mat dense;
   cv::morphologyEx(coloured, dense, cv::MORPH_OPEN, square(2));
   constexpr double least_share = 0.04;
-  const double share = cv::countNonZero(dense & floor) / std::max(1.0, double(cv::countNonZero(floor)));
+  const double share =
+      cv::countNonZero(dense & floor) / std::max(1.0, double(cv::countNonZero(floor)));
   if (share > least_share) return by_colour(bgr, ab, coloured & floor, ink, floor, longer_side);
   return by_lines(bgr, ink, floor, longer_side);
 }
@@ -353,11 +388,20 @@ std::vector<Swatch> swatches_of(const cv::Mat& bgr, const cv::Rect& plan, double
   const int count = cv::connectedComponentsWithStats(coloured, labels, stats, centres, 4, CV_32S);
   std::vector<Swatch> swatches;
   for (int i = 1; i < count; ++i) {
-    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
-    const double shorter = std::min(box.width, box.height), longer = std::max(box.width, box.height);
+    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT),
+                       stats.at<int>(i, cv::CC_STAT_TOP),
+                       stats.at<int>(i, cv::CC_STAT_WIDTH),
+                       stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    const double shorter = std::min(box.width, box.height),
+                 longer = std::max(box.width, box.height);
     const bool full = stats.at<int>(i, cv::CC_STAT_AREA) > 0.7 * box.area();
-    if (shorter < 0.008 * longer_side || longer > 0.12 * longer_side || longer > 3 * shorter || !full) continue;
-    const cv::Rect middle(box.x + box.width / 4, box.y + box.height / 4, std::max(1, box.width / 2), std::max(1, box.height / 2));
+    if (shorter < 0.008 * longer_side || longer > 0.12 * longer_side || longer > 3 * shorter ||
+        !full)
+      continue;
+    const cv::Rect middle(box.x + box.width / 4,
+                          box.y + box.height / 4,
+                          std::max(1, box.width / 2),
+                          std::max(1, box.height / 2));
     const cv::Scalar mean = cv::mean(ab(middle));
     swatches.push_back({box, {mean[0], mean[1]}});
   }

@@ -23,7 +23,10 @@ struct Segments {
 // Lab's a and b of every pixel, CV_32FC2; paper is 0, 0.
 cv::Mat colours_of(const cv::Mat& bgr);
 // `floor`: CV_8UC1, where there is floor. `longer_side`: its, in pixels.
-Segments segments_of(const cv::Mat& bgr, const cv::Mat& ink, const cv::Mat& floor, double longer_side);
+Segments segments_of(const cv::Mat& bgr,
+                     const cv::Mat& ink,
+                     const cv::Mat& floor,
+                     double longer_side);
 
 // A small square of one colour beside the plan.
 struct Swatch {

@@ -30,10 +30,15 @@ Marks marks_of(const cv::Mat& ink, double side) {
   Marks marks;
   marks.small = ink.clone();
   for (int i = 1; i < count; ++i) {
-    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
-    const double longer = std::max(box.width, box.height), shorter = std::min(box.width, box.height);
+    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT),
+                       stats.at<int>(i, cv::CC_STAT_TOP),
+                       stats.at<int>(i, cv::CC_STAT_WIDTH),
+                       stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    const double longer = std::max(box.width, box.height),
+                 shorter = std::min(box.width, box.height);
     // A frame around a legend's square is a square without much ink in it.
-    const bool frame = shorter > 0.02 * side && longer < 1.25 * shorter && stats.at<int>(i, cv::CC_STAT_AREA) < 0.3 * box.area();
+    const bool frame = shorter > 0.02 * side && longer < 1.25 * shorter &&
+                       stats.at<int>(i, cv::CC_STAT_AREA) < 0.3 * box.area();
     const bool wall = longer > 0.02 * side && shorter < 0.12 * longer && box.width < box.height;
     large[i] = box.height > 0.07 * side || longer > 0.15 * side || frame || wall;
     if (!large[i] && box.height >= 0.006 * side) marks.letters.push_back(box);
@@ -87,13 +92,17 @@ std::string_view trimmed(std::string_view text) {
 bool is_word(std::string_view word) {
   if (word == "一" || word == "二") return false;
   const bool written = std::ranges::any_of(word, [](char c) {
-    return static_cast<unsigned char>(c) >= 0xE4 || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '&';
+    return static_cast<unsigned char>(c) >= 0xE4 || (c >= '0' && c <= '9') ||
+           (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '&';
   });
   return written;
 }
 
 // All lines below one another, black on white, each as high as the others.
-cv::Mat page_of(const cv::Mat& bgr, const cv::Mat& letters, const std::vector<cv::Rect>& boxes, std::vector<int>& rows) {
+cv::Mat page_of(const cv::Mat& bgr,
+                const cv::Mat& letters,
+                const std::vector<cv::Rect>& boxes,
+                std::vector<int>& rows) {
   std::array<cv::Mat, 3> channels;
   cv::split(bgr, channels.data());
   cv::Mat grey = cv::max(cv::max(channels[0], channels[1]), channels[2]);  // colour becomes light
@@ -110,11 +119,15 @@ cv::Mat page_of(const cv::Mat& bgr, const cv::Mat& letters, const std::vector<cv
     const double white = std::max(60.0, cv::mean(grey(box), ground)[0] - 12);
     grey(box).convertTo(line, CV_8U, 255 / white);
     cv::normalize(line, line, 0, 255, cv::NORM_MINMAX);
-    cv::resize(line, line, {std::clamp(cvRound(box.width * by), 1, 3000), line_px}, 0, 0, cv::INTER_CUBIC);
+    cv::resize(
+        line, line, {std::clamp(cvRound(box.width * by), 1, 3000), line_px}, 0, 0, cv::INTER_CUBIC);
     width = std::max(width, line.cols);
     lines.push_back(line);
   }
-  cv::Mat page(static_cast<int>(lines.size()) * (line_px + between_px) + between_px, width + 2 * between_px, CV_8UC1, cv::Scalar(255));
+  cv::Mat page(static_cast<int>(lines.size()) * (line_px + between_px) + between_px,
+               width + 2 * between_px,
+               CV_8UC1,
+               cv::Scalar(255));
   int y = between_px;
   for (const cv::Mat& line : lines) {
     rows.push_back(y - between_px / 2);
@@ -130,17 +143,24 @@ Result<std::string> tesseract(const cv::Mat& page, const std::string& languages)
   for (int y = 0; y < page.rows; ++y)
     std::copy_n(page.ptr<std::uint8_t>(y), page.cols, image.at(0, y));
   MARKETGEN_TRY(const std::string png, io::encode_png(image));
-  auto answer = io::run_program({"env", "OMP_THREAD_LIMIT=1", "tesseract", "-", "-", "-l", languages, "--psm", "6", "tsv"}, png, {.seconds = ocr_seconds});
+  auto answer = io::run_program(
+      {"env", "OMP_THREAD_LIMIT=1", "tesseract", "-", "-", "-l", languages, "--psm", "6", "tsv"},
+      png,
+      {.seconds = ocr_seconds});
   if (answer.ok()) return answer;
   const std::string message = to_string(answer.error());
-  const bool missing = message.find("No such file") != std::string::npos || message.find("127") != std::string::npos;
+  const bool missing =
+      message.find("No such file") != std::string::npos || message.find("127") != std::string::npos;
   return Error{missing ? "usage.unavailable" : answer.error().code,
                "tesseract",
                "what is written on the drawing cannot be read (" + message +
                    "); install the Debian packages tesseract-ocr and tesseract-ocr-chi-sim"};
 }
 
-Result<std::vector<WrittenLine>> read_page(const cv::Mat& bgr, const cv::Mat& letters, const std::vector<cv::Rect>& boxes, const std::string& languages) {
+Result<std::vector<WrittenLine>> read_page(const cv::Mat& bgr,
+                                           const cv::Mat& letters,
+                                           const std::vector<cv::Rect>& boxes,
+                                           const std::string& languages) {
   std::vector<int> rows;
   const cv::Mat page = page_of(bgr, letters, boxes, rows);
   MARKETGEN_TRY(const std::string tsv, tesseract(page, languages));
@@ -173,10 +193,13 @@ cv::Mat letter_ink(const cv::Mat& bgr, double longer_side, bool hatched) {
   return ink & (high < written) & (near < colourful);
 }
 
-std::vector<cv::Rect> lines_of_writing(const cv::Mat& ink, const cv::Mat& borders, double longer_side) {
+std::vector<cv::Rect> lines_of_writing(const cv::Mat& ink,
+                                       const cv::Mat& borders,
+                                       double longer_side) {
   const Marks marks = marks_of(ink, longer_side);
   if (marks.letters.empty()) return {};
-  const double height = std::clamp(median_height(marks.letters), 0.01 * longer_side, 0.05 * longer_side);
+  const double height =
+      std::clamp(median_height(marks.letters), 0.01 * longer_side, 0.05 * longer_side);
   cv::Mat joined;
   const int across = 2 * cvRound(0.75 * height) + 1, down = 2 * cvRound(0.12 * height) + 1;
   cv::dilate(marks.small, joined, cv::Mat::ones(down, across, CV_8UC1));
@@ -185,10 +208,18 @@ std::vector<cv::Rect> lines_of_writing(const cv::Mat& ink, const cv::Mat& border
   const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
   std::vector<cv::Rect> boxes;
   for (int i = 1; i < count; ++i) {
-    const cv::Rect grown(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    const cv::Rect grown(stats.at<int>(i, cv::CC_STAT_LEFT),
+                         stats.at<int>(i, cv::CC_STAT_TOP),
+                         stats.at<int>(i, cv::CC_STAT_WIDTH),
+                         stats.at<int>(i, cv::CC_STAT_HEIGHT));
     const int more = 1 + cvRound(0.12 * height);
-    const cv::Rect box = cv::Rect(grown.x + across / 2 - more, grown.y + down / 2 - more, grown.width - across + 2 * more, grown.height - down + 2 * more) & cv::Rect(0, 0, ink.cols, ink.rows);
-    const bool line = box.height >= 0.45 * height && box.height < 3.5 * height && box.width >= 0.8 * height;
+    const cv::Rect box = cv::Rect(grown.x + across / 2 - more,
+                                  grown.y + down / 2 - more,
+                                  grown.width - across + 2 * more,
+                                  grown.height - down + 2 * more) &
+                         cv::Rect(0, 0, ink.cols, ink.rows);
+    const bool line =
+        box.height >= 0.45 * height && box.height < 3.5 * height && box.width >= 0.8 * height;
     const double inked = cv::countNonZero(marks.small(box)) / std::max(1.0, double(box.area()));
     if (line && inked > 0.06 && inked < 0.75 && boxes.size() < most_lines) boxes.push_back(box);
   }
@@ -240,7 +271,8 @@ Result<std::vector<WrittenLine>> read_lines(const cv::Mat& bgr,
   MARKETGEN_TRY(const std::vector<WrittenLine> chinese, read_page(bgr, letters, again, "chi_sim"));
   for (std::size_t k = 0; k < doubtful.size(); ++k) {
     WrittenLine& line = lines[doubtful[k]];
-    const bool better = chinese[k].confidence > line.confidence || (is_ascii(line.words) && chinese[k].confidence > 0.5);
+    const bool better = chinese[k].confidence > line.confidence ||
+                        (is_ascii(line.words) && chinese[k].confidence > 0.5);
     if (better && !is_ascii(chinese[k].words)) line = chinese[k];
   }
   return lines;
@@ -257,7 +289,8 @@ std::optional<double> dimension_mm(std::string_view words) {
   double mm = 0;
   if (unit == "m" || unit == "M" || unit == "米") mm = number * 1000;
   if (unit == "cm" || unit == "厘米") mm = number * 10;
-  if (unit == "mm" || unit == "毫米" || (unit.empty() && text.find('.') == std::string::npos)) mm = number;
+  if (unit == "mm" || unit == "毫米" || (unit.empty() && text.find('.') == std::string::npos))
+    mm = number;
   if (mm < least_mm || mm > most_mm) return std::nullopt;
   return mm;
 }

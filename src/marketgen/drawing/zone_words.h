@@ -21,7 +21,9 @@ struct WrittenLine {
 // 255 where something is darker than what is around it, as letters on any colour are.
 cv::Mat letter_ink(const cv::Mat& bgr, double longer_side, bool hatched);
 // Boxes around lines of writing in `ink`: small marks side by side. None goes over `borders`.
-std::vector<cv::Rect> lines_of_writing(const cv::Mat& ink, const cv::Mat& borders, double longer_side);
+std::vector<cv::Rect> lines_of_writing(const cv::Mat& ink,
+                                       const cv::Mat& borders,
+                                       double longer_side);
 // Reads them, all in one call. Errors: usage.unavailable with the packages that bring tesseract,
 // program.failed.
 Result<std::vector<WrittenLine>> read_lines(const cv::Mat& bgr,

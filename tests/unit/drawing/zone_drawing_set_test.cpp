@@ -2,7 +2,8 @@
 // of the floor belongs to the right zone, how many doors and names are found.
 //
 //   .venv/bin/python tests/zone_drawings/make_zone_drawings.py FOLDER --seed 11
-//   MARKETGEN_ZONE_DRAWINGS=FOLDER build/release/tests/test_drawing --gtest_filter='ZoneDrawingSet.*'
+//   MARKETGEN_ZONE_DRAWINGS=FOLDER build/release/tests/test_drawing
+//   --gtest_filter='ZoneDrawingSet.*'
 //
 // MARKETGEN_ZONE_RASTERS=FOLDER has the zones of each drawing written there as a picture.
 #include <algorithm>
@@ -133,8 +134,12 @@ void write_raster(const drawing::ZoneDrawing& drawn, const std::string& file) {
     for (int x = 0; x < image.width; ++x) {
       const int zone = drawn.map.at(x, image.height - 1 - y);
       for (int k = 0; k < 3; ++k)
-        image.at(x, y)[k] = static_cast<std::uint8_t>(
-            zone < 0 ? 255 + 60 * zone : 40 + ((zone + 1) * (k == 0 ? 83 : k == 1 ? 131 : 197)) % 200);
+        image.at(x, y)[k] =
+            static_cast<std::uint8_t>(zone < 0 ? 255 + 60 * zone
+                                               : 40 + ((zone + 1) * (k == 0   ? 83
+                                                                     : k == 1 ? 131
+                                                                              : 197)) %
+                                                          200);
     }
   }
   EXPECT_TRUE(io::write_png(std::filesystem::path(folder) / (file + ".png"), image).ok());
@@ -162,7 +167,8 @@ ZoneScore zone_score_of(const json& truth, const std::filesystem::path& folder) 
   score_doors(score, truth, *drawn);
   write_raster(*drawn, name);
   const double w = truth.at("width"), d = truth.at("depth");
-  score.aspect_off = std::abs(drawn->floor.shell.width_mm / (drawn->floor.shell.depth_mm * w / d) - 1);
+  score.aspect_off =
+      std::abs(drawn->floor.shell.width_mm / (drawn->floor.shell.depth_mm * w / d) - 1);
   if (truth.at("dimensions")[0].get<double>() > 0)
     score.size_off = std::abs(drawn->floor.shell.width_mm / w - 1);
   return score;
@@ -238,18 +244,20 @@ TEST(ZoneDrawingSet, ZonesNamesAndDoorsAreFound) {
     const ZoneScore one = zone_score_of(truth, folder);
     const std::string style = truth.at("style").get<std::string>() +
                               (truth.at("photographed").get<bool>() ? ", photographed" : "");
-    fmt::print("{:8} right {:.4f}  names {}/{}  doors {}/{} +{}  sides off {:.3f} size off {:.3f} {:.2f} s  {}\n",
-               truth.at("file").get<std::string>(),
-               one.share,
-               one.names_right,
-               one.names,
-               one.doors_found,
-               one.doors,
-               one.doors_too_many,
-               one.aspect_off,
-               one.size_off,
-               one.seconds,
-               style);
+    fmt::print(
+        "{:8} right {:.4f}  names {}/{}  doors {}/{} +{}  sides off {:.3f} size off {:.3f} {:.2f} "
+        "s  {}\n",
+        truth.at("file").get<std::string>(),
+        one.share,
+        one.names_right,
+        one.names,
+        one.doors_found,
+        one.doors,
+        one.doors_too_many,
+        one.aspect_off,
+        one.size_off,
+        one.seconds,
+        style);
     by_style[style].add(one);
     all.add(one);
   }
