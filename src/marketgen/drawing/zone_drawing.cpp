@@ -15,12 +15,53 @@
 #include "drawing/zone_picture.h"
 #include "drawing/zone_segments.h"
 #include "drawing/zone_words.h"
+#include "geometry/image.h"
 #include "io/file.h"
+#include "io/png.h"
 
 namespace marketgen::drawing {
 namespace {
 
 constexpr double cell_mm = 100;
+
+Tolerance tolerance_at(double px_mm) {
+  return {std::max(20.0, 2 * px_mm), std::max(10.0, 1.5 * px_mm)};
+}
+
+Found scaled_by(Found found, double by) {
+  for (Vec2& p : found.outline)
+    p = p * by;
+  for (FoundOpening& one : found.openings) {
+    one.from = one.from * by;
+    one.to = one.to * by;
+  }
+  for (FoundColumn& one : found.columns) {
+    one.centre = one.centre * by;
+    one.size_mm *= by;
+  }
+  return found;
+}
+
+// Walls that make no rectangle are read as those of a floor plan, at a size as shops have it, for
+// the true one is not known yet.
+Result<Found> found_as_floor_plan(const ZonePicture& picture, const std::string& where) {
+  constexpr double usual_side_mm = 20'000;
+  const double mm = usual_side_mm / picture.longer_side;
+  Image walls(picture.ink.cols, picture.ink.rows, 1);
+  for (int y = 0; y < walls.height; ++y)
+    for (int x = 0; x < walls.width; ++x)
+      *walls.at(x, y) = picture.ink.at<std::uint8_t>(y, x) == 0 ? 255 : 0;
+  MARKETGEN_TRY(const std::string png, io::encode_png(walls));
+  MARKETGEN_TRY(Sketch sketch, read_picture(png, where));
+  for (Stroke& stroke : sketch.strokes)
+    for (Vec2& p : stroke.points)
+      p = (p + Vec2{0, static_cast<double>(picture.ink.rows)}) * mm;
+  sketch.precision *= mm;
+  MARKETGEN_TRY(Found found, recognise(sketch, tolerance_at(mm), where));
+  found.warnings.clear();  // they speak of sizes
+  found.columns.clear();   // letters are small shapes too
+  return scaled_by(std::move(found), 1 / mm);
+}
 
 // The floor as walls make it, in pixels of the picture, y up from its lower edge.
 Result<Found> found_in(const ZonePicture& picture, const std::string& where) {
@@ -45,15 +86,8 @@ Result<Found> found_in(const ZonePicture& picture, const std::string& where) {
     }
     return found;
   }
-  return Error{"drawing.no_outline", where, "the walls make no rectangle"};
+  return found_as_floor_plan(picture, where);
 }
-
-struct Sized {
-  Found found;  // millimetres
-  double mm_per_px = 0;
-  std::string from;
-  bool guessed = false;
-};
 
 struct KnownSize {
   double mm_per_px = 0;
@@ -98,20 +132,6 @@ Result<KnownSize> size_of(const ZonePicture& picture,
                "a picture does not say how large a pixel is on the floor: write the width of the "
                "shop along it (\"20 m\"), say --floor-plan-scale \"1 px = 10 mm\", or the inner "
                "size of the shop in words or with --size"};
-}
-
-Found scaled_by(Found found, double by) {
-  for (Vec2& p : found.outline)
-    p = p * by;
-  for (FoundOpening& one : found.openings) {
-    one.from = one.from * by;
-    one.to = one.to * by;
-  }
-  for (FoundColumn& one : found.columns) {
-    one.centre = one.centre * by;
-    one.size_mm *= by;
-  }
-  return found;
 }
 
 // What the word beside a door says it is for, as names of blocks do.
@@ -316,7 +336,7 @@ Result<ZoneDrawing> drawing_of(const ZonePicture& picture,
   const Found in_mm = scaled_by(found, size.mm_per_px);
   const double px_mm = size.mm_per_px;
   MARKETGEN_TRY(drawing.floor,
-                shell_of(in_mm, {std::max(20.0, 2 * px_mm), std::max(10.0, 1.5 * px_mm)}, where));
+                shell_of(in_mm, tolerance_at(px_mm), where));
   drawing.floor.mm_per_unit = px_mm / picture.px_of_file;
   drawing.floor.scale_from = size.from;
   drawing.scale_is_guessed = size.guessed;

@@ -178,6 +178,26 @@ TEST(ZoneDrawing, ReadsWallsDoorsAndParts) {
   EXPECT_EQ(read->map.at(10, 10), read->map.at(110, 150));
 }
 
+TEST(ZoneDrawing, WallsThatMakeNoRectangleAreThoseOfAFloorPlan) {
+  cv::Mat sheet(600, 800, CV_8UC3, cv::Scalar::all(250));
+  sheet(cv::Rect(100, 100, 300, 400)).setTo(cv::Scalar(120, 214, 165));
+  sheet(cv::Rect(400, 300, 300, 200)).setTo(cv::Scalar(138, 143, 244));
+  const std::vector<cv::Point> corners{{100, 100}, {400, 100}, {400, 300}, {700, 300}, {700, 500}, {100, 500}};
+  cv::polylines(sheet, std::vector<std::vector<cv::Point>>{corners}, true, cv::Scalar::all(25), 9);
+  drawing::ReadOptions options;
+  options.scale = drawing::Scale{40, 0};
+  const auto read = drawing::read_zone_drawing_bytes(png_of(sheet), "drawing", options);
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  ASSERT_TRUE(read->floor.shell.outline_mm.has_value());
+  EXPECT_EQ(read->floor.shell.outline_mm->size(), 6U);
+  EXPECT_NEAR(read->floor.shell.width_mm, 23640, 150);
+  ASSERT_EQ(read->zones.size(), 2U);
+  const int west = read->map.at(20, 120), east = read->map.at(220, 20);
+  EXPECT_NE(west, east);
+  EXPECT_EQ(read->map.at(20, 20), west);
+  EXPECT_EQ(read->map.at(220, 140), drawing::ZoneMap::outside);
+}
+
 TEST(ZoneDrawing, ScaleIsSaidOrGuessedOrAnError) {
   const std::string png = png_of(two_halves(true));
   const auto unsaid = drawing::read_zone_drawing_bytes(png, "drawing", {});
