@@ -335,8 +335,7 @@ Result<ZoneDrawing> drawing_of(const ZonePicture& picture,
   name_openings(found, picture, lines);
   const Found in_mm = scaled_by(found, size.mm_per_px);
   const double px_mm = size.mm_per_px;
-  MARKETGEN_TRY(drawing.floor,
-                shell_of(in_mm, tolerance_at(px_mm), where));
+  MARKETGEN_TRY(drawing.floor, shell_of(in_mm, tolerance_at(px_mm), where));
   drawing.floor.mm_per_unit = px_mm / picture.px_of_file;
   drawing.floor.scale_from = size.from;
   drawing.scale_is_guessed = size.guessed;

@@ -28,6 +28,8 @@ struct ZonePicture {
   double longer_side = 1000;  // of `floor`, pixels: what sizes on the picture are told by
 };
 
+constexpr double paper_value = 250;
+cv::Mat brightest_channel(const cv::Mat& bgr);
 // Light and paper evened out: paper becomes 250, 250, 250, what is no sheet of paper too.
 cv::Mat flattened(const cv::Mat& bgr);
 cv::Mat dark_ink(const cv::Mat& flat);

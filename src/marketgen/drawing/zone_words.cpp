@@ -183,7 +183,7 @@ cv::Mat letter_ink(const cv::Mat& bgr, double longer_side, bool hatched) {
   cv::Mat around;
   cv::blur(high, around, {window, window});
   around.convertTo(around, CV_8U, darker);
-  const cv::Mat ink = high < around;
+  cv::Mat ink = high < around;
   if (!hatched) return ink;
   // Beside coloured strokes, what is as dark as writing and has no colour near it.
   cv::Mat colour = high - low, near;
