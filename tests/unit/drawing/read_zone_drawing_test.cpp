@@ -182,7 +182,8 @@ TEST(ZoneDrawing, WallsThatMakeNoRectangleAreThoseOfAFloorPlan) {
   cv::Mat sheet(600, 800, CV_8UC3, cv::Scalar::all(250));
   sheet(cv::Rect(100, 100, 300, 400)).setTo(cv::Scalar(120, 214, 165));
   sheet(cv::Rect(400, 300, 300, 200)).setTo(cv::Scalar(138, 143, 244));
-  const std::vector<cv::Point> corners{{100, 100}, {400, 100}, {400, 300}, {700, 300}, {700, 500}, {100, 500}};
+  const std::vector<cv::Point> corners{
+      {100, 100}, {400, 100}, {400, 300}, {700, 300}, {700, 500}, {100, 500}};
   cv::polylines(sheet, std::vector<std::vector<cv::Point>>{corners}, true, cv::Scalar::all(25), 9);
   drawing::ReadOptions options;
   options.scale = drawing::Scale{40, 0};
