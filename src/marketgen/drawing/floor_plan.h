@@ -28,6 +28,7 @@ struct ReadOptions {
   std::optional<Scale> scale;  // beats what the file says
   // The inner size of the shop, where neither says it; 0: not known. One of them is enough.
   double width_mm = 0, depth_mm = 0;
+  double usual_area_m2 = 0;  // of a shop like this, for drawings that say no scale; 0: an error
 };
 
 // Where the shop is open, in the shell's frame, whether or not a plan can say it.
