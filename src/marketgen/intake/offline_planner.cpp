@@ -138,6 +138,21 @@ int affordable_starts(const StoreProgram& program,
   return static_cast<int>(std::clamp<std::int64_t>(starts, 1, max_starts));
 }
 
+// Before a zone is lost that was asked for, the fixtures that are counted take the room that there
+// is instead of the room that they need. False when that changes nothing.
+bool loosen_counts(StoreProgram& program,
+                   const Understanding& found,
+                   std::vector<std::string>& trace) {
+  const ProgramZone& next = program.zones[max_dispensable(program, found)];
+  const bool counted = std::ranges::any_of(program.zones, [](const ProgramZone& zone) {
+    return zone.stance != Stance::front && (zone.main.count || zone.main.runs || !zone.beside.empty());
+  });
+  if (program.loose || !counted || !is_named(found, next)) return false;
+  program.loose = true;
+  trace.emplace_back("no room for all fixtures that are counted");
+  return true;
+}
+
 Candidate find_floor(StoreProgram& program,
                      Understanding& found,
                      const catalog::Catalog& catalog,
@@ -157,6 +172,7 @@ Candidate find_floor(StoreProgram& program,
       return std::move(best.candidate);
     }
     if (program.zones.size() <= min_zones) return side_by_side(program, found, catalog);
+    if (loosen_counts(program, found, trace)) continue;
     // Hopeless floors lose several zones at once, so that the search runs a few times only.
     const int hopeless = std::max(0, searches - patient_searches);
     const int spent = work_left > 0 ? 0 : static_cast<int>(program.zones.size()) / 2;

@@ -233,8 +233,12 @@ ProgramZone make_zone(const Understanding& found,
   zone.cold = type.temperature != catalog::Storage::ambient;
   zone.stressed = emphasis_on(found, type.type) > 1;
   if (index == 0) add_kind_wishes(zone, found, catalog);
-  if (const plan::Requirement* area = found.find(Kind::area, type.type))
-    zone.wanted_m2 = area->value;
+  if (const plan::Requirement* area = found.find(Kind::area, type.type)) {
+    constexpr double to_be_sure = 0.04;  // what layouts shift may cost a zone
+    zone.wanted_how = area->comparison;
+    const bool least = area->comparison == plan::Comparison::at_least;
+    zone.wanted_m2 = area->value * (least ? 1 + to_be_sure : 1);
+  }
   for (const WantedRows& rows : found.rows) {
     if (rows.zone == type.type) zone.rows = rows.rows;
   }
@@ -268,7 +272,9 @@ void share_floor(StoreProgram& program,
     const double counted_m2 = counted_floor_m2(zone, *program.profile);
     const bool exact = zone.main.count || zone.main.runs;
     zone.target_m2 = exact ? counted_m2 : std::max(zone.target_m2, counted_m2);
-    if (zone.wanted_m2) zone.target_m2 = *zone.wanted_m2;
+    if (!zone.wanted_m2) continue;
+    const bool most = zone.wanted_how == plan::Comparison::at_most;
+    zone.target_m2 = most ? std::min(zone.target_m2, *zone.wanted_m2) : *zone.wanted_m2;
   }
 }
 

@@ -29,6 +29,7 @@ struct ProgramZone {
   bool stressed = false;            // the words ask for more of it than usual
   double target_m2 = 0;             // floor with its share of the aisles
   std::optional<double> wanted_m2;  // floor that was asked for
+  plan::Comparison wanted_how = plan::Comparison::equal;
   std::optional<int> count;         // fixtures asked for
   std::optional<int> rows;          // "two rows of frozen food"
   KindWish main;                    // what is said of its main fixtures
@@ -43,6 +44,7 @@ struct StoreProgram {
   std::optional<int> aisle_mm;                 // aisle width asked for
   std::vector<plan::EquipmentSpec> equipment;  // at the doors, where it is not as usual
   bool till_counter = false;                   // no room for lanes
+  bool loose = false;                          // counted fixtures get the room that is left
   bool plain = false;                          // no room for more than a till and ordinary shelves
   std::optional<plan::Shell> shell;            // drawn
   std::vector<RectMm> outside;                 // what is no floor within its bounds

@@ -140,10 +140,12 @@ int sum(const std::vector<int>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0);
 }
 
-// A zone that says how far its boards are apart has all its shelves alike: wall units, too, take
-// levels, distance and height.
+// What `also` says of the kind that lines the walls. Else a zone that says how far its boards are
+// apart has all its shelves alike: wall units, too, take levels, distance and height.
 plan::FixtureSpec wish_along_walls(const plan::Zone& zone, const catalog::FixtureKind& kind) {
   plan::FixtureSpec wish;
+  for (std::size_t k = 0; zone.also && k < zone.also->size(); ++k)
+    if ((*zone.also)[k].kind == kind.kind) return (*zone.also)[k];
   if (kind.generator != "wall_unit" || !zone.fixture.spacing_mm) return wish;
   wish.height_mm = zone.fixture.height_mm;
   wish.levels = zone.fixture.levels;
