@@ -225,7 +225,11 @@ Core make_core(const std::vector<int>& zones,
   core.slice = cut_slice(plan::Axis::x);
   const int used = at_west + width_of(columns, core.run_aisle_mm) + at_east;
   core.crowding += std::max(0, used - room.width_mm) * 1e-3;
-  const int spare = room.width_mm - used;  // negative when too narrow: rectangles still add up
+  int spare = room.width_mm - used;  // negative when too narrow: rectangles still add up
+  // Aisles that were asked to be so wide are, but for one that takes what is left over.
+  const bool exact = program.aisle_mm && program.aisle_how == plan::Comparison::equal;
+  const int in_one_aisle = exact && columns.size() > 1 ? std::max(0, spare) : 0;
+  spare -= in_one_aisle;
   std::vector<int> sizes = with_spare(columns, core.run_aisle_mm, spare);
   sizes.front() += at_west;
   sizes.back() += at_east;
@@ -234,7 +238,9 @@ Core make_core(const std::vector<int>& zones,
       const int cell = room.depth_mm / static_cast<int>(columns[i].zones.size());
       core.crowding += std::max(0, min_cell_mm - cell) * 1e-3;
     }
-    core.slice.add(slice_of(columns[i], program, room.depth_mm), sizes[i], core.run_aisle_mm);
+    const bool widest = i + 1 == columns.size();
+    const int gap = core.run_aisle_mm + (widest ? in_one_aisle : 0);
+    core.slice.add(slice_of(columns[i], program, room.depth_mm), sizes[i], gap);
   }
   core.slice = simplified(std::move(core.slice));
   return core;

@@ -66,7 +66,8 @@ class ZoneWriter {
     if (zone.stance == Stance::central) {
       spec.axis = runs_along_y() ? plan::RunAxis::y : plan::RunAxis::x;
       spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
-    }
+    } else if (least_aisle_holds(zone))
+      spec.aisle_mm = program_.aisle_mm;
     spec.color = shelf_color(found_);
     choose_runs(spec, zone.main);
     if (is_gondola(zone))
@@ -76,6 +77,13 @@ class ZoneWriter {
     choose_levels(spec, zone);
     choose_pitch(spec, zone);
     return spec;
+  }
+
+  // "No aisle narrower than 1.8 m" is said of the aisle before every shelf, also along walls.
+  bool least_aisle_holds(const ProgramZone& zone) const {
+    const plan::Requirement* wish = found_.find(Kind::aisle_width);
+    return wish != nullptr && wish->comparison == plan::Comparison::at_least &&
+           std::ranges::find(wish->except, zone.type->type) == wish->except.end();
   }
 
   static void choose_runs(plan::FixtureSpec& spec, const KindWish& wish) {

@@ -18,6 +18,7 @@ constexpr double plain_gap_m = 2;         // between what is not adjacent
 constexpr double off_line_share = 0.6;    // of the way to the nearer end
 constexpr double middle_third[] = {0.36, 0.64};
 constexpr double in_sight_m = 3.5;  // of fronts across an aisle: fixtures stand back in their zones
+constexpr double opposite_m = 2.5;  // that two fronts share: two modules
 
 struct Metres {
   double x = 0, y = 0;
@@ -87,6 +88,28 @@ Metres way_of(plan::RelationKind kind, const plan::NamedFloor& floor) {
   return inward;
 }
 
+// Runs go the way that people come in, so their fronts look across it; what faces an opening lies
+// ahead of it.
+double facing_strain(const std::vector<plan::NamedPlace>& as,
+                     const std::vector<plan::NamedPlace>& bs,
+                     Metres inward) {
+  double least = HUGE_VAL;
+  for (const plan::NamedPlace& a : as) {
+    for (const plan::NamedPlace& b : bs) {
+      if (a == b) continue;
+      const double x = 1e-3 * (std::min(a.rect.x1, b.rect.x1) - std::max(a.rect.x0, b.rect.x0));
+      const double y = 1e-3 * (std::min(a.rect.y1, b.rect.y1) - std::max(a.rect.y0, b.rect.y0));
+      const bool door = b.kind == plan::PlaceKind::opening;
+      const double along = (inward.x != 0) != door ? x : y, across = (inward.x != 0) != door ? y : x;
+      const double shared = door ? 0.5 : opposite_m;
+      least = std::min(least,
+                       std::max(0.0, shared - along) + std::max(0.0, -across - in_sight_m) +
+                           std::max(0.0, across));
+    }
+  }
+  return least == HUGE_VAL ? 0 : least;
+}
+
 double strain_m(const plan::Requirement& wish,
                 const plan::NamedFloor& floor,
                 const std::vector<plan::NamedPlace>& as,
@@ -98,7 +121,7 @@ double strain_m(const plan::Requirement& wish,
     case plan::RelationKind::near:
       return std::max(0.0, nearest_m(as, bs) - steps);
     case plan::RelationKind::facing:
-      return std::max(0.0, nearest_m(as, bs) - in_sight_m);
+      return facing_strain(as, bs, way_of(wish.relation, floor));
     case plan::RelationKind::not_adjacent:
       return std::max(0.0, plain_gap_m - nearest_m(as, bs));
     case plan::RelationKind::left_of:

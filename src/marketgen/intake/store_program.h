@@ -42,8 +42,10 @@ struct StoreProgram {
   std::vector<ProgramZone> zones;
   std::optional<int> aisles;                   // aisles asked for
   std::optional<int> aisle_mm;                 // aisle width asked for
+  plan::Comparison aisle_how = plan::Comparison::equal;
   std::vector<plan::EquipmentSpec> equipment;  // at the doors, where it is not as usual
   bool till_counter = false;                   // no room for lanes
+  bool open = false;                           // nobody said how large the floor is
   bool loose = false;                          // counted fixtures get the room that is left
   bool plain = false;                          // no room for more than a till and ordinary shelves
   std::optional<plan::Shell> shell;            // drawn
@@ -61,5 +63,8 @@ Result<StoreProgram> make_program(const Brief& brief,
                                   const catalog::Catalog& catalog,
                                   const Concessions& concessions,
                                   std::vector<std::string>& trace);
+
+// A larger floor, by a fifth, for what found no room on it. False when that is the largest.
+bool enlarge(StoreProgram& program);
 
 }  // namespace marketgen::intake

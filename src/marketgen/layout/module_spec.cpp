@@ -235,8 +235,9 @@ int ModuleSpec::door_swing_mm() const {
 }
 
 int ModuleSpec::clear_mm(const Design& design) const {
-  return std::max(design.min_aisle_mm() + door_swing_mm(),
-                  static_cast<int>(kind->front_clearance_mm));
+  return std::max({design.min_aisle_mm() + door_swing_mm(),
+                   static_cast<int>(kind->front_clearance_mm),
+                   wished_aisle_mm + (wished_aisle_mm > 0 ? door_swing_mm() : 0)});
 }
 
 int ModuleSpec::narrowest_mm() const {
@@ -277,6 +278,7 @@ ModuleSpec module_spec(const Design& design,
   choose_widths(spec, design, wish);
   choose_finish(spec, design, wish);
   if (!own && zone.fixture.color && takes_look(kind)) spec.color = *zone.fixture.color;
+  if (own && !kind.double_sided) spec.wished_aisle_mm = wish.aisle_mm.value_or(0);
   return spec;
 }
 
