@@ -109,8 +109,7 @@ std::string_view home_of(const Understanding& found,
   };
   if (has_usual && !refused(usual->second)) return usual->second;
   for (const catalog::ZoneTypeRow& zone : catalog.zone_types)
-    if (is_wanted(found, zone.type) && !refused(zone.type) &&
-        holds_goods_like(zone, kind, catalog))
+    if (is_wanted(found, zone.type) && !refused(zone.type) && holds_goods_like(zone, kind, catalog))
       return zone.type;
   return "";
 }

@@ -31,8 +31,8 @@ std::vector<KindWish> kind_wishes(const Understanding& found,
 
 // The kind is not to be anywhere.
 // Gives counted fixtures of no zone of their own, or of one that was refused, a zone to stand in:
-// dump bins the offers, counters of a shop of meat alone its meat. Their wishes keep what is counted
-// where (second_object).
+// dump bins the offers, counters of a shop of meat alone its meat. Their wishes keep what is
+// counted where (second_object).
 void house_fixtures(Understanding& found, const catalog::Catalog& catalog);
 
 bool is_refused(const Understanding& found, const catalog::FixtureKind& kind);

@@ -103,8 +103,7 @@ class FloorBuilder {
     }
     if (asked_m2 <= 0) return 0;
     const int free_mm = std::max(length_mm - others_mm, length_mm / 2);
-    const int most =
-        static_cast<int>(most_share * std::min(floor_.width_mm, floor_.depth_mm));
+    const int most = static_cast<int>(most_share * std::min(floor_.width_mm, floor_.depth_mm));
     return std::min(most, static_cast<int>(1e6 * asked_m2 / std::max(1, free_mm)));
   }
 

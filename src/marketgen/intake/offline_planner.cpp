@@ -143,7 +143,8 @@ int affordable_starts(const StoreProgram& program,
 // False when that changes nothing.
 bool loosen_counts(StoreProgram& program, std::vector<std::string>& trace) {
   const bool counted = std::ranges::any_of(program.zones, [](const ProgramZone& zone) {
-    return zone.stance != Stance::front && (zone.main.count || zone.main.runs || !zone.beside.empty());
+    return zone.stance != Stance::front &&
+           (zone.main.count || zone.main.runs || !zone.beside.empty());
   });
   if (program.loose || !counted) return false;
   program.loose = true;
@@ -152,13 +153,11 @@ bool loosen_counts(StoreProgram& program, std::vector<std::string>& trace) {
 }
 
 // Before a zone is lost that was asked for. False when nothing is left to try.
-bool make_room(StoreProgram& program,
-               const Understanding& found,
-               std::vector<std::string>& trace) {
+bool make_room(StoreProgram& program, const Understanding& found, std::vector<std::string>& trace) {
   if (!is_named(found, program.zones[max_dispensable(program, found)])) return false;
   if (!program.open || !enlarge(program)) return loosen_counts(program, trace);
-  trace.push_back("a larger floor: " + metres(program.width_mm) + " x " +
-                  metres(program.depth_mm) + " m");
+  trace.push_back("a larger floor: " + metres(program.width_mm) + " x " + metres(program.depth_mm) +
+                  " m");
   return true;
 }
 

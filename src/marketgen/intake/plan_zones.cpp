@@ -114,9 +114,8 @@ class ZoneWriter {
     const bool counted = std::ranges::any_of(
         from.beside, [&](const KindWish& wish) { return wish.kind == walls.kind; });
     Wishes of_walls = wishes_of(Kind::height, &plan::Requirement::object, from.type->type);
-    std::erase_if(of_walls, [&](const plan::Requirement* wish) {
-      return wish->subject != walls.kind->kind;
-    });
+    std::erase_if(of_walls,
+                  [&](const plan::Requirement* wish) { return wish->subject != walls.kind->kind; });
     if (counted || (is_gondola(from) && of_walls.empty())) return std::nullopt;
     plan::FixtureSpec spec;
     spec.kind = walls.kind->kind;

@@ -14,8 +14,8 @@ constexpr double not_judged = 2;  // as bad as missed by the whole diagonal
 constexpr double steps_share = 0.12, fewest_steps_m = 2, most_steps_m = 6;
 constexpr double aside_share = 0.5;  // of what it lies the other way
 constexpr double plain_offset_m = 1;
-constexpr double plain_gap_m = 2;         // between what is not adjacent
-constexpr double off_line_share = 0.6;    // of the way to the nearer end
+constexpr double plain_gap_m = 2;       // between what is not adjacent
+constexpr double off_line_share = 0.6;  // of the way to the nearer end
 constexpr double middle_third[] = {0.36, 0.64};
 constexpr double in_sight_m = 3.5;  // of fronts across an aisle: fixtures stand back in their zones
 constexpr double opposite_m = 2.5;  // that two fronts share: two modules
@@ -80,8 +80,8 @@ double center_strain(Metres a, const RectMm& floor) {
 
 // The way into the shop, or to someone's left or right who comes in.
 Metres way_of(plan::RelationKind kind, const plan::NamedFloor& floor) {
-  const PointMm in = plan::inward_from(floor.openings.empty() ? plan::Wall::south
-                                                              : floor.openings.front().wall);
+  const PointMm in =
+      plan::inward_from(floor.openings.empty() ? plan::Wall::south : floor.openings.front().wall);
   const Metres inward{static_cast<double>(in[0]), static_cast<double>(in[1])};
   if (kind == plan::RelationKind::left_of) return {-inward.y, inward.x};
   if (kind == plan::RelationKind::right_of) return {inward.y, -inward.x};
@@ -100,7 +100,8 @@ double facing_strain(const std::vector<plan::NamedPlace>& as,
       const double x = 1e-3 * (std::min(a.rect.x1, b.rect.x1) - std::max(a.rect.x0, b.rect.x0));
       const double y = 1e-3 * (std::min(a.rect.y1, b.rect.y1) - std::max(a.rect.y0, b.rect.y0));
       const bool door = b.kind == plan::PlaceKind::opening;
-      const double along = (inward.x != 0) != door ? x : y, across = (inward.x != 0) != door ? y : x;
+      const double along = (inward.x != 0) != door ? x : y,
+                   across = (inward.x != 0) != door ? y : x;
       const double shared = door ? 0.5 : opposite_m;
       least = std::min(least,
                        std::max(0.0, shared - along) + std::max(0.0, -across - in_sight_m) +

@@ -30,18 +30,18 @@ struct ProgramZone {
   double target_m2 = 0;             // floor with its share of the aisles
   std::optional<double> wanted_m2;  // floor that was asked for
   plan::Comparison wanted_how = plan::Comparison::equal;
-  std::optional<int> count;         // fixtures asked for
-  std::optional<int> rows;          // "two rows of frozen food"
-  KindWish main;                    // what is said of its main fixtures
-  std::vector<KindWish> beside;     // what else stands there, each with a count or with runs
+  std::optional<int> count;      // fixtures asked for
+  std::optional<int> rows;       // "two rows of frozen food"
+  KindWish main;                 // what is said of its main fixtures
+  std::vector<KindWish> beside;  // what else stands there, each with a count or with runs
 };
 
 struct StoreProgram {
   const catalog::ProfileRow* profile = nullptr;
   int width_mm = 0, depth_mm = 0;  // as built: east-west, north-south
   std::vector<ProgramZone> zones;
-  std::optional<int> aisles;                   // aisles asked for
-  std::optional<int> aisle_mm;                 // aisle width asked for
+  std::optional<int> aisles;    // aisles asked for
+  std::optional<int> aisle_mm;  // aisle width asked for
   plan::Comparison aisle_how = plan::Comparison::equal;
   std::vector<plan::EquipmentSpec> equipment;  // at the doors, where it is not as usual
   bool till_counter = false;                   // no room for lanes

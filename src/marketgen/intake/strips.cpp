@@ -20,8 +20,7 @@ int min_length(const StripRoom& room) {
 
 // What is counted fits there.
 int min_length(const StripRoom& room, const StoreProgram& program, const ProgramZone& zone) {
-  const int counted =
-      program.loose ? 0 : counted_length_mm(zone, *program.profile, room.depth_mm);
+  const int counted = program.loose ? 0 : counted_length_mm(zone, *program.profile, room.depth_mm);
   return std::max(min_length(room), counted);
 }
 
