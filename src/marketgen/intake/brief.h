@@ -95,6 +95,7 @@ struct Planned {
   std::vector<UnparsedWord> unparsed;
   std::vector<Conflict> conflicts;
   bool understood = true;               // false: not one word of the prompt said anything
+  bool floor_is_open = false;           // nobody said how large the floor is
   std::vector<std::string> trace;       // what the planner decided, for a person
   std::optional<PlannerRecord> record;  // of a language model
   std::vector<PlannerFile> files;
@@ -106,6 +107,7 @@ struct Concessions {
   bool till_counter = false;        // a counter instead of lanes
   bool relations_may_fail = false;  // every relation is only preferred
   bool plain = false;               // nothing but a till and ordinary shelves
+  int growth = 0;                   // how often a floor of no said size was made larger
   int draw = 0;                     // which of the floors that the seed can give
   int plans_before = 0;             // of the same brief: each plan may take half the work
   // Of a zone's own fixtures, by its type; of those beside them, by "type/kind"; of runs, with

@@ -24,13 +24,30 @@ struct CoreColumn {
   bool measured = false;  // for what is counted in it
   int beside_mm = 0;      // of what stands there besides, its aisle included
   bool counted = false;   // the words count them: they may stand one behind the other
+  int asked_mm = 0;       // its width, where the words say how large the zone is
   int line_mm = 0;
   double target_m2 = 0;
 
   int width(int aisle) const {
+    if (asked_mm > 0) return asked_mm;
     return runs * line_mm + (runs - 1) * aisle + beside_mm + fit_margin_mm;
   }
 };
+
+// A zone whose floor was asked for in numbers is as wide as that makes it, and has as many runs as
+// stand there. One that would be narrower than a run shares a column instead.
+void ask_for_width(CoreColumn& column,
+                   const ProgramZone& zone,
+                   const StoreProgram& program,
+                   int depth_mm) {
+  if (!zone.wanted_m2 || zone.wanted_how == plan::Comparison::at_most) return;
+  const auto width = static_cast<int>(*zone.wanted_m2 * 1e6 / std::max(1, depth_mm));
+  const int aisle = program.aisle_mm.value_or(program.profile->secondary_aisle_mm);
+  if (width < column.line_mm + fit_margin_mm) return;
+  column.asked_mm = width;
+  const int fit = std::max(1, (width - column.beside_mm + aisle) / (column.line_mm + aisle));
+  column.runs = column.max_runs = std::min(fit, column.max_runs);
+}
 
 CoreColumn column_of(int zone, const StoreProgram& program, int depth_mm) {
   const ProgramZone& row = program.zones[static_cast<std::size_t>(zone)];
@@ -41,10 +58,13 @@ CoreColumn column_of(int zone, const StoreProgram& program, int depth_mm) {
   // An island freezer is two rows back to back.
   const bool island = row.kind != nullptr && row.kind->generator == "island_freezer";
   if (row.rows) column.runs = column.max_runs = island ? (*row.rows + 1) / 2 : *row.rows;
-  if (const auto lines = counted_lines(row, depth_mm)) column.runs = column.max_runs = *lines;
+  const auto lines = counted_lines(row, depth_mm);
+  if (lines) column.max_runs = *lines;
+  if (lines && !program.loose) column.runs = *lines;
   column.counted = row.main.runs.has_value();
-  column.beside_mm = beside_depth_mm(row, depth_mm);
-  column.measured = column.beside_mm > 0 || counted_lines(row, depth_mm).has_value();
+  column.beside_mm = program.loose ? 0 : beside_depth_mm(row, depth_mm);
+  ask_for_width(column, row, program, depth_mm);
+  column.measured = column.asked_mm > 0 || column.beside_mm > 0 || (lines && !program.loose);
   return column;
 }
 
@@ -55,6 +75,7 @@ CoreColumn merged(const CoreColumn& a, const CoreColumn& b) {
   column.max_runs = std::min(a.max_runs, b.max_runs);
   column.line_mm = std::max(a.line_mm, b.line_mm);
   column.beside_mm = std::max(a.beside_mm, b.beside_mm);
+  column.asked_mm = 0;  // the two share its depth as they were asked to
   column.measured = a.measured || b.measured;
   column.target_m2 += b.target_m2;
   return column;
@@ -147,6 +168,23 @@ int fitted_aisle(const std::vector<CoreColumn>& columns,
   return std::clamp(fitted, least, most);
 }
 
+// Widths of all columns. What is left over, or lacking, is shared among those whose width nobody
+// asked for.
+std::vector<int> with_spare(const std::vector<CoreColumn>& columns, int aisle, int spare_mm) {
+  const auto open = [](const CoreColumn& column) { return column.asked_mm == 0; };
+  auto left = static_cast<int>(std::ranges::count_if(columns, open));
+  const bool all = left == 0;
+  if (all) left = static_cast<int>(columns.size());
+  const int share = spare_mm / left, rest = spare_mm % left;
+  std::vector<int> sizes;
+  for (const CoreColumn& column : columns) {
+    int size = column.width(aisle);
+    if (all || open(column)) size += share + (--left == 0 ? rest : 0);
+    sizes.push_back(size);
+  }
+  return sizes;
+}
+
 Slice slice_of(const CoreColumn& column, const StoreProgram& program, int depth_mm) {
   if (column.zones.size() == 1) return zone_slice(column.zones[0]);
   const bool roomy = depth_mm >= 2 * stacked_cell_mm;
@@ -187,17 +225,22 @@ Core make_core(const std::vector<int>& zones,
   core.slice = cut_slice(plan::Axis::x);
   const int used = at_west + width_of(columns, core.run_aisle_mm) + at_east;
   core.crowding += std::max(0, used - room.width_mm) * 1e-3;
-  const int spare = room.width_mm - used;  // negative when too narrow: rectangles still add up
+  int spare = room.width_mm - used;  // negative when too narrow: rectangles still add up
+  // Aisles that were asked to be so wide are, but for one that takes what is left over.
+  const bool exact = program.aisle_mm && program.aisle_how == plan::Comparison::equal;
+  const int in_one_aisle = exact && columns.size() > 1 ? std::max(0, spare) : 0;
+  spare -= in_one_aisle;
+  std::vector<int> sizes = with_spare(columns, core.run_aisle_mm, spare);
+  sizes.front() += at_west;
+  sizes.back() += at_east;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto share = static_cast<int>(columns.size());
-    int size = columns[i].width(core.run_aisle_mm) + spare / share;
-    if (i == 0) size += at_west;
-    if (i + 1 == columns.size()) size += at_east + spare % share;
     for (std::size_t k = 1; k < columns[i].zones.size(); ++k) {
       const int cell = room.depth_mm / static_cast<int>(columns[i].zones.size());
       core.crowding += std::max(0, min_cell_mm - cell) * 1e-3;
     }
-    core.slice.add(slice_of(columns[i], program, room.depth_mm), size, core.run_aisle_mm);
+    const bool widest = i + 1 == columns.size();
+    const int gap = core.run_aisle_mm + (widest ? in_one_aisle : 0);
+    core.slice.add(slice_of(columns[i], program, room.depth_mm), sizes[i], gap);
   }
   core.slice = simplified(std::move(core.slice));
   return core;

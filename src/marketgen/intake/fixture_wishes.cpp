@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace marketgen::intake {
 namespace {
@@ -74,6 +75,58 @@ std::vector<KindWish> kind_wishes(const Understanding& found,
   for (const Said& said : all)
     wishes.push_back(settled(said));
   return wishes;
+}
+
+namespace {
+
+// Where kinds stand that belong to no goods, when the words name no better place.
+constexpr std::pair<std::string_view, std::string_view> usual_homes[] = {
+    {"bin", "promo"}, {"pallet", "promo"}, {"promo_stack", "promo"}, {"peg_wall", "personal_care"}};
+
+bool is_wanted(const Understanding& found, std::string_view zone) {
+  return std::ranges::any_of(found.requirements, [&](const plan::Requirement& wish) {
+    return wish.kind == Kind::zone_present && wish.subject == zone;
+  });
+}
+
+bool holds_goods_like(const catalog::ZoneTypeRow& zone,
+                      const catalog::FixtureKind& kind,
+                      const catalog::Catalog& catalog) {
+  const catalog::FixtureKind* usual = catalog.fixture_kind(zone.fixture);
+  return usual != nullptr && usual->role == catalog::FixtureRole::shelving &&
+         usual->temperature == kind.temperature;
+}
+
+// The zone that the words name and whose goods the kind keeps; else the kind's usual one.
+std::string_view home_of(const Understanding& found,
+                         const catalog::FixtureKind& kind,
+                         const catalog::Catalog& catalog) {
+  const auto usual = std::ranges::find(
+      usual_homes, kind.kind, &std::pair<std::string_view, std::string_view>::first);
+  const bool has_usual = usual != std::end(usual_homes);
+  const auto refused = [&](std::string_view zone) {
+    return found.find(Kind::zone_absent, zone) != nullptr;
+  };
+  if (has_usual && !refused(usual->second)) return usual->second;
+  for (const catalog::ZoneTypeRow& zone : catalog.zone_types)
+    if (is_wanted(found, zone.type) && !refused(zone.type) && holds_goods_like(zone, kind, catalog))
+      return zone.type;
+  return "";
+}
+
+}  // namespace
+
+void house_fixtures(Understanding& found, const catalog::Catalog& catalog) {
+  for (plan::Requirement& wish : found.requirements) {
+    const bool counted = wish.kind == Kind::fixture_count || wish.kind == Kind::run_count;
+    if (!counted || asks_for_none(wish) || !wish.second_object.empty()) continue;
+    const catalog::FixtureKind* kind = catalog.fixture_kind(wish.subject);
+    if (kind == nullptr || kind->role != catalog::FixtureRole::shelving) continue;
+    const bool homeless = wish.object.empty() && kind->generator != "wall_unit";
+    if (!homeless && found.find(Kind::zone_absent, wish.object) == nullptr) continue;
+    if (const std::string_view home = home_of(found, *kind, catalog); !home.empty())
+      wish.object = home;
+  }
 }
 
 bool is_refused(const Understanding& found, const catalog::FixtureKind& kind) {

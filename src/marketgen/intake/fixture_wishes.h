@@ -30,6 +30,11 @@ std::vector<KindWish> kind_wishes(const Understanding& found,
                                   std::string_view zone_type);
 
 // The kind is not to be anywhere.
+// Gives counted fixtures of no zone of their own, or of one that was refused, a zone to stand in:
+// dump bins the offers, counters of a shop of meat alone its meat. Their wishes keep what is
+// counted where (second_object).
+void house_fixtures(Understanding& found, const catalog::Catalog& catalog);
+
 bool is_refused(const Understanding& found, const catalog::FixtureKind& kind);
 
 // Lines of a kind that are counted in the store as a whole; null when they are not.

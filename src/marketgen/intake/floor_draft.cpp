@@ -76,13 +76,35 @@ class FloorBuilder {
                           : wall_depth_mm(zone(index), catalog_);
   }
 
-  int band_depth(Band band) const {
+  int band_depth(Band band, int length_mm) const {
     const bool deep =
         (band == Band::west && draft_.deep_west) || (band == Band::east && draft_.deep_east);
     int depth = 0;
     for (const int z : draft_.band(band))
       depth = std::max(depth, own_depth(z, deep));
-    return depth;
+    return std::max(depth, asked_depth(band, length_mm));
+  }
+
+  static bool is_asked(const ProgramZone& zone) {
+    return zone.wanted_m2 && zone.wanted_how != plan::Comparison::at_most;
+  }
+
+  // How deep a band so long is for the floor that was asked for in it; the other zones of it keep
+  // a department each.
+  int asked_depth(Band band, int length_mm) const {
+    constexpr double most_share = 0.5;  // of the shorter side of the floor
+    double asked_m2 = 0;
+    int others_mm = 0;
+    for (const int z : draft_.band(band)) {
+      if (is_asked(zone(z)))
+        asked_m2 += *zone(z).wanted_m2;
+      else
+        others_mm += min_front_mm;
+    }
+    if (asked_m2 <= 0) return 0;
+    const int free_mm = std::max(length_mm - others_mm, length_mm / 2);
+    const int most = static_cast<int>(most_share * std::min(floor_.width_mm, floor_.depth_mm));
+    return std::min(most, static_cast<int>(1e6 * asked_m2 / std::max(1, free_mm)));
   }
 
   Slice strip_slice(Band band, plan::Axis axis, int length_mm, int depth_mm) {
@@ -93,6 +115,7 @@ class FloorBuilder {
     floor_.crowding += strip.crowding;
     const double metres = 1e-3 * length_mm / static_cast<double>(draft_.band(band).size());
     for (const int z : draft_.band(band)) {
+      if (is_asked(zone(z))) continue;
       floor_.waste_m2 += metres * 1e-3 * std::max(0, depth_mm - own_depth(z, true));
     }
     return strip.slice;
@@ -102,8 +125,8 @@ class FloorBuilder {
 
   // With corner tills the middle ends at the till column instead of at one of the walls.
   Slice middle(int width_mm, int depth_mm, bool to_west_wall, bool to_east_wall) {
-    const int west = to_west_wall ? band_depth(Band::west) : 0;
-    const int east = to_east_wall ? band_depth(Band::east) : 0;
+    const int west = to_west_wall ? band_depth(Band::west, depth_mm) : 0;
+    const int east = to_east_wall ? band_depth(Band::east, depth_mm) : 0;
     const int west_gap = west > 0 ? gap_before(Band::west) : 0;
     const int east_gap = east > 0 ? gap_before(Band::east) : 0;
     const bool has_core = !draft_.band(Band::core).empty();
@@ -149,7 +172,7 @@ class FloorBuilder {
     int band_mm = 0, gap_mm = 0;
   };
   Back back_of(int body_mm) const {
-    Back back{band_depth(Band::north), 0};
+    Back back{band_depth(Band::north, floor_.width_mm), 0};
     if (back.band_mm == 0) return back;
     back.gap_mm = gap_before(Band::north);
     back.band_mm =
@@ -304,7 +327,7 @@ class FloorBuilder {
     const int entrance_gap =
         std::max(profile_.main_aisle_mm, floor_.entrance_width_mm + 2 * door_side_mm);
     const Band side = draft_.tills_east ? Band::east : Band::west;
-    const int column = std::max(tills_width(front), band_depth(side));
+    const int column = std::max(tills_width(front), band_depth(side, lower));
     const int body = width - column - entrance_gap;
     need(body, 2600);
     set_doors(body + entrance_gap / 2, width - exit_from_end(column));
@@ -320,7 +343,7 @@ class FloorBuilder {
   // The middle, with a band along the front window when there are front zones.
   Slice corner_body(int width_mm, int depth_mm) {
     const std::vector<int>& zones = draft_.band(Band::front);
-    const int front = band_depth(Band::front);
+    const int front = band_depth(Band::front, width_mm);
     const int gap = zones.empty() ? 0 : gap_before(Band::front);
     const int rest = depth_mm - front - gap;
     need(rest, 2600);

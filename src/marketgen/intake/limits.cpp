@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/fields.h"
+#include "intake/store_size.h"
 #include "plan/plan.h"
 
 namespace marketgen::intake {
@@ -20,6 +21,10 @@ FieldRules rules_of(std::string_view name) {
   }
   return {};
 }
+
+// Of a floor that is said in square metres alone.
+constexpr double smallest_m2 = 1e-6 * min_store_side_mm * min_store_side_mm;
+constexpr double largest_m2 = 1e-6 * max_store_side_mm * max_store_side_mm;
 
 struct Limits {
   double min = 0, max = 0;
@@ -60,7 +65,7 @@ std::optional<Limits> limits_of(const plan::Requirement& wish) {
     case Kind::opening:
       return opening_limits(wish.subject);
     case Kind::area:
-      if (wish.subject.empty()) return std::nullopt;  // refused where the size is decided
+      if (wish.subject.empty()) return Limits{smallest_m2, largest_m2, "the floor", " m2"};
       return within_plan(rules_of<plan::AreaRange>("target"), "the floor of a zone", " m2");
     default:
       return std::nullopt;

@@ -10,6 +10,7 @@
 #include "intake/plan_writer.h"
 #include "intake/relation_geometry.h"
 #include "intake/store_program.h"
+#include "intake/store_size.h"
 #include "intake/understanding.h"
 #include "io/file.h"
 #include "plan/bsp.h"
@@ -138,6 +139,28 @@ int affordable_starts(const StoreProgram& program,
   return static_cast<int>(std::clamp<std::int64_t>(starts, 1, max_starts));
 }
 
+// The fixtures that are counted take the room that there is instead of the room that they need.
+// False when that changes nothing.
+bool loosen_counts(StoreProgram& program, std::vector<std::string>& trace) {
+  const bool counted = std::ranges::any_of(program.zones, [](const ProgramZone& zone) {
+    return zone.stance != Stance::front &&
+           (zone.main.count || zone.main.runs || !zone.beside.empty());
+  });
+  if (program.loose || !counted) return false;
+  program.loose = true;
+  trace.emplace_back("no room for all fixtures that are counted");
+  return true;
+}
+
+// Before a zone is lost that was asked for. False when nothing is left to try.
+bool make_room(StoreProgram& program, const Understanding& found, std::vector<std::string>& trace) {
+  if (!is_named(found, program.zones[max_dispensable(program, found)])) return false;
+  if (!program.open || !enlarge(program)) return loosen_counts(program, trace);
+  trace.push_back("a larger floor: " + metres(program.width_mm) + " x " + metres(program.depth_mm) +
+                  " m");
+  return true;
+}
+
 Candidate find_floor(StoreProgram& program,
                      Understanding& found,
                      const catalog::Catalog& catalog,
@@ -157,6 +180,7 @@ Candidate find_floor(StoreProgram& program,
       return std::move(best.candidate);
     }
     if (program.zones.size() <= min_zones) return side_by_side(program, found, catalog);
+    if (make_room(program, found, trace)) continue;
     // Hopeless floors lose several zones at once, so that the search runs a few times only.
     const int hopeless = std::max(0, searches - patient_searches);
     const int spent = work_left > 0 ? 0 : static_cast<int>(program.zones.size()) / 2;
@@ -214,6 +238,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                      const Concessions& concessions) const {
   Understanding found = understand(brief.prompt, language_.with_words_of(catalog), catalog);
   apply_flags(brief, found);
+  house_fixtures(found, catalog);
   const BeyondLimits beyond = keep_within_limits(found);
   Planned planned;
   Brief settled = brief;
@@ -238,6 +263,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
     for (plan::Relation& relation : planned.plan.relations)
       relation.strength = plan::Strength::prefer;
   }
+  planned.floor_is_open = program.open;
   planned.requirements = as_asked(std::move(found.requirements), beyond);
   planned.unparsed = std::move(found.unparsed);
   planned.conflicts = std::move(found.conflicts);

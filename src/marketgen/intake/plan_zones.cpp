@@ -35,7 +35,9 @@ class ZoneWriter {
     zone.anchor = from.type->anchor;
     zone.temperature = from.kind != nullptr ? from.kind->temperature : from.type->temperature;
     zone.fixture = fixture_of(from, rect);
-    if (!from.beside.empty()) zone.also = beside_of(from);
+    std::vector<plan::FixtureSpec> also = beside_of(from);
+    if (const auto walls = walls_of(from)) also.push_back(*walls);
+    if (!also.empty()) zone.also = std::move(also);
     zone.stock = stock_of(zone.type);
     return zone;
   }
@@ -64,7 +66,8 @@ class ZoneWriter {
     if (zone.stance == Stance::central) {
       spec.axis = runs_along_y() ? plan::RunAxis::y : plan::RunAxis::x;
       spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
-    }
+    } else if (least_aisle_holds(zone))
+      spec.aisle_mm = program_.aisle_mm;
     spec.color = shelf_color(found_);
     choose_runs(spec, zone.main);
     if (is_gondola(zone))
@@ -74,6 +77,13 @@ class ZoneWriter {
     choose_levels(spec, zone);
     choose_pitch(spec, zone);
     return spec;
+  }
+
+  // "No aisle narrower than 1.8 m" is said of the aisle before every shelf, also along walls.
+  bool least_aisle_holds(const ProgramZone& zone) const {
+    const plan::Requirement* wish = found_.find(Kind::aisle_width);
+    return wish != nullptr && wish->comparison == plan::Comparison::at_least &&
+           std::ranges::find(wish->except, zone.type->type) == wish->except.end();
   }
 
   static void choose_runs(plan::FixtureSpec& spec, const KindWish& wish) {
@@ -90,6 +100,31 @@ class ZoneWriter {
       choose_runs(spec, wish);
     }
     return specs;
+  }
+
+  // How the wall units beside the zone's own fixtures are built, where the words say so and they
+  // are not built like its gondolas anyhow (layout/module_spec.cpp).
+  std::optional<plan::FixtureSpec> walls_of(const ProgramZone& from) const {
+    if (from.kind == nullptr || from.kind->role != catalog::FixtureRole::shelving)
+      return std::nullopt;
+    ProgramZone walls = from;
+    walls.kind = kind_on_walls(*from.kind, sources_.catalog);
+    if (walls.kind == nullptr || walls.kind == from.kind || walls.kind->generator != "wall_unit")
+      return std::nullopt;
+    const bool counted = std::ranges::any_of(
+        from.beside, [&](const KindWish& wish) { return wish.kind == walls.kind; });
+    Wishes of_walls = wishes_of(Kind::height, &plan::Requirement::object, from.type->type);
+    std::erase_if(of_walls,
+                  [&](const plan::Requirement* wish) { return wish->subject != walls.kind->kind; });
+    if (counted || (is_gondola(from) && of_walls.empty())) return std::nullopt;
+    plan::FixtureSpec spec;
+    spec.kind = walls.kind->kind;
+    spec.height_mm = wished_height(walls, walls.kind->height_mm);
+    choose_levels(spec, walls);
+    choose_pitch(spec, walls);
+    if (!spec.height_mm && !spec.levels && !spec.spacing_mm) return std::nullopt;
+    spec.color = shelf_color(found_);
+    return spec;
   }
 
   void choose_gondola(plan::FixtureSpec& spec, const ProgramZone& zone, const RectMm& rect) const {

@@ -1,12 +1,147 @@
 #include "intake/relation_geometry.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace marketgen::intake {
 namespace {
 
 constexpr double margin_share = 0.1, min_margin_m = 0.1;
 constexpr double not_judged = 2;  // as bad as missed by the whole diagonal
+
+// A few steps, and no more in a large shop than can be seen at once.
+constexpr double steps_share = 0.12, fewest_steps_m = 2, most_steps_m = 6;
+constexpr double aside_share = 0.5;  // of what it lies the other way
+constexpr double plain_offset_m = 1;
+constexpr double plain_gap_m = 2;       // between what is not adjacent
+constexpr double off_line_share = 0.6;  // of the way to the nearer end
+constexpr double middle_third[] = {0.36, 0.64};
+constexpr double in_sight_m = 3.5;  // of fronts across an aisle: fixtures stand back in their zones
+constexpr double opposite_m = 2.5;  // that two fronts share: two modules
+
+struct Metres {
+  double x = 0, y = 0;
+};
+
+Metres middle_of(const RectMm& rect) {
+  const PointMm at = rect.center();
+  return {1e-3 * at[0], 1e-3 * at[1]};
+}
+
+// What all places of a name have as their middle, each by its floor.
+Metres common_middle(const std::vector<plan::NamedPlace>& places) {
+  Metres sum;
+  double weight = 0;
+  for (const plan::NamedPlace& place : places) {
+    const double m2 = std::max(0.01, place.rect.area_m2());
+    const Metres at = middle_of(place.rect);
+    sum.x += m2 * at.x;
+    sum.y += m2 * at.y;
+    weight += m2;
+  }
+  return {sum.x / weight, sum.y / weight};
+}
+
+double nearest_m(const std::vector<plan::NamedPlace>& as, const std::vector<plan::NamedPlace>& bs) {
+  double nearest = HUGE_VAL;
+  for (const plan::NamedPlace& a : as)
+    for (const plan::NamedPlace& b : bs)
+      if (!(a == b)) nearest = std::min(nearest, 1e-3 * distance_mm(a.rect, b.rect));
+  return nearest;
+}
+
+// Lies `a` beyond `b` that way, and more so than across?
+double aside_strain(Metres a, Metres b, Metres way, bool of_opening) {
+  const double along = (a.x - b.x) * way.x + (a.y - b.y) * way.y;
+  const double across = std::abs((a.x - b.x) * way.y - (a.y - b.y) * way.x);
+  const double wanted = std::max(plain_offset_m, of_opening ? 0 : aside_share * across);
+  return std::max(0.0, wanted - along);
+}
+
+double between_strain(Metres a, Metres b, Metres c) {
+  const Metres way{c.x - b.x, c.y - b.y}, from{a.x - b.x, a.y - b.y};
+  const double length = std::max(1e-6, std::hypot(way.x, way.y));
+  const double along = (from.x * way.x + from.y * way.y) / length;
+  const double off = std::abs(from.x * way.y - from.y * way.x) / length;
+  const double end = std::min(along, length - along);
+  return std::max(0.0, off - std::max(1.0, off_line_share * end)) +
+         std::max(0.0, 0.15 * length - end);
+}
+
+double center_strain(Metres a, const RectMm& floor) {
+  const double u = (a.x - 1e-3 * floor.x0) / (1e-3 * floor.width());
+  const double v = (a.y - 1e-3 * floor.y0) / (1e-3 * floor.depth());
+  const auto off = [](double share) {
+    return std::max({0.0, middle_third[0] - share, share - middle_third[1]});
+  };
+  return off(u) * 1e-3 * floor.width() + off(v) * 1e-3 * floor.depth();
+}
+
+// The way into the shop, or to someone's left or right who comes in.
+Metres way_of(plan::RelationKind kind, const plan::NamedFloor& floor) {
+  const PointMm in =
+      plan::inward_from(floor.openings.empty() ? plan::Wall::south : floor.openings.front().wall);
+  const Metres inward{static_cast<double>(in[0]), static_cast<double>(in[1])};
+  if (kind == plan::RelationKind::left_of) return {-inward.y, inward.x};
+  if (kind == plan::RelationKind::right_of) return {inward.y, -inward.x};
+  return inward;
+}
+
+// Runs go the way that people come in, so their fronts look across it; what faces an opening lies
+// ahead of it.
+double facing_strain(const std::vector<plan::NamedPlace>& as,
+                     const std::vector<plan::NamedPlace>& bs,
+                     Metres inward) {
+  double least = HUGE_VAL;
+  for (const plan::NamedPlace& a : as) {
+    for (const plan::NamedPlace& b : bs) {
+      if (a == b) continue;
+      const double x = 1e-3 * (std::min(a.rect.x1, b.rect.x1) - std::max(a.rect.x0, b.rect.x0));
+      const double y = 1e-3 * (std::min(a.rect.y1, b.rect.y1) - std::max(a.rect.y0, b.rect.y0));
+      const bool door = b.kind == plan::PlaceKind::opening;
+      const double along = (inward.x != 0) != door ? x : y,
+                   across = (inward.x != 0) != door ? y : x;
+      const double shared = door ? 0.5 : opposite_m;
+      least = std::min(least,
+                       std::max(0.0, shared - along) + std::max(0.0, -across - in_sight_m) +
+                           std::max(0.0, across));
+    }
+  }
+  return least == HUGE_VAL ? 0 : least;
+}
+
+double strain_m(const plan::Requirement& wish,
+                const plan::NamedFloor& floor,
+                const std::vector<plan::NamedPlace>& as,
+                const std::vector<plan::NamedPlace>& bs) {
+  const double steps =
+      std::clamp(steps_share * plan::diagonal_m(floor.bounds), fewest_steps_m, most_steps_m);
+  const Metres a = common_middle(as), b = common_middle(bs);
+  switch (wish.relation) {
+    case plan::RelationKind::near:
+      return std::max(0.0, nearest_m(as, bs) - steps);
+    case plan::RelationKind::facing:
+      return facing_strain(as, bs, way_of(wish.relation, floor));
+    case plan::RelationKind::not_adjacent:
+      return std::max(0.0, plain_gap_m - nearest_m(as, bs));
+    case plan::RelationKind::left_of:
+    case plan::RelationKind::right_of:
+    case plan::RelationKind::behind:
+      return aside_strain(
+          a, b, way_of(wish.relation, floor), bs.front().kind == plan::PlaceKind::opening);
+    case plan::RelationKind::at:
+      return wish.object == "center" ? center_strain(a, floor.bounds) : 0;
+    case plan::RelationKind::between: {
+      const std::vector<plan::NamedPlace> cs = plan::places_named(floor, wish.second_object);
+      return cs.empty() ? 0 : between_strain(a, b, common_middle(cs));
+    }
+    case plan::RelationKind::far:
+    case plan::RelationKind::along:
+      break;
+  }
+  return 0;
+}
 
 }  // namespace
 
@@ -28,6 +163,13 @@ double miss_of(const plan::Requirement& wish, const plan::NamedFloor& floor) {
   if (!measure) return not_judged;
   const double miss_m = planner_margin_m(*measure) - measure->slack_m();
   return miss_m <= 0 ? 0 : 1 + miss_m / plan::diagonal_m(floor.bounds);
+}
+
+double strain_of(const plan::Requirement& wish, const plan::NamedFloor& floor) {
+  const std::vector<plan::NamedPlace> as = plan::places_named(floor, wish.subject);
+  const std::vector<plan::NamedPlace> bs = plan::places_named(floor, wish.object);
+  if (as.empty() || bs.empty()) return 0;
+  return std::min(1.0, strain_m(wish, floor, as, bs) / plan::diagonal_m(floor.bounds));
 }
 
 }  // namespace marketgen::intake

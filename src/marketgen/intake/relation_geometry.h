@@ -19,4 +19,10 @@ double planner_margin_m(const plan::RelationMeasure& measure);
 // relation.
 double miss_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
 
+// How far a relation that holds is from being plain to see, in store diagonals; 0 when anyone would
+// say so. "Near" is said of what is a few steps away, "left of" of what lies more to the left than
+// ahead, "between" of what lies on the way. Our own figures, tighter than those of
+// plan/relation.h.
+double strain_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
+
 }  // namespace marketgen::intake

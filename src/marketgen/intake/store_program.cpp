@@ -233,8 +233,12 @@ ProgramZone make_zone(const Understanding& found,
   zone.cold = type.temperature != catalog::Storage::ambient;
   zone.stressed = emphasis_on(found, type.type) > 1;
   if (index == 0) add_kind_wishes(zone, found, catalog);
-  if (const plan::Requirement* area = found.find(Kind::area, type.type))
-    zone.wanted_m2 = area->value;
+  if (const plan::Requirement* area = found.find(Kind::area, type.type)) {
+    constexpr double to_be_sure = 0.04;  // what layouts shift may cost a zone
+    zone.wanted_how = area->comparison;
+    const bool least = area->comparison == plan::Comparison::at_least;
+    zone.wanted_m2 = area->value * (least ? 1 + to_be_sure : 1);
+  }
   for (const WantedRows& rows : found.rows) {
     if (rows.zone == type.type) zone.rows = rows.rows;
   }
@@ -268,7 +272,9 @@ void share_floor(StoreProgram& program,
     const double counted_m2 = counted_floor_m2(zone, *program.profile);
     const bool exact = zone.main.count || zone.main.runs;
     zone.target_m2 = exact ? counted_m2 : std::max(zone.target_m2, counted_m2);
-    if (zone.wanted_m2) zone.target_m2 = *zone.wanted_m2;
+    if (!zone.wanted_m2) continue;
+    const bool most = zone.wanted_how == plan::Comparison::at_most;
+    zone.target_m2 = most ? std::min(zone.target_m2, *zone.wanted_m2) : *zone.wanted_m2;
   }
 }
 
@@ -390,6 +396,22 @@ std::optional<int> whole(const plan::Requirement* wish) {
 
 }  // namespace
 
+bool enlarge(StoreProgram& program) {
+  constexpr double step = 1.2;  // of the floor, our own figure
+  const auto longer = [](int side_mm) {
+    return std::min(static_cast<int>(max_store_side_mm), rounded_mm(side_mm * std::sqrt(step)));
+  };
+  const int width = longer(program.width_mm), depth = longer(program.depth_mm);
+  if (width == program.width_mm && depth == program.depth_mm) return false;
+  program.width_mm = width;
+  program.depth_mm = depth;
+  for (ProgramZone& zone : program.zones) {
+    const bool exact = zone.wanted_m2 || zone.main.count || zone.main.runs;
+    if (!exact) zone.target_m2 *= step;
+  }
+  return true;
+}
+
 Result<StoreProgram> make_program(const Brief& brief,
                                   const Understanding& found,
                                   const catalog::Catalog& catalog,
@@ -406,6 +428,7 @@ Result<StoreProgram> make_program(const Brief& brief,
   if (brief.shell) program.outside = layout::make_floor(*brief.shell).outside;
   program.aisles = whole(found.find(Kind::aisle_count));
   program.aisle_mm = whole(found.find(Kind::aisle_width));
+  if (program.aisle_mm) program.aisle_how = found.find(Kind::aisle_width)->comparison;
   if (program.aisle_mm)  // narrower ones are against the rules of any shop
     program.aisle_mm = std::max(*program.aisle_mm, program.profile->minimum_aisle_mm);
   const NamedZones chosen = chosen_zones(found, catalog, program);
@@ -421,7 +444,10 @@ Result<StoreProgram> make_program(const Brief& brief,
   share_floor(program, found, chosen.count);
   share_runs(program, found, catalog);
   count_lanes(program);
-  if (!floor_size_is_said(brief, found)) grow_floor(program, found);
+  program.open = !floor_size_is_said(brief, found);
+  if (program.open) grow_floor(program, found);
+  for (int i = 0; program.open && i < concessions.growth; ++i)
+    enlarge(program);
   share_floor(program, found, chosen.count);
   program.equipment = equipment_of(found, catalog);
   for (ProgramZone& zone : program.zones) {

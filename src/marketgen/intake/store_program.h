@@ -29,20 +29,24 @@ struct ProgramZone {
   bool stressed = false;            // the words ask for more of it than usual
   double target_m2 = 0;             // floor with its share of the aisles
   std::optional<double> wanted_m2;  // floor that was asked for
-  std::optional<int> count;         // fixtures asked for
-  std::optional<int> rows;          // "two rows of frozen food"
-  KindWish main;                    // what is said of its main fixtures
-  std::vector<KindWish> beside;     // what else stands there, each with a count or with runs
+  plan::Comparison wanted_how = plan::Comparison::equal;
+  std::optional<int> count;      // fixtures asked for
+  std::optional<int> rows;       // "two rows of frozen food"
+  KindWish main;                 // what is said of its main fixtures
+  std::vector<KindWish> beside;  // what else stands there, each with a count or with runs
 };
 
 struct StoreProgram {
   const catalog::ProfileRow* profile = nullptr;
   int width_mm = 0, depth_mm = 0;  // as built: east-west, north-south
   std::vector<ProgramZone> zones;
-  std::optional<int> aisles;                   // aisles asked for
-  std::optional<int> aisle_mm;                 // aisle width asked for
+  std::optional<int> aisles;    // aisles asked for
+  std::optional<int> aisle_mm;  // aisle width asked for
+  plan::Comparison aisle_how = plan::Comparison::equal;
   std::vector<plan::EquipmentSpec> equipment;  // at the doors, where it is not as usual
   bool till_counter = false;                   // no room for lanes
+  bool open = false;                           // nobody said how large the floor is
+  bool loose = false;                          // counted fixtures get the room that is left
   bool plain = false;                          // no room for more than a till and ordinary shelves
   std::optional<plan::Shell> shell;            // drawn
   std::vector<RectMm> outside;                 // what is no floor within its bounds
@@ -59,5 +63,8 @@ Result<StoreProgram> make_program(const Brief& brief,
                                   const catalog::Catalog& catalog,
                                   const Concessions& concessions,
                                   std::vector<std::string>& trace);
+
+// A larger floor, by a fifth, for what found no room on it. False when that is the largest.
+bool enlarge(StoreProgram& program);
 
 }  // namespace marketgen::intake

@@ -20,7 +20,8 @@ int min_length(const StripRoom& room) {
 
 // What is counted fits there.
 int min_length(const StripRoom& room, const StoreProgram& program, const ProgramZone& zone) {
-  return std::max(min_length(room), counted_length_mm(zone, *program.profile, room.depth_mm));
+  const int counted = program.loose ? 0 : counted_length_mm(zone, *program.profile, room.depth_mm);
+  return std::max(min_length(room), counted);
 }
 
 // Lengths of all zones; those below the least are raised at the cost of the others.
@@ -34,7 +35,7 @@ std::vector<int> lengths_of(const std::vector<int>& zones,
   int left = length_mm;
   for (std::size_t i = 0; i < count; ++i) {
     const ProgramZone& zone = zone_at(program, zones[i]);
-    if (!zone.wanted_m2 || count == 1) continue;
+    if (!zone.wanted_m2 || zone.wanted_how == plan::Comparison::at_most || count == 1) continue;
     lengths[i] = std::clamp(
         static_cast<int>(*zone.wanted_m2 * 1e6 / room.depth_mm), min_length(room), length_mm);
     settled[i] = true;

@@ -17,11 +17,13 @@
 namespace marketgen::layout {
 namespace {
 
-// A kind that stands in a group does not line the zone's walls besides.
+// A kind that stands in a group does not line the zone's walls besides. Without a count or runs it
+// is no group: `also` says how what lines the walls is built.
 void add_groups(Build& build, std::size_t index) {
   ZoneBuild& zone = build.zones[index];
   if (!zone.zone->also) return;
   for (const plan::FixtureSpec& also : *zone.zone->also) {
+    if (!also.count && !also.runs) continue;
     const ZoneKinds kinds = kinds_beside(also, build.design.catalog);
     if (zone.kinds.wall == kinds.main && zone.kinds.wall != zone.kinds.main)
       zone.kinds.wall = nullptr;

@@ -140,10 +140,12 @@ int sum(const std::vector<int>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0);
 }
 
-// A zone that says how far its boards are apart has all its shelves alike: wall units, too, take
-// levels, distance and height.
+// What `also` says of the kind that lines the walls. Else a zone that says how far its boards are
+// apart has all its shelves alike: wall units, too, take levels, distance and height.
 plan::FixtureSpec wish_along_walls(const plan::Zone& zone, const catalog::FixtureKind& kind) {
   plan::FixtureSpec wish;
+  for (std::size_t k = 0; zone.also && k < zone.also->size(); ++k)
+    if ((*zone.also)[k].kind == kind.kind) return (*zone.also)[k];
   if (kind.generator != "wall_unit" || !zone.fixture.spacing_mm) return wish;
   wish.height_mm = zone.fixture.height_mm;
   wish.levels = zone.fixture.levels;
@@ -233,8 +235,9 @@ int ModuleSpec::door_swing_mm() const {
 }
 
 int ModuleSpec::clear_mm(const Design& design) const {
-  return std::max(design.min_aisle_mm() + door_swing_mm(),
-                  static_cast<int>(kind->front_clearance_mm));
+  return std::max({design.min_aisle_mm() + door_swing_mm(),
+                   static_cast<int>(kind->front_clearance_mm),
+                   wished_aisle_mm + (wished_aisle_mm > 0 ? door_swing_mm() : 0)});
 }
 
 int ModuleSpec::narrowest_mm() const {
@@ -275,6 +278,7 @@ ModuleSpec module_spec(const Design& design,
   choose_widths(spec, design, wish);
   choose_finish(spec, design, wish);
   if (!own && zone.fixture.color && takes_look(kind)) spec.color = *zone.fixture.color;
+  if (own && !kind.double_sided) spec.wished_aisle_mm = wish.aisle_mm.value_or(0);
   return spec;
 }
 

@@ -23,6 +23,7 @@ struct ModuleSpec {
   int base_mm = 0;
   int spacing_mm = 0;
   int sides = 1;
+  int wished_aisle_mm = 0;  // before its fronts; 0: as the rules and the kind want it
   std::string material, color;
 
   int narrowest_mm() const;

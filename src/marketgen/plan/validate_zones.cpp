@@ -111,11 +111,13 @@ Result<void> check_beside(const FixtureAt& fixture, const Zone& zone, std::size_
         "kind",
         "zone " + zone.id + " has fixtures of kind \"" + spec.kind + "\" already; add the counts");
   }
-  if (!spec.count && !spec.runs) {
-    return fixture.fault("count",
-                         "say count or runs; only a zone's main fixtures fill what room there is");
-  }
   const catalog::FixtureKind* kind = fixture.check.catalog.fixture_kind(spec.kind);
+  const bool lines_walls = kind != nullptr && kind->generator == "wall_unit";
+  if (!spec.count && !spec.runs && !lines_walls) {
+    return fixture.fault("count",
+                         "say count or runs; only a zone's main fixtures and what lines its walls "
+                         "fill what room there is");
+  }
   if (kind == nullptr || kind->mount != catalog::FixtureMount::floor ||
       kind->role == catalog::FixtureRole::checkout) {
     return fixture.fault("kind",

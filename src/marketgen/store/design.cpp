@@ -13,6 +13,7 @@ namespace marketgen::store {
 namespace {
 
 constexpr int max_rounds = 10;
+constexpr int most_growth = 2;        // of a floor of no said size
 constexpr int plain_after_draws = 2;  // of the smallest program
 constexpr std::size_t min_zones = 2;  // a till, and something to buy
 
@@ -58,6 +59,7 @@ const plan::Requirement* wish_behind(const layout::Violation& fault,
 class Bargain {
  public:
   void concede(const Designed& now) {
+    if (grows(now)) return;
     const intake::Concessions before = concessions_;
     bool crowded = false, no_till = false;
     for (const layout::Violation& fault : now.layout.violations) {
@@ -109,6 +111,18 @@ class Bargain {
   const std::vector<intake::Conflict>& given_up() const { return given_up_; }
 
  private:
+  // Where nobody said how large the floor is, what finds no room gets a larger one first.
+  bool grows(const Designed& now) {
+    const bool short_of_room =
+        std::ranges::any_of(now.layout.violations, [](const layout::Violation& fault) {
+          return fault.severity == layout::Severity::hard && fault.code != "RELATION_BROKEN";
+        });
+    if (!short_of_room || !now.planned.floor_is_open || concessions_.growth >= most_growth)
+      return false;
+    ++concessions_.growth;
+    return true;
+  }
+
   // Another floor has room for other numbers: each shortage of the same is met with less, and in
   // the end with none, or with as many as fit. So no shop becomes a plain one for a table too many.
   void cap_count(const layout::Violation& fault, const intake::Planned& planned) {

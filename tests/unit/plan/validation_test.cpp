@@ -302,7 +302,7 @@ const std::vector<Fault> faults = {
      "plan.bad_value",
      "/zones/1/fixture/levels"},
     {"height_beyond_the_kind",
-     [](plan::Plan& p) { p.zones[1].fixture.height_mm = 2600; },
+     [](plan::Plan& p) { p.zones[1].fixture.height_mm = 900; },
      "plan.bad_value",
      "/zones/1/fixture/height_mm"},
     {"higher_than_the_ceiling",
