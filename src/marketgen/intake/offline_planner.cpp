@@ -5,6 +5,7 @@
 
 #include "intake/conflicts.h"
 #include "intake/draft_search.h"
+#include "intake/drawn_floor.h"
 #include "intake/drawn_shell.h"
 #include "intake/limits.h"
 #include "intake/plan_writer.h"
@@ -138,12 +139,28 @@ int affordable_starts(const StoreProgram& program,
   return static_cast<int>(std::clamp<std::int64_t>(starts, 1, max_starts));
 }
 
+// The drawing's floor, with as many of its zones as fit.
+Candidate find_drawn_floor(StoreProgram& program,
+                           Understanding& found,
+                           std::vector<std::string>& trace) {
+  for (;;) {
+    DrawnFloor drawn = drawn_floor(program, found);
+    if (fits(drawn.candidate, program.zones.size()) || program.zones.size() <= min_zones) {
+      trace.push_back("zones as drawn, IoU " + std::to_string(std::lround(100 * drawn.fit_iou)) +
+                      " %");
+      return std::move(drawn.candidate);
+    }
+    give_up_zone(program, found, no_room, trace);
+  }
+}
+
 Candidate find_floor(StoreProgram& program,
                      Understanding& found,
                      const catalog::Catalog& catalog,
                      Seed seed,
                      std::int64_t work_left,
                      std::vector<std::string>& trace) {
+  if (program.drawn && !program.plain) return find_drawn_floor(program, found, trace);
   for (int searches = 1;; ++searches) {
     const int starts = affordable_starts(program, found, work_left);
     work_left -= starts * work_of_a_start(program, found);
@@ -221,6 +238,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
   MARKETGEN_TRY(StoreProgram program,
                 make_program(settled, found, catalog, concessions, planned.trace));
   keep_tills(found, program);
+  if (program.drawn) settle_zones(program, found);
   if (concessions.plain) give_up_all_but_plain(program, found);
   while (program.zones.size() > std::max(min_zones, concessions.max_zones))
     give_up_zone(program, found, no_room, planned.trace);
@@ -234,6 +252,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                          max_work >> std::min(concessions.plans_before, 4),
                                          planned.trace);
   planned.plan = write_plan({brief, found, program, candidate, catalog});
+  if (program.drawn) settle_relations(candidate, program, found, planned.plan);
   if (concessions.relations_may_fail) {
     for (plan::Relation& relation : planned.plan.relations)
       relation.strength = plan::Strength::prefer;
