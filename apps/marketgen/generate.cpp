@@ -21,7 +21,7 @@ struct GenerateFlags {
   std::vector<std::string> words;
   std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, skin,
       planner = "offline", folder, record;
-  std::vector<std::string> catalogs;
+  std::vector<std::string> catalogs, images;
   planners::PlannerAccess planner_access;
   int count = 1;
   bool strict = false, no_previews = false;
@@ -61,6 +61,15 @@ Result<intake::Brief> brief_of(const GenerateFlags& flags) {
   if (!flags.floor_plan_scale.empty() && flags.floor_plan.empty())
     return Error{
         "usage.bad_flag", "--floor-plan-scale", "there is no --floor-plan whose scale it would be"};
+  if (!flags.plan_file.empty() && !flags.images.empty())
+    return Error{"usage.bad_flag",
+                 "--image",
+                 "a plan has its zones already: give one of --plan and --image"};
+  if (flags.images.size() > 1)
+    return Error{"usage.bad_flag",
+                 "--image " + flags.images[1],
+                 "a store has one drawing of zones; give one --image"};
+  brief.image_files = flags.images;
   if (!flags.floor_plan.empty()) brief.floor_plan = flags.floor_plan;
   if (!flags.floor_plan_scale.empty()) brief.floor_plan_scale = flags.floor_plan_scale;
   if (!flags.size.empty()) {
@@ -206,7 +215,11 @@ Result<void> generate(const GenerateFlags& flags) {
   MARKETGEN_TRY(const intake::Drawn drawn, intake::with_drawing(std::move(asked), catalog));
   const intake::Brief& brief = drawn.brief;
   for (const std::string& warning : drawn.warnings)
-    fmt::print(stderr, "warning: {}: {}\n", shown(flags.floor_plan), shown(warning));
+    fmt::print(stderr,
+               "warning: {}: {}\n",
+               shown(flags.floor_plan.empty() && !flags.images.empty() ? flags.images[0]
+                                                                       : flags.floor_plan),
+               shown(warning));
   for (int variant = 0; variant < flags.count; ++variant)
     MARKETGEN_CHECK(generate_one(flags, brief, catalog, variant));
   return {};
@@ -250,6 +263,10 @@ Run add_generate(CLI::App& app) {
       "--floor-plan-scale",
       flags->floor_plan_scale,
       "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100");
+  command->add_option("--image",
+                      flags->images,
+                      "PNG or JPEG of a drawing of zones, with names on them; they stand where it "
+                      "has them");
   command->add_option("--size", flags->size, "size of the room, e.g. 24x15m");
   command->add_option("--profile",
                       flags->profile,

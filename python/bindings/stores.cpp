@@ -45,6 +45,7 @@ StoreHandle generate(const std::string& prompt,
                      const std::optional<std::string>& plan,
                      const std::optional<std::string>& floor_plan,
                      const std::optional<std::string>& floor_plan_scale,
+                     const std::optional<std::string>& image,
                      const std::vector<std::string>& catalogs,
                      bool previews,
                      bool strict,
@@ -60,6 +61,7 @@ StoreHandle generate(const std::string& prompt,
   options.brief.style = style;
   options.brief.floor_plan = floor_plan;
   options.brief.floor_plan_scale = floor_plan_scale;
+  if (image) options.brief.image_files = {*image};
   if (plan) options.plan_file = *plan;
   if (!size.empty()) options.brief.size_mm = value_or_raise(intake::parse_size(size, "size"));
   catalog::Catalog catalog =
@@ -67,7 +69,7 @@ StoreHandle generate(const std::string& prompt,
   intake::Drawn drawn = value_or_raise(intake::with_drawing(options.brief, catalog));
   options.brief = std::move(drawn.brief);
   for (const std::string& warning : drawn.warnings) {
-    const std::string text = *floor_plan + ": " + warning;
+    const std::string text = floor_plan.value_or(image.value_or("")) + ": " + warning;
     if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) < 0) throw nb::python_error();
   }
   value_or_raise(telling(

@@ -31,6 +31,7 @@ GENERATE = [
     ("plan", 5),
     ("floor_plan", 5),
     ("floor_plan_scale", 3),
+    ("image", 5),
     ("catalogs", "mine.csv"),
     ("catalogs", [3]),
     ("previews", "yes"),

@@ -114,3 +114,23 @@ def test_edits_say_what_they_leave_out(store, tmp_path):
     with pytest.raises(marketgen.Error, match="either words or patches"):
         store.edit()
     assert list(tmp_path.iterdir()) == []
+
+
+def test_zones_stand_where_a_drawing_has_them(tmp_path):
+    from PIL import Image, ImageDraw
+
+    picture = Image.new("RGB", (900, 640), "white")
+    draw = ImageDraw.Draw(picture)
+    draw.rectangle((60, 60, 840, 580), outline="black", width=10)
+    for color, box in (("#e57373", (70, 70, 440, 570)), ("#64b5f6", (460, 70, 830, 300)), ("#81c784", (460, 320, 830, 570))):
+        draw.rectangle(box, fill=color)
+    draw.rectangle((180, 574, 260, 588), fill="white")
+    picture.save(tmp_path / "zones.png")
+    with pytest.warns(UserWarning):  # nothing is written on them
+        made = marketgen.generate("", tmp_path / "shop", image=tmp_path / "zones.png", size="24x16m")
+    assert any(entry["path"] == "/nodes" and entry["source"] == "drawing" for entry in made.plan["provenance"])
+    assert made.report["metrics"]["NAV"] > 0.99
+    with pytest.raises(marketgen.Error) as caught:
+        Image.new("RGB", (300, 200), "white").save(tmp_path / "blank.png")
+        marketgen.generate("", tmp_path / "none", image=tmp_path / "blank.png")
+    assert caught.value.code.startswith("drawing.")

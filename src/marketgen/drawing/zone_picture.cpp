@@ -246,8 +246,8 @@ Result<ZonePicture> picture_of(cv::Mat bgr, const std::string& where, double asp
     return picture;
   }
   const std::vector<cv::Point> hull = hull_of_lines(ink);
-  constexpr double least_share = 0.05;
-  if (hull.size() < 3 || cv::contourArea(hull) < least_share * static_cast<double>(ink.total()))
+  constexpr double min_share = 0.05;
+  if (hull.size() < 3 || cv::contourArea(hull) < min_share * static_cast<double>(ink.total()))
     return Error{"drawing.no_outline",
                  where,
                  "no dark lines go round a floor in this picture; draw the walls of the shop as a "
@@ -327,8 +327,8 @@ Result<ZonePicture> zone_picture(std::string_view bytes, const std::string& wher
   MARKETGEN_TRY(
       const Image image,
       bytes.starts_with("\x89PNG") ? io::decode_png(bytes, where) : io::decode_jpeg(bytes, where));
-  constexpr int least_px = 120;
-  if (std::min(image.width, image.height) < least_px)
+  constexpr int min_px = 120;
+  if (std::min(image.width, image.height) < min_px)
     return Error{"drawing.bad_file",
                  where,
                  "the picture has " + std::to_string(image.width) + " x " +

@@ -9,7 +9,7 @@
 namespace marketgen::drawing {
 namespace {
 
-constexpr float least_chroma = 9;  // less is paper
+constexpr float min_chroma = 9;  // less is paper
 constexpr int unlabelled = -1;
 constexpr double narrowest = 0.012;  // half a zone's width, of the floor's longer side
 
@@ -58,14 +58,14 @@ std::vector<cv::Vec2d> main_colours(const cv::Mat& ab, const cv::Mat& mask, doub
     }
   }
   cv::GaussianBlur(histogram, histogram, {0, 0}, 1.7, 1.7, cv::BORDER_CONSTANT);
-  constexpr double least_share = 0.0012;  // of the coloured pixels, in one bin
+  constexpr double min_share = 0.0012;  // of the coloured pixels, in one bin
   constexpr std::size_t most = 24;
   std::vector<cv::Vec2d> peaks;
   while (peaks.size() < most) {
     double high = 0;
     cv::Point at;
     cv::minMaxLoc(histogram, nullptr, &high, nullptr, &at);
-    if (high < least_share * count || count == 0) break;
+    if (high < min_share * count || count == 0) break;
     peaks.emplace_back(2.0 * (at.x - half), 2.0 * (at.y - half));
     cv::circle(histogram, at, static_cast<int>(std::lround(apart / 2)), 0, cv::FILLED);
   }
@@ -110,7 +110,7 @@ void fill_from_nearest(cv::Mat& label, const cv::Mat& where) {
         label.at<int>(y, x) = of_seed[nearest.at<int>(y, x)];
 }
 
-constexpr double least_inked = 0.06;  // share of coloured pixels around one
+constexpr double min_inked = 0.06;  // share of coloured pixels around one
 
 cv::Mat share_around(const cv::Mat& mask, int window) {
   cv::Mat share;
@@ -132,7 +132,7 @@ cv::Mat strongest_class(const cv::Mat& colours,
       own.at<int>(y, x) = nearest_colour(classes, {p[0], p[1]}, 30);
     }
   }
-  cv::Mat best = cv::Mat(colours.size(), CV_32F, cv::Scalar(least_inked));
+  cv::Mat best = cv::Mat(colours.size(), CV_32F, cv::Scalar(min_inked));
   cv::Mat label(colours.size(), CV_32S, cv::Scalar(unlabelled));
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const cv::Mat density = share_around(own == static_cast<int>(i), window);
@@ -160,7 +160,7 @@ std::vector<float> half_widths(const cv::Mat& mask, const cv::Mat& pieces, int c
 
 // Connected parts of each value of `label`; those too small and those too narrow lose it.
 cv::Mat connected_parts(
-    const cv::Mat& label, int values, double least_px, double half_px, int& count) {
+    const cv::Mat& label, int values, double min_px, double half_px, int& count) {
   cv::Mat parts(label.size(), CV_32S, cv::Scalar(unlabelled));
   count = 0;
   for (int value = 0; value < values; ++value) {
@@ -170,7 +170,7 @@ cv::Mat connected_parts(
     std::vector<int> number(found, unlabelled);
     const std::vector<float> half = half_widths(mask, pieces, found);
     for (int i = 1; i < found; ++i)
-      if (stats.at<int>(i, cv::CC_STAT_AREA) >= least_px && half[i] >= half_px) number[i] = count++;
+      if (stats.at<int>(i, cv::CC_STAT_AREA) >= min_px && half[i] >= half_px) number[i] = count++;
     for (int y = 0; y < label.rows; ++y) {
       for (int x = 0; x < label.cols; ++x) {
         const int piece = pieces.at<int>(y, x);
@@ -284,7 +284,7 @@ Segments by_colour(const cv::Mat& bgr,
   cv::Mat label = strongest_class(colours, hatched ? inked : core & floor, classes, window);
   label.setTo(unlabelled, floor == 0);
   // Floor that is wide enough to be meant bare, not a gap between strokes or the place of a name.
-  cv::Mat bare = (share_around(inked, window) < least_inked) & floor;
+  cv::Mat bare = (share_around(inked, window) < min_inked) & floor;
   const int wide = odd(0.065 * side);
   cv::Mat framed;
   cv::copyMakeBorder(bare, framed, wide, wide, wide, wide, cv::BORDER_CONSTANT, 0);
@@ -294,9 +294,9 @@ Segments by_colour(const cv::Mat& bgr,
   bare = framed(cv::Rect(wide, wide, bare.cols, bare.rows)) & bare;
   const int bare_value = static_cast<int>(classes.size());
   label.setTo(bare_value, bare);
-  const double least_px = 0.006 * cv::countNonZero(floor);
+  const double min_px = 0.006 * cv::countNonZero(floor);
   int count = 0;
-  cv::Mat parts = connected_parts(label, bare_value + 1, least_px, narrowest * side, count);
+  cv::Mat parts = connected_parts(label, bare_value + 1, min_px, narrowest * side, count);
   cv::Mat value_of(1, std::max(1, count), CV_32S, cv::Scalar(unlabelled));
   for (int y = 0; y < parts.rows; ++y)
     for (int x = 0; x < parts.cols; ++x)
@@ -367,21 +367,21 @@ Segments segments_of(const cv::Mat& bgr,
                      const cv::Mat& floor,
                      double longer_side) {
   const cv::Mat ab = colours_of(bgr);
-  cv::Mat near_ink, coloured = chroma_of(ab) > least_chroma;
+  cv::Mat near_ink, coloured = chroma_of(ab) > min_chroma;
   cv::dilate(ink, near_ink, square(3));
   coloured &= ~near_ink;
   cv::Mat dense;
   cv::morphologyEx(coloured, dense, cv::MORPH_OPEN, square(2));
-  constexpr double least_share = 0.04;
+  constexpr double min_share = 0.04;
   const double share =
       cv::countNonZero(dense & floor) / std::max(1.0, double(cv::countNonZero(floor)));
-  if (share > least_share) return by_colour(bgr, ab, coloured & floor, ink, floor, longer_side);
+  if (share > min_share) return by_colour(bgr, ab, coloured & floor, ink, floor, longer_side);
   return by_lines(bgr, ink, floor, longer_side);
 }
 
 std::vector<Swatch> swatches_of(const cv::Mat& bgr, const cv::Rect& plan, double longer_side) {
   const cv::Mat ab = colours_of(bgr);
-  cv::Mat coloured = chroma_of(ab) > least_chroma;
+  cv::Mat coloured = chroma_of(ab) > min_chroma;
   coloured(plan & cv::Rect(0, 0, bgr.cols, bgr.rows)) = 0;
   cv::morphologyEx(coloured, coloured, cv::MORPH_OPEN, square(5));
   cv::Mat labels, stats, centres;

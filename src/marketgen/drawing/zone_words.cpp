@@ -15,7 +15,7 @@ namespace marketgen::drawing {
 namespace {
 
 constexpr int line_px = 40, between_px = 36;  // of the page that is read
-constexpr std::size_t most_lines = 60;
+constexpr std::size_t max_lines = 60;
 constexpr double ocr_seconds = 20;
 
 struct Marks {
@@ -221,7 +221,7 @@ std::vector<cv::Rect> lines_of_writing(const cv::Mat& ink,
     const bool line =
         box.height >= 0.45 * height && box.height < 3.5 * height && box.width >= 0.8 * height;
     const double inked = cv::countNonZero(marks.small(box)) / std::max(1.0, double(box.area()));
-    if (line && inked > 0.06 && inked < 0.75 && boxes.size() < most_lines) boxes.push_back(box);
+    if (line && inked > 0.06 && inked < 0.75 && boxes.size() < max_lines) boxes.push_back(box);
   }
   return boxes;
 }
@@ -285,13 +285,13 @@ std::optional<double> dimension_mm(std::string_view words) {
   const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
   const double number = number_of(std::string_view(text).substr(0, digits));
   const std::string unit = text.substr(digits);
-  constexpr double least_mm = 4000, most_mm = 200'000;
+  constexpr double min_mm = 4000, max_mm = 200'000;
   double mm = 0;
   if (unit == "m" || unit == "M" || unit == "米") mm = number * 1000;
   if (unit == "cm" || unit == "厘米") mm = number * 10;
   if (unit == "mm" || unit == "毫米" || (unit.empty() && text.find('.') == std::string::npos))
     mm = number;
-  if (mm < least_mm || mm > most_mm) return std::nullopt;
+  if (mm < min_mm || mm > max_mm) return std::nullopt;
   return mm;
 }
 

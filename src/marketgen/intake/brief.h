@@ -14,6 +14,7 @@
 #include "base/result.h"
 #include "base/seed.h"
 #include "catalog/catalog.h"
+#include "intake/drawn_zones.h"
 #include "plan/plan.h"
 #include "plan/requirement.h"
 
@@ -21,17 +22,18 @@ namespace marketgen::intake {
 
 // Everything that was asked for. Flags beat text.
 struct Brief {
-  std::string prompt;                         // UTF-8, at most 20,000 bytes
-  std::vector<std::string> image_files;       // drawings and photos; no planner here reads them yet
-  std::optional<std::array<int, 2>> size_mm;  // --size
-  std::optional<std::string> profile;         // --profile
-  std::optional<std::string> style;           // --style
-  std::string planner = "offline";            // --planner
-  std::optional<std::string> skin;            // --skin: the style whose look the store gets
-  std::optional<std::string> floor_plan;      // --floor-plan: SVG, DXF, PNG or JPEG
+  std::string prompt;                           // UTF-8, at most 20,000 bytes
+  std::vector<std::string> image_files;         // a drawing of zones: PNG or JPEG, one at most
+  std::optional<std::array<int, 2>> size_mm;    // --size
+  std::optional<std::string> profile;           // --profile
+  std::optional<std::string> style;             // --style
+  std::string planner = "offline";              // --planner
+  std::optional<std::string> skin;              // --skin: the style whose look the store gets
+  std::optional<std::string> floor_plan;        // --floor-plan: SVG, DXF, PNG or JPEG
   std::optional<std::string> floor_plan_scale;  // --floor-plan-scale
   std::optional<plan::Shell> shell;             // read from it (intake/drawn_shell.h); not saved
   double shell_confidence = 1;
+  std::optional<DrawnZones> zones;  // read from the picture (intake/drawn_shell.h); not saved
 
   static constexpr auto fields =
       field_list(field("prompt", &Brief::prompt, "the words", at_most_bytes(20000)),

@@ -101,18 +101,30 @@ class DoorPlacer {
       const double f = static_cast<double>(at_mm) / drafted.width_mm;
       return reversed ? 1 - f : f;
     };
-    const double entrance = fraction(drafted.entrance_mm);
+    place_all(fraction(drafted.entrance_mm),
+              drafted.entrance_width_mm,
+              fraction(drafted.exit_mm),
+              drafted.exit_width_mm);
+  }
+
+  // The same with usual doors at these fractions along the wall.
+  void run(plan::Wall front, double entrance, double exit) {
+    front_ = front;
+    place_all(entrance, entrance_door_mm, exit, entrance_door_mm);
+  }
+
+ private:
+  void place_all(double entrance, int entrance_mm, double exit, int exit_mm) {
     if (take_drawn(entrance)) return;
-    place_door("entrance", plan::OpeningKind::entrance, entrance, drafted.entrance_width_mm);
-    place_door("exit", plan::OpeningKind::exit, fraction(drafted.exit_mm), drafted.exit_width_mm);
-    place_further(plan::OpeningKind::entrance, drafted.entrance_width_mm);
-    place_further(plan::OpeningKind::exit, drafted.exit_width_mm);
+    place_door("entrance", plan::OpeningKind::entrance, entrance, entrance_mm);
+    place_door("exit", plan::OpeningKind::exit, exit, exit_mm);
+    place_further(plan::OpeningKind::entrance, entrance_mm);
+    place_further(plan::OpeningKind::exit, exit_mm);
     place_service();
     place_wished(plan::OpeningKind::emergency, emergency_door_mm);
     place_wished(plan::OpeningKind::window, window_mm);
   }
 
- private:
   // The doors and windows of a floor plan, and those that the words ask for besides. False when it
   // shows no way in: then all is placed as in a shop that nobody drew.
   bool take_drawn(double drafted_entrance) {
@@ -354,6 +366,26 @@ plan::Wall entrance_wall_of(const Understanding& found) {
     if (const auto wall = value_named<plan::Wall>(wish.object)) return *wall;
   }
   return plan::Wall::south;
+}
+
+Candidate make_candidate(Slice root, const StoreProgram& program, const Understanding& found) {
+  constexpr double at_one_end = 0.2;
+  const plan::Wall front = entrance_wall_of(found);
+  Candidate candidate;
+  candidate.floor = {0, 0, program.width_mm, program.depth_mm};
+  candidate.root = std::move(root);
+  candidate.rects = zone_rects(candidate.root, candidate.floor, program.zones.size());
+  candidate.drafted.run_aisle_mm = program.aisle_mm.value_or(program.profile->secondary_aisle_mm);
+  double exit = 1 - at_one_end;
+  for (std::size_t i = 0; i < program.zones.size(); ++i) {
+    if (program.zones[i].stance != Stance::front || candidate.rects[i].empty()) continue;
+    const PointMm center = candidate.rects[i].center();
+    exit =
+        static_cast<double>(center[runs_east(front) ? 0 : 1]) / wall_length(front, candidate.floor);
+    break;
+  }
+  DoorPlacer(candidate, program, found).run(front, exit > 0.5 ? at_one_end : 1 - at_one_end, exit);
+  return candidate;
 }
 
 Candidate make_candidate(const FloorDraft& draft,

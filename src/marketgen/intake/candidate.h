@@ -22,6 +22,10 @@ struct Candidate {
 // The wall that the entrance is to be in; south when nobody says.
 plan::Wall entrance_wall_of(const Understanding& found);
 
+// A floor that is cut already, in the store frame: doors that are not drawn stand at the tills, and
+// away from them. Its `drafted` is empty.
+Candidate make_candidate(Slice root, const StoreProgram& program, const Understanding& found);
+
 Candidate make_candidate(const FloorDraft& draft,
                          const StoreProgram& program,
                          const Understanding& found,

@@ -6,6 +6,7 @@
 
 #include "drawing/floor_plan.h"
 #include "intake/offline_planner.h"
+#include "intake/store_program.h"
 #include "intake/store_size.h"
 #include "io/file.h"
 
@@ -82,7 +83,8 @@ void settle_size(const Brief& brief, plan::Shell& shell, Understanding& found) {
   found.conflicts.push_back(
       {"size",
        said.text,
-       *brief.floor_plan + ": " + metres(shell.width_mm) + " x " + metres(shell.depth_mm) + " m",
+       brief.floor_plan.value_or(brief.image_files.empty() ? "drawing" : brief.image_files[0]) +
+           ": " + metres(shell.width_mm) + " x " + metres(shell.depth_mm) + " m",
        brief.size_mm ? "a flag wins over a drawing; it is stretched"
                      : "words win over a drawing; it is stretched"});
   stretch(shell, by);
@@ -143,10 +145,51 @@ Result<drawing::ReadOptions> size_in_words(const Brief& brief, const catalog::Ca
   return options;
 }
 
+// The zones of the brief's picture, and its shell where no floor plan gives one.
+Result<void> read_zones(Brief& brief,
+                        const catalog::Catalog& catalog,
+                        std::vector<std::string>& warnings) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const Language loaded, Language::load(data));
+  const Language language = loaded.with_words_of(catalog);
+  const Understanding found = understand(brief.prompt, language, catalog);
+  drawing::ReadOptions options;
+  if (brief.size_mm) {
+    options.width_mm = (*brief.size_mm)[0];
+    options.depth_mm = (*brief.size_mm)[1];
+  } else if (const plan::Requirement* size = found.find(Kind::size)) {
+    options.width_mm = size->value;
+    options.depth_mm = size->second_value;
+  }
+  const catalog::ProfileRow& profile = profile_of(brief, found, catalog);
+  options.usual_area_m2 =
+      1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1] * found.size_factor;
+  MARKETGEN_TRY(drawing::ZoneDrawing read,
+                drawing::read_zone_drawing(brief.image_files[0], options));
+  brief.zones = named_by_words(read, language, catalog, profile.zones);
+  if (brief.zones->types.empty())
+    return Error{"drawing.no_zones",
+                 brief.image_files[0],
+                 "nothing written on it names a zone of a shop; write on each zone what it is, as "
+                 "in \"bakery\" (reference photos are not read yet)"};
+  warnings = std::move(read.warnings);
+  warnings.insert(warnings.end(), read.floor.warnings.begin(), read.floor.warnings.end());
+  warnings.insert(warnings.end(), brief.zones->warnings.begin(), brief.zones->warnings.end());
+  if (read.scale_is_guessed)
+    warnings.emplace_back("nothing says how large it is; say so with --size");
+  if (brief.floor_plan || brief.shell) return {};
+  brief.shell = std::move(read.floor.shell);
+  brief.shell_confidence = read.floor.outline_confidence;
+  return {};
+}
+
 }  // namespace
 
 Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog) {
   Drawn drawn;
+  if (!brief.image_files.empty() && !brief.zones) {
+    MARKETGEN_CHECK(read_zones(brief, catalog, drawn.warnings));
+  }
   if (!brief.floor_plan || brief.shell) {
     drawn.brief = std::move(brief);
     return drawn;
@@ -168,7 +211,7 @@ Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog) {
       read = drawing::read_floor_plan(*brief.floor_plan, said);
   }
   MARKETGEN_TRY(drawing::FloorPlan plan, std::move(read));
-  drawn.warnings = std::move(plan.warnings);
+  drawn.warnings.insert(drawn.warnings.end(), plan.warnings.begin(), plan.warnings.end());
   brief.shell = std::move(plan.shell);
   brief.shell_confidence = plan.outline_confidence;
   drawn.brief = std::move(brief);

@@ -92,7 +92,7 @@ class FloorBuilder {
   // How deep a band so long is for the floor that was asked for in it; the other zones of it keep
   // a department each.
   int asked_depth(Band band, int length_mm) const {
-    constexpr double most_share = 0.5;  // of the shorter side of the floor
+    constexpr double max_share = 0.5;  // of the shorter side of the floor
     double asked_m2 = 0;
     int others_mm = 0;
     for (const int z : draft_.band(band)) {
@@ -103,8 +103,8 @@ class FloorBuilder {
     }
     if (asked_m2 <= 0) return 0;
     const int free_mm = std::max(length_mm - others_mm, length_mm / 2);
-    const int most = static_cast<int>(most_share * std::min(floor_.width_mm, floor_.depth_mm));
-    return std::min(most, static_cast<int>(1e6 * asked_m2 / std::max(1, free_mm)));
+    const int deepest = static_cast<int>(max_share * std::min(floor_.width_mm, floor_.depth_mm));
+    return std::min(deepest, static_cast<int>(1e6 * asked_m2 / std::max(1, free_mm)));
   }
 
   Slice strip_slice(Band band, plan::Axis axis, int length_mm, int depth_mm) {

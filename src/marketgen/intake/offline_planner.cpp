@@ -5,6 +5,7 @@
 
 #include "intake/conflicts.h"
 #include "intake/draft_search.h"
+#include "intake/drawn_floor.h"
 #include "intake/drawn_shell.h"
 #include "intake/limits.h"
 #include "intake/plan_writer.h"
@@ -70,12 +71,12 @@ std::size_t max_dispensable(const StoreProgram& program, const Understanding& fo
   return program.zones.size() - 1;
 }
 
-// Takes one zone out; a zone that was asked for becomes a conflict.
-void give_up_zone(StoreProgram& program,
+// Takes that zone out; a zone that was asked for becomes a conflict.
+void give_up_zone(std::size_t lost,
+                  StoreProgram& program,
                   Understanding& found,
                   std::string_view why,
                   std::vector<std::string>& trace) {
-  const std::size_t lost = max_dispensable(program, found);
   const ProgramZone zone = program.zones[lost];
   program.zones.erase(program.zones.begin() + static_cast<std::ptrdiff_t>(lost));
   trace.push_back("no room for " + zone.id);
@@ -83,6 +84,13 @@ void give_up_zone(StoreProgram& program,
   if (wish == nullptr) return;
   found.conflicts.push_back(
       {"zone " + zone.type->type, "the size of the store", wish->text, std::string(why)});
+}
+
+void give_up_zone(StoreProgram& program,
+                  Understanding& found,
+                  std::string_view why,
+                  std::vector<std::string>& trace) {
+  give_up_zone(max_dispensable(program, found), program, found, why, trace);
 }
 
 // Wishes for zones that a plain store has no floor for.
@@ -161,12 +169,42 @@ bool make_room(StoreProgram& program, const Understanding& found, std::vector<st
   return true;
 }
 
+// The zone with the narrowest floor.
+std::size_t narrowest(const Candidate& candidate, std::size_t zones) {
+  const auto side = [](const RectMm& rect) { return std::min(rect.width(), rect.depth()); };
+  const auto end = candidate.rects.begin() + static_cast<std::ptrdiff_t>(zones);
+  return static_cast<std::size_t>(std::ranges::min_element(candidate.rects.begin(), end, {}, side) -
+                                  candidate.rects.begin());
+}
+
+// The drawing's floor, without the zones that would be too narrow for anything.
+Candidate find_drawn_floor(StoreProgram& program,
+                           Understanding& found,
+                           std::vector<std::string>& trace) {
+  for (;;) {
+    DrawnFloor drawn = drawn_floor(program, found);
+    if (fits(drawn.candidate, program.zones.size()) || program.zones.size() <= min_zones) {
+      trace.push_back("zones as drawn, IoU " + std::to_string(std::lround(100 * drawn.fit_iou)) +
+                      " %");
+      return std::move(drawn.candidate);
+    }
+    const std::size_t lost = narrowest(drawn.candidate, program.zones.size());
+    const std::string type = program.zones[lost].type->type;
+    found.conflicts.push_back({"zone " + type,
+                               "the drawing's other zones",
+                               "the drawing's " + type,
+                               "its floor is too narrow for anything"});
+    give_up_zone(lost, program, found, no_room, trace);
+  }
+}
+
 Candidate find_floor(StoreProgram& program,
                      Understanding& found,
                      const catalog::Catalog& catalog,
                      Seed seed,
                      std::int64_t work_left,
                      std::vector<std::string>& trace) {
+  if (program.drawn && !program.plain) return find_drawn_floor(program, found, trace);
   for (int searches = 1;; ++searches) {
     const int starts = affordable_starts(program, found, work_left);
     work_left -= starts * work_of_a_start(program, found);
@@ -246,6 +284,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
   MARKETGEN_TRY(StoreProgram program,
                 make_program(settled, found, catalog, concessions, planned.trace));
   keep_tills(found, program);
+  if (program.drawn) settle_zones(program, found);
   if (concessions.plain) give_up_all_but_plain(program, found);
   while (program.zones.size() > std::max(min_zones, concessions.max_zones))
     give_up_zone(program, found, no_room, planned.trace);
@@ -259,6 +298,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                          max_work >> std::min(concessions.plans_before, 4),
                                          planned.trace);
   planned.plan = write_plan({brief, found, program, candidate, catalog});
+  if (program.drawn) settle_relations(candidate, program, found, planned.plan);
   if (concessions.relations_may_fail) {
     for (plan::Relation& relation : planned.plan.relations)
       relation.strength = plan::Strength::prefer;

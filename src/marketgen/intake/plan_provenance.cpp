@@ -18,6 +18,7 @@ class ProvenanceWriter {
   std::vector<plan::Provenance> run() {
     add_flags();
     add_drawing();
+    add_drawn_zones();
     if (const auto& name = sources_.understanding.name) add("/name", name->span, said);
     for (const plan::Requirement& wish : sources_.understanding.requirements)
       add_wish(wish);
@@ -57,6 +58,16 @@ class ProvenanceWriter {
     entry.path = std::move(path);
     entry.source = plan::Source::drawing;
     entry.confidence = sources_.brief.shell_confidence;
+  }
+
+  // Where a drawing has zones, each of its types' zones and how the floor is cut.
+  void add_drawn_zones() {
+    if (!sources_.program.drawn) return;
+    add_drawn("/nodes");
+    const std::vector<std::string> ids = sources_.program.drawn->ids();
+    for (std::size_t i = 0; i < plan_.zones.size(); ++i)
+      if (std::ranges::find(ids, plan_.zones[i].id) != ids.end())
+        add_drawn("/zones/" + std::to_string(i));
   }
 
   // What a floor plan says, but for the size where somebody said another.

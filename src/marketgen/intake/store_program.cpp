@@ -23,18 +23,6 @@ constexpr double lanes_from_m2 = 70;    // smaller shops take money over a count
 constexpr double staffed_counter_from_m2 = 500;  // smaller shops sell meat and cheese packed
 constexpr double checkout_zones_share = 0.09;    // tills take their own floor first
 
-const catalog::ProfileRow& profile_of(const Brief& brief,
-                                      const Understanding& found,
-                                      const catalog::Catalog& catalog) {
-  const plan::Requirement* wish = found.find(Kind::profile);
-  const catalog::ProfileRow* row = nullptr;
-  if (brief.profile) row = catalog.profile(*brief.profile);
-  if (row == nullptr && wish != nullptr) row = catalog.profile(wish->object);
-  if (row == nullptr && wants_no_tills(found)) row = catalog.profile(profile_without_tills);
-  if (row == nullptr) row = catalog.profile(usual_profile);
-  return row != nullptr ? *row : catalog.profiles.front();
-}
-
 bool is_till(std::string_view type) {
   return type == "checkout" || type == "self_checkout";
 }
@@ -100,12 +88,21 @@ NamedZones plain_zones(const StoreProgram& program, const catalog::Catalog& cata
   return zones;
 }
 
+// Zones of a drawing, but for those that the words refuse.
+void add_drawn(NamedZones& chosen, const Understanding& found, const DrawnZones& drawn) {
+  for (const std::string& type : drawn.types) {
+    const auto count = std::ranges::count(drawn.types, type);
+    if (found.find(Kind::zone_absent, type) == nullptr) chosen.add(type, static_cast<int>(count));
+  }
+}
+
 // Zone types in order of importance: named ones first, then the profile's, as many as the floor can
 // hold.
 NamedZones chosen_zones(const Understanding& found,
                         const catalog::Catalog& catalog,
                         const StoreProgram& program) {
   NamedZones chosen = program.plain ? plain_zones(program, catalog) : named_zones(found, catalog);
+  if (program.drawn && !program.plain) add_drawn(chosen, found, *program.drawn);
   const bool only_machines = found.find(Kind::zone_absent, "checkout") != nullptr &&
                              chosen.count.contains("self_checkout");
   const bool none = wants_no_tills(found);
@@ -118,6 +115,7 @@ NamedZones chosen_zones(const Understanding& found,
       static_cast<std::size_t>(zones_in_any_store + program.area_m2() / further_zone_m2);
   const std::size_t most = std::min(wanted, max_zones);
   for (const std::string& type : program.profile->zones) {
+    if (program.drawn) break;  // who draws zones draws all of them
     const bool till = is_till(type) && wants_no_tills(found);
     const bool refused = till || found.find(Kind::zone_absent, type) != nullptr;
     if (chosen.order.size() < most && !refused && !program.plain) chosen.add(type);
@@ -226,7 +224,7 @@ ProgramZone make_zone(const Understanding& found,
                       const StoreProgram& program,
                       int index) {
   ProgramZone zone;
-  zone.id = index == 0 ? type.type : type.type + "-" + std::to_string(index + 1);
+  zone.id = zone_id(type.type, index);
   zone.type = &type;
   zone.kind = kind_of(found, catalog, type, program);
   zone.stance = stance_of(type, zone.kind);
@@ -396,6 +394,18 @@ std::optional<int> whole(const plan::Requirement* wish) {
 
 }  // namespace
 
+const catalog::ProfileRow& profile_of(const Brief& brief,
+                                      const Understanding& found,
+                                      const catalog::Catalog& catalog) {
+  const plan::Requirement* wish = found.find(Kind::profile);
+  const catalog::ProfileRow* row = nullptr;
+  if (brief.profile) row = catalog.profile(*brief.profile);
+  if (row == nullptr && wish != nullptr) row = catalog.profile(wish->object);
+  if (row == nullptr && wants_no_tills(found)) row = catalog.profile(profile_without_tills);
+  if (row == nullptr) row = catalog.profile(usual_profile);
+  return row != nullptr ? *row : catalog.profiles.front();
+}
+
 bool enlarge(StoreProgram& program) {
   constexpr double step = 1.2;  // of the floor, our own figure
   const auto longer = [](int side_mm) {
@@ -412,6 +422,15 @@ bool enlarge(StoreProgram& program) {
   return true;
 }
 
+std::vector<std::string> named_zone_types(const Understanding& found,
+                                          const catalog::Catalog& catalog) {
+  return named_zones(found, catalog).order;
+}
+
+std::string zone_id(const std::string& type, int index) {
+  return index == 0 ? type : type + "-" + std::to_string(index + 1);
+}
+
 Result<StoreProgram> make_program(const Brief& brief,
                                   const Understanding& found,
                                   const catalog::Catalog& catalog,
@@ -425,6 +444,7 @@ Result<StoreProgram> make_program(const Brief& brief,
   program.width_mm = size[0];
   program.depth_mm = size[1];
   program.shell = brief.shell;
+  program.drawn = brief.zones;
   if (brief.shell) program.outside = layout::make_floor(*brief.shell).outside;
   program.aisles = whole(found.find(Kind::aisle_count));
   program.aisle_mm = whole(found.find(Kind::aisle_width));

@@ -49,12 +49,25 @@ struct StoreProgram {
   bool loose = false;                          // counted fixtures get the room that is left
   bool plain = false;                          // no room for more than a till and ordinary shelves
   std::optional<plan::Shell> shell;            // drawn
+  std::optional<DrawnZones> drawn;             // zones stand where a drawing has them
   std::vector<RectMm> outside;                 // what is no floor within its bounds
   double area_m2() const {
     if (shell) return marketgen::area_m2(plan::floor_of(*shell));
     return 1e-6 * width_mm * depth_mm;
   }
 };
+
+// The kind of shop: by a flag, by the words, or the usual one.
+const catalog::ProfileRow& profile_of(const Brief& brief,
+                                      const Understanding& found,
+                                      const catalog::Catalog& catalog);
+
+// The zone types that the wishes name, in the order in which they name them.
+std::vector<std::string> named_zone_types(const Understanding& found,
+                                          const catalog::Catalog& catalog);
+
+// "bakery", "bakery-2": of the zones of one type, counted from 0.
+std::string zone_id(const std::string& type, int index);
 
 // Decides what the understanding leaves open from the profile. Conflicts between flags and text are
 // settled already. Error: brief.bad_size when the words ask for a store that cannot be built.

@@ -165,10 +165,17 @@ std::vector<RepairCandidate> propose_balance(const RepairTask& task) {
   return out;
 }
 
+// Zones stand where somebody has drawn them.
+bool is_drawn(const plan::Plan& plan) {
+  return std::ranges::any_of(plan.provenance, [](const plan::Provenance& p) {
+    return p.path == "/nodes" && p.source == plan::Source::drawing;
+  });
+}
+
 std::vector<RepairCandidate> propose_swap_leaves(const RepairTask& task) {
   std::vector<RepairCandidate> out;
   const auto zone = zone_of(task);
-  if (!zone) return out;
+  if (!zone || is_drawn(task.plan)) return out;
   const std::vector<RectMm> rects = plan::zone_rectangles(task.plan);
   // Zones of like size change places with the least harm.
   std::vector<std::size_t> others;

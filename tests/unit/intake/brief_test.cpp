@@ -54,10 +54,11 @@ TEST(Brief, UnknownProfileAndStyleAreNamedWithTheNearest) {
   EXPECT_NE(refusal(brief).message.find("industrial"), std::string::npos);
 }
 
-TEST(Brief, PicturesAreNotReadYet) {
+TEST(Brief, HasOneDrawingOfZonesAtMost) {
   intake::Brief brief = brief_of("a shop");
-  brief.image_files = {"sketch.png"};
-  EXPECT_EQ(refusal(brief).code, "usage.unavailable");
+  brief.image_files = {"sketch.png", "other.png"};
+  EXPECT_EQ(refusal(brief).code, "usage.bad_flag");
+  EXPECT_EQ(refusal(brief).where, "--image other.png");
 }
 
 TEST(ParseSize, ReadsWhatFlagsSay) {

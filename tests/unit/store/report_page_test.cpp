@@ -66,7 +66,7 @@ TEST(ReportHtml, EveryMetricHasItsSentence) {
     EXPECT_GT((*it)[1].length(), 30);
     EXPECT_TRUE((*it)[1].str().ends_with(".")) << (*it)[1];
   }
-  EXPECT_EQ(sentences, 9);
+  EXPECT_EQ(sentences, 10);
   EXPECT_NE(html.find("99.0 %"), std::string::npos);
 }
 
