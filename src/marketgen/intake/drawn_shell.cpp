@@ -76,6 +76,11 @@ void stretch(plan::Shell& shell, std::array<double, 2> by) {
   }
 }
 
+// Whose walls and doors the shell has, for a person.
+std::string drawing_of(const Brief& brief) {
+  return brief.floor_plan.value_or(brief.image_files.empty() ? "drawing" : brief.image_files[0]);
+}
+
 void settle_size(const Brief& brief, plan::Shell& shell, Understanding& found) {
   const SaidSize said = said_size(brief, found);
   const std::array<double, 2> by = stretch_of(said, shell);
@@ -83,8 +88,7 @@ void settle_size(const Brief& brief, plan::Shell& shell, Understanding& found) {
   found.conflicts.push_back(
       {"size",
        said.text,
-       brief.floor_plan.value_or(brief.image_files.empty() ? "drawing" : brief.image_files[0]) +
-           ": " + metres(shell.width_mm) + " x " + metres(shell.depth_mm) + " m",
+       drawing_of(brief) + ": " + metres(shell.width_mm) + " x " + metres(shell.depth_mm) + " m",
        brief.size_mm ? "a flag wins over a drawing; it is stretched"
                      : "words win over a drawing; it is stretched"});
   stretch(shell, by);
@@ -111,7 +115,7 @@ void settle_door(const Brief& brief,
     found.conflicts.push_back(
         {"opening " + wish.subject,
          wish.text,
-         *brief.floor_plan + ": in the " + std::string(name_of(drawn->wall)) + " wall",
+         drawing_of(brief) + ": in the " + std::string(name_of(drawn->wall)) + " wall",
          there != shell.openings.end()
              ? "words win over a drawing; it is another of the drawn doors"
              : "words win over a drawing, which has no door in that wall"});

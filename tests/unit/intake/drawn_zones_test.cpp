@@ -117,10 +117,19 @@ TEST(DrawnFloor, WordsAddAndRefuseZones) {
   EXPECT_TRUE(has_conflict(result, "zone frozen"));
 }
 
-TEST(DrawnFloor, TillsThatAreNotDrawnTakeAStripOfTheFront) {
+TEST(DrawnFloor, TillsThatAreNotDrawnTakeFloorOfADrawnZone) {
   const auto result = plan_of(
       brief_with("", {"bakery", "dairy"}, {{0, 0, 12000, 15000}, {12000, 0, 24000, 15000}}));
   EXPECT_TRUE(plan_has_zone(result.plan, "checkout"));
+}
+
+TEST(DrawnFloor, ADoorThatWordsPutElsewhereIsAConflictWithThePicture) {
+  const auto result = plan_of(
+      brief_with("the entrance is in the east wall", {"bakery", "dairy", "checkout"}, three));
+  const auto conflict =
+      std::ranges::find(result.conflicts, "opening entrance", &intake::Conflict::what);
+  ASSERT_NE(conflict, result.conflicts.end());
+  EXPECT_EQ(conflict->dropped, "sketch.png: in the south wall");
 }
 
 TEST(DrawnFloor, RelationsThatTheDrawingContradictsAreConflicts) {
