@@ -65,10 +65,6 @@ Result<intake::Brief> brief_of(const GenerateFlags& flags) {
     return Error{"usage.bad_flag",
                  "--image",
                  "a plan has its zones already: give one of --plan and --image"};
-  if (flags.images.size() > 1)
-    return Error{"usage.bad_flag",
-                 "--image " + flags.images[1],
-                 "a store has one drawing of zones; give one --image"};
   brief.image_files = flags.images;
   if (!flags.floor_plan.empty()) brief.floor_plan = flags.floor_plan;
   if (!flags.floor_plan_scale.empty()) brief.floor_plan_scale = flags.floor_plan_scale;
@@ -215,11 +211,7 @@ Result<void> generate(const GenerateFlags& flags) {
   MARKETGEN_TRY(const intake::Drawn drawn, intake::with_drawing(std::move(asked), catalog));
   const intake::Brief& brief = drawn.brief;
   for (const std::string& warning : drawn.warnings)
-    fmt::print(stderr,
-               "warning: {}: {}\n",
-               shown(flags.floor_plan.empty() && !flags.images.empty() ? flags.images[0]
-                                                                       : flags.floor_plan),
-               shown(warning));
+    fmt::print(stderr, "warning: {}\n", shown(warning));
   for (int variant = 0; variant < flags.count; ++variant)
     MARKETGEN_CHECK(generate_one(flags, brief, catalog, variant));
   return {};

@@ -69,8 +69,7 @@ StoreHandle generate(const std::string& prompt,
   intake::Drawn drawn = value_or_raise(intake::with_drawing(options.brief, catalog));
   options.brief = std::move(drawn.brief);
   for (const std::string& warning : drawn.warnings) {
-    const std::string text = floor_plan.value_or(image.value_or("")) + ": " + warning;
-    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) < 0) throw nb::python_error();
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) < 0) throw nb::python_error();
   }
   value_or_raise(telling(
       progress, [&](Progress& told) { return store::create_store(options, catalog, told); }));

@@ -6,11 +6,10 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "drawing/picture.h"
 #include "drawing/polygons.h"
 #include "drawing/sketch.h"
 #include "geometry/image.h"
-#include "io/jpeg.h"
-#include "io/png.h"
 
 namespace marketgen::drawing {
 namespace {
@@ -203,19 +202,10 @@ class Tracer {
   std::vector<Stroke> strokes_;
 };
 
-Result<Image> decoded(std::string_view bytes, const std::string& where) {
-  if (bytes.starts_with("\x89PNG")) return io::decode_png(bytes, where);
-  return io::decode_jpeg(bytes, where);
-}
-
 Sketch sketch_of(const Image& image) {
   cv::Mat grey = grey_of(image);
   const int longer = std::max(grey.cols, grey.rows);
-  double px = 1;
-  if (longer > longest_side_px) {
-    px = static_cast<double>(longer) / longest_side_px;
-    cv::resize(grey, grey, {}, 1 / px, 1 / px, cv::INTER_AREA);
-  }
+  const double px = shrink(grey, longest_side_px);
   const cv::Mat ink = ink_of(grey);
   cv::Mat depth;
   cv::distanceTransform(ink, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
@@ -233,7 +223,7 @@ Sketch sketch_of(const Image& image) {
 }  // namespace
 
 Result<Sketch> read_picture(std::string_view bytes, const std::string& where) {
-  MARKETGEN_TRY(const Image image, decoded(bytes, where));
+  MARKETGEN_TRY(const Image image, decoded_picture(bytes, where));
   constexpr int least_px = 60;
   if (std::min(image.width, image.height) < least_px)
     return Error{"drawing.bad_file",

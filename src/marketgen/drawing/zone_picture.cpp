@@ -5,9 +5,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "drawing/picture.h"
 #include "geometry/image.h"
-#include "io/jpeg.h"
-#include "io/png.h"
 
 namespace marketgen::drawing {
 namespace {
@@ -232,12 +231,7 @@ ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double asp
 }
 
 Result<ZonePicture> picture_of(cv::Mat bgr, const std::string& where, double aspect) {
-  const int longer = std::max(bgr.cols, bgr.rows);
-  double px = 1;
-  if (longer > longest_side_px) {
-    px = static_cast<double>(longer) / longest_side_px;
-    cv::resize(bgr, bgr, {}, 1 / px, 1 / px, cv::INTER_AREA);
-  }
+  const double px = shrink(bgr, longest_side_px);
   const cv::Mat flat = flattened(bgr);
   const cv::Mat ink = dark_ink(flat);
   if (const auto walls = four_walls(ink)) {
@@ -324,9 +318,7 @@ Result<ZonePicture> zone_picture(std::string_view bytes, const std::string& wher
     return Error{"drawing.bad_file",
                  where,
                  "this is no PNG or JPEG; save the drawing of zones as one of these"};
-  MARKETGEN_TRY(
-      const Image image,
-      bytes.starts_with("\x89PNG") ? io::decode_png(bytes, where) : io::decode_jpeg(bytes, where));
+  MARKETGEN_TRY(const Image image, decoded_picture(bytes, where));
   constexpr int min_px = 120;
   if (std::min(image.width, image.height) < min_px)
     return Error{"drawing.bad_file",

@@ -6,11 +6,11 @@
 
 #include "intake/strips.h"
 #include "intake/zone_sizes.h"
+#include "plan/bsp.h"
 
 namespace marketgen::intake {
 namespace {
 
-constexpr int max_gap_mm = 8000;       // market-plan/1
 constexpr int wall_shelf_mm = 610;     // a wall unit with its skirting
 constexpr int min_cell_mm = 2600;      // two sections of a gondola
 constexpr int stacked_cell_mm = 4200;  // worth a cross aisle
@@ -229,9 +229,10 @@ Core make_core(const std::vector<int>& zones,
   int spare = room.width_mm - used;  // negative when too narrow: rectangles still add up
   // Aisles that were asked to be so wide are, but for one that takes what is left over.
   const bool exact = program.aisle_mm && program.aisle_how == plan::Comparison::equal;
-  const int in_one_aisle = exact && columns.size() > 1
-                               ? std::clamp(spare, 0, std::max(0, max_gap_mm - core.run_aisle_mm))
-                               : 0;
+  const int in_one_aisle =
+      exact && columns.size() > 1
+          ? std::clamp(spare, 0, std::max(0, plan::max_gap_mm - core.run_aisle_mm))
+          : 0;
   spare -= in_one_aisle;
   std::vector<int> sizes = with_spare(columns, core.run_aisle_mm, spare);
   sizes.front() += at_west;

@@ -1,5 +1,7 @@
 #include "intake/drawn_shell.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -149,6 +151,13 @@ Result<drawing::ReadOptions> size_in_words(const Brief& brief, const catalog::Ca
   return options;
 }
 
+void add_warnings(std::vector<std::string>& all,
+                  const std::string& file,
+                  const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    all.push_back(fmt::format("{}: {}", file, warning));
+}
+
 // The zones of the brief's picture, and its shell where no floor plan gives one.
 Result<void> read_zones(Brief& brief,
                         const catalog::Catalog& catalog,
@@ -176,11 +185,12 @@ Result<void> read_zones(Brief& brief,
                  brief.image_files[0],
                  "nothing written on it names a zone of a shop; write on each zone what it is, as "
                  "in \"bakery\" (reference photos are not read yet)"};
-  warnings = std::move(read.warnings);
-  warnings.insert(warnings.end(), read.floor.warnings.begin(), read.floor.warnings.end());
-  warnings.insert(warnings.end(), brief.zones->warnings.begin(), brief.zones->warnings.end());
+  add_warnings(warnings, brief.image_files[0], read.warnings);
+  add_warnings(warnings, brief.image_files[0], read.floor.warnings);
+  add_warnings(warnings, brief.image_files[0], brief.zones->warnings);
   if (read.scale_is_guessed)
-    warnings.emplace_back("nothing says how large it is; say so with --size");
+    add_warnings(
+        warnings, brief.image_files[0], {"nothing says how large it is; say so with --size"});
   if (brief.floor_plan || brief.shell) return {};
   brief.shell = std::move(read.floor.shell);
   brief.shell_confidence = read.floor.outline_confidence;
@@ -191,6 +201,11 @@ Result<void> read_zones(Brief& brief,
 
 Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog) {
   Drawn drawn;
+  if (brief.image_files.size() > 1) {
+    return Error{"usage.bad_flag",
+                 "--image " + brief.image_files[1],
+                 "a store has one drawing of zones; give one --image"};
+  }
   if (!brief.image_files.empty() && !brief.zones) {
     MARKETGEN_CHECK(read_zones(brief, catalog, drawn.warnings));
   }
@@ -215,7 +230,7 @@ Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog) {
       read = drawing::read_floor_plan(*brief.floor_plan, said);
   }
   MARKETGEN_TRY(drawing::FloorPlan plan, std::move(read));
-  drawn.warnings.insert(drawn.warnings.end(), plan.warnings.begin(), plan.warnings.end());
+  add_warnings(drawn.warnings, *brief.floor_plan, plan.warnings);
   brief.shell = std::move(plan.shell);
   brief.shell_confidence = plan.outline_confidence;
   drawn.brief = std::move(brief);

@@ -9,15 +9,14 @@
 namespace marketgen::intake {
 
 struct Drawn {
-  Brief brief;                        // with its shell
-  std::vector<std::string> warnings;  // of what was read, for a person
+  Brief brief;                        // with its shell and zones
+  std::vector<std::string> warnings;  // of what was read, for a person: "FILE: …"
 };
 
 // Reads the brief's floor plan, if it has one that was not read yet. Where the drawing says no
-// scale,
-// --size or a size in the words does. Errors: those of drawing::read_floor_plan, usage.bad_flag for
-// the scale. A picture of zones is read as well (drawing::read_zone_drawing): it gives the shell
-// where no floor plan does.
+// scale, --size or a size in the words does. Errors: those of drawing::read_floor_plan,
+// usage.bad_flag for the scale and for more than one picture. A picture of zones is read as well
+// (drawing::read_zone_drawing): it gives the shell where no floor plan does.
 Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog);
 
 // The drawn shell as it will be built: flags beat words, words beat the drawing, and each loss is a

@@ -6,13 +6,14 @@
 #include <limits>
 #include <optional>
 
+#include "plan/bsp.h"
+
 namespace marketgen::intake {
 namespace {
 
-constexpr double least_share = 0.085;  // of a side of a cut: near what nodes of plans allow
-constexpr int least_gap_mm = 400;      // less bare floor is a drawn line
-constexpr int most_gap_mm = 8000;      // limit of Node::gap_mm
-constexpr int branching_cuts = 3;      // so far from the root, several cuts are tried
+constexpr double min_share = 0.085;  // of a side of a cut: near what nodes of plans allow
+constexpr int min_gap_mm = 400;      // less bare floor is a drawn line
+constexpr int branching_cuts = 3;    // so far from the root, several cuts are tried
 constexpr std::size_t tried_cuts = 4;
 
 struct Cells {
@@ -136,7 +137,7 @@ class Fitter {
     std::vector<Cut> cuts;
     for (const plan::Axis axis : {plan::Axis::x, plan::Axis::y}) {
       const auto [from, to] = ends(room, axis);
-      const int margin = std::max(1, static_cast<int>(std::ceil((to - from) * least_share)));
+      const int margin = std::max(1, static_cast<int>(std::ceil((to - from) * min_share)));
       for (int at = from + margin; at <= to - margin; ++at)
         cuts.push_back(cut_at(room, zones, axis, at));
       if (to - from > 1 && to - from < 2 * margin)
@@ -165,14 +166,14 @@ class Fitter {
               const std::vector<std::size_t>& zones,
               int step,
               int last) const {
-    int best = cut.at, gain = 0, most = 0;
+    int best = cut.at, gain = 0, best_gain = 0;
     for (int at = cut.at; at != last; at += step) {
       const Cells line = part(room, cut.axis, std::min(at, at + step), std::max(at, at + step));
       gain += counts_.bare(line);
       for (const std::size_t zone : zones)
         gain -= counts_.of(zone, line);
-      if (gain <= most) continue;
-      most = gain;
+      if (gain <= best_gain) continue;
+      best_gain = gain;
       best = at + step;
     }
     return best;
@@ -180,11 +181,11 @@ class Fitter {
 
   Fit cut(const Cells& room, const Cut& cut, int depth) const {
     const auto [from, to] = ends(room, cut.axis);
-    const int margin = static_cast<int>((to - from) * least_share);
+    const int margin = static_cast<int>((to - from) * min_share);
     int a = trimmed(room, cut, cut.first, -1, std::min(cut.at, from + margin));
     int b = trimmed(room, cut, cut.second, 1, std::max(cut.at, to - margin));
-    if (mm(cut.axis, b) - mm(cut.axis, a) < least_gap_mm) a = b = cut.at;
-    while (mm(cut.axis, b) - mm(cut.axis, a) > most_gap_mm)
+    if (mm(cut.axis, b) - mm(cut.axis, a) < min_gap_mm) a = b = cut.at;
+    while (mm(cut.axis, b) - mm(cut.axis, a) > plan::max_gap_mm)
       (b - cut.at > cut.at - a) ? --b : ++a;
     Fit first = fit(part(room, cut.axis, from, a), cut.first, depth + 1);
     Fit second = fit(part(room, cut.axis, b, to), cut.second, depth + 1);

@@ -63,11 +63,6 @@ Result<void> check_known(const std::vector<Row>& rows,
 Result<void> check_brief(const Brief& brief, const catalog::Catalog& catalog) {
   const bool drawn = brief.floor_plan || !brief.image_files.empty() || brief.zones;
   if (!drawn || !brief.prompt.empty()) MARKETGEN_CHECK(check_prompt(brief.prompt));
-  if (brief.image_files.size() > 1) {
-    return Error{"usage.bad_flag",
-                 "--image " + brief.image_files[1],
-                 "a store has one drawing of zones; give one --image"};
-  }
   if (brief.size_mm) {
     MARKETGEN_CHECK(check_store_size((*brief.size_mm)[0], (*brief.size_mm)[1], "--size"));
   }

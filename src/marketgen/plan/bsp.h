@@ -15,6 +15,7 @@ namespace marketgen::plan {
 // What holds for an inner node that does not say: halves with nothing between them.
 constexpr double default_split_ratio = 0.5;
 constexpr int default_gap_mm = 0;
+constexpr int max_gap_mm = 8000;  // Node::gap_mm
 
 // Narrower ground holds neither a fixture nor a shopper.
 constexpr int min_node_side_mm = 1000;

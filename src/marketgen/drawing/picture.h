@@ -1,0 +1,18 @@
+// Pictures as files have them, made ready to be looked at.
+#pragma once
+#include <opencv2/core.hpp>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "geometry/image.h"
+
+namespace marketgen::drawing {
+
+// A PNG, or else a JPEG. Errors: of io::decode_png and io::decode_jpeg.
+Result<Image> decoded_picture(std::string_view bytes, const std::string& where);
+
+// Makes a picture whose longer side is longer so large. How many of its pixels are one now.
+double shrink(cv::Mat& picture, int longest_side_px);
+
+}  // namespace marketgen::drawing
