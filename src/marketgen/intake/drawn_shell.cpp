@@ -190,7 +190,9 @@ Result<void> read_zones(Brief& brief,
   add_warnings(warnings, brief.image_files[0], brief.zones->warnings);
   if (read.scale_is_guessed)
     add_warnings(
-        warnings, brief.image_files[0], {"nothing says how large it is; say so with --size"});
+        warnings,
+        brief.image_files[0],
+        {"nothing says how large it is, so it is as large as such shops are; give its size"});
   if (brief.floor_plan || brief.shell) return {};
   brief.shell = std::move(read.floor.shell);
   brief.shell_confidence = read.floor.outline_confidence;
