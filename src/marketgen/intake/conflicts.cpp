@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 namespace marketgen::intake {
 namespace {
@@ -161,6 +163,47 @@ bool earlier_wins(const plan::Requirement& earlier, const plan::Requirement& lat
   return earlier.strength == plan::Strength::must && later.strength == plan::Strength::prefer;
 }
 
+constexpr std::array<std::string_view, 14> clause_ends = {
+    ",", ".", ";", ":", "!", "?", "(", ")", "\n", "，", "。", "；", "：", "！"};
+
+bool is_end(std::string_view text, std::size_t at, std::string_view mark) {
+  if (text.substr(at, mark.size()) != mark) return false;
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() && text[i] >= '0' && text[i] <= '9';
+  };
+  return at == 0 || !digit(at - 1) || !digit(at + 1);  // "4.50 m"
+}
+
+// The words from one comma or full stop to the next that hold the span.
+std::string clause_of(std::string_view prompt, IntRange span) {
+  const auto first = static_cast<std::size_t>(span[0]), last = static_cast<std::size_t>(span[1]);
+  std::size_t begin = 0, end = prompt.size();
+  for (const std::string_view mark : clause_ends) {
+    for (std::size_t at = prompt.find(mark); at < end; at = prompt.find(mark, at + mark.size())) {
+      if (!is_end(prompt, at, mark)) continue;
+      if (at < first)
+        begin = std::max(begin, at + mark.size());
+      else if (at >= last)
+        end = at;
+    }
+  }
+  const std::string_view blank = " \t\r";
+  begin = std::min(prompt.find_first_not_of(blank, begin), first);
+  end = std::max(prompt.find_last_not_of(blank, end - 1) + 1, last);
+  return std::string(prompt.substr(begin, end - begin));
+}
+
+// Both clauses, and which of them holds.
+std::string why_lost(std::string_view prompt,
+                     const plan::Requirement& earlier,
+                     const plan::Requirement& later,
+                     bool equal) {
+  const std::string first = clause_of(prompt, earlier.span), second = clause_of(prompt, later.span);
+  const std::string both = first == second ? "the two" : '"' + first + "\" and \"" + second + '"';
+  return both + " contradict each other; " +
+         (equal ? "what was said last holds" : "what must be wins over what is preferred");
+}
+
 void note_loss(Understanding& understanding,
                const plan::Requirement& loser,
                const plan::Requirement& kept,
@@ -196,7 +239,7 @@ bool flag_contradicts(const Brief& brief, const plan::Requirement& wish) {
 
 }  // namespace
 
-void settle_conflicts(Understanding& understanding) {
+void settle_conflicts(Understanding& understanding, std::string_view prompt) {
   const std::vector<plan::Requirement>& wishes = understanding.requirements;
   std::vector<bool> lost(wishes.size(), false);  // taken out at the end: texts are slow to move
   for (std::size_t later = 1; later < wishes.size(); ++later) {
@@ -212,8 +255,7 @@ void settle_conflicts(Understanding& understanding) {
         note_loss(understanding,
                   wishes[loser],
                   kept,
-                  equal ? "the two contradict each other; what was said last holds"
-                        : "what must be wins over what is preferred");
+                  why_lost(prompt, wishes[earlier], wishes[later], equal));
         lost[loser] = true;
       }
     }

@@ -122,7 +122,8 @@ bool put_behind(std::vector<CoreColumn>& columns,
   }
   if (widest == nullptr) return false;
   const int behind = (widest->max_runs + widest->runs - 1) / widest->runs + 1;
-  widest->runs = (widest->max_runs + behind - 1) / behind;
+  // Four runs, three behind one another, are still two abreast: then one, four behind one another.
+  widest->runs = std::min(widest->runs - 1, (widest->max_runs + behind - 1) / behind);
   return true;
 }
 

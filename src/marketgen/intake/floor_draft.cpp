@@ -1,6 +1,7 @@
 #include "intake/floor_draft.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "intake/core_columns.h"
 #include "intake/strips.h"
@@ -251,13 +252,20 @@ class FloorBuilder {
     const bool at_tills = before == zones.size();
     const int till_gap = at_tills ? entrance_gap : profile_.secondary_aisle_mm;
     const int inner_gap = at_tills ? 0 : entrance_gap;
-    const int tills = tills_width(front_mm);
+    int tills = tills_width(front_mm);
     const int for_zones = width - tills - till_gap - inner_gap;
     need(for_zones, min_front_mm * static_cast<int>(zones.size()));
     // Zones far from the tills, then those between the entrance and the tills.
     std::vector<int> far(zones.begin(), zones.begin() + static_cast<std::ptrdiff_t>(before));
     std::vector<int> near(zones.begin() + static_cast<std::ptrdiff_t>(before), zones.end());
-    const int far_mm = near.empty() ? for_zones : share_of(far, near, for_zones);
+    int far_mm = near.empty() ? for_zones : share_of(far, near, for_zones);
+    if (const auto door = asked_door_mm()) {
+      const int least = std::min(for_zones, min_front_mm * static_cast<int>(far.size()));
+      const int most = for_zones - min_front_mm * static_cast<int>(near.size());
+      const int gap = at_tills ? till_gap : inner_gap;
+      far_mm = std::clamp(*door - gap / 2, least, std::max(least, most));
+      if (at_tills) tills += for_zones - far_mm;
+    }
     Slice row = cut_slice(plan::Axis::x);
     row.add(front_strip(far, far_mm, front_mm), far_mm, 0);
     if (!near.empty()) {
@@ -268,6 +276,13 @@ class FloorBuilder {
     set_doors(door, width - exit_from_end(tills));
     if (!draft_.tills_east) mirror(row);
     return row;
+  }
+
+  // Where the middle of the entrance was asked to be, for tills in the east.
+  std::optional<int> asked_door_mm() const {
+    if (!program_.entrance_at) return std::nullopt;
+    const double at = draft_.tills_east ? *program_.entrance_at : 1 - *program_.entrance_at;
+    return static_cast<int>(at * floor_.width_mm);
   }
 
   int share_of(const std::vector<int>& far, const std::vector<int>& near, int length_mm) const {

@@ -30,7 +30,8 @@ const plan::Requirement* area_wish(const Understanding& found, double& area_m2) 
 
 // The store that zones of the areas that were asked for leave room in for others.
 double floor_for_zones(const Understanding& found) {
-  constexpr double share_of_asked = 0.5;
+  constexpr double share_of_asked =
+      0.36;  // the usual zones beside them want theirs, aisles and tills too
   double sum = 0;
   for (const plan::Requirement& wish : found.requirements)
     if (wish.kind == Kind::area && !wish.subject.empty() &&

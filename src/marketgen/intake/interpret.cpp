@@ -88,6 +88,8 @@ constexpr StatementKind statement_kinds[] = {
     {"excepting", interpret_excepting},
     {"respectively", interpret_respectively},
     {"same_as", interpret_same_as},
+    {"ratio", interpret_ratio},
+    {"lots", interpret_lots},
     {"surface", interpret_surface},
     {"light", interpret_light},
     {"stock", interpret_stock},
@@ -106,6 +108,7 @@ constexpr StatementKind statement_kinds[] = {
     {"floor_of_shop", interpret_floor_of_shop},
     {"doors_shared", interpret_doors_shared},
     {"only_tills", interpret_only_tills},
+    {"runs_each", interpret_runs_each},
     {"count_of_it", interpret_count_of_it},
 };
 

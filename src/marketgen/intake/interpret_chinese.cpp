@@ -18,6 +18,13 @@ std::string zone_spoken_of(const Reading& reading) {
   return reading.memory->recent.back().back()->text("zone");
 }
 
+// The number that is said of it is a least or most one.
+void compare(Meaning& thing, const std::string& comparison) {
+  Meaning number = *thing.parts("count").front();
+  number.slots["comparison"] = comparison;
+  thing.slots["count"] = Parts{std::make_shared<Meaning>(std::move(number))};
+}
+
 }  // namespace
 
 // "面宽20米，进深15米": always the shop's, so that a second one contradicts the first.
@@ -39,15 +46,23 @@ bool interpret_floor_of_it(Reading& reading, const Meaning& statement) {
   return true;
 }
 
-// "冷藏柜沿左墙，一共八台": so many of what was named last.
+// "冷藏柜沿左墙，一共八台", "put freezers there, nine of them": so many of what was named last.
 bool interpret_count_of_it(Reading& reading, const Meaning& statement) {
   if (reading.memory->recent.empty()) return false;
   Meaning thing = *reading.memory->recent.back().back();
   const bool counted = thing.is("type", "fixture") || thing.text("name").ends_with("checkout");
-  if (thing.has("count") || !counted) return false;
-  thing.slots["count"] = statement.parts("count");
+  const char* slot = statement.has("runs") ? "runs" : "count";
+  if (thing.has(slot) || !counted) return false;
+  if (statement.has("runs") && !thing.is("type", "fixture")) return false;
+  thing.slots[slot] = statement.parts(slot);
   thing.span = statement.span;
-  add_count(reading, thing);
+  if (!statement.has("runs")) {
+    if (statement.has("comparison")) compare(thing, statement.text("comparison"));
+    add_count(reading, thing);
+    return true;
+  }
+  thing.slots.erase("each");
+  add_runs(reading, thing);
   return true;
 }
 
@@ -141,6 +156,21 @@ bool interpret_surfaces(Reading& reading, const Meaning& statement) {
     any = interpret_surface(reading, one) || any;
   }
   return any;
+}
+
+// "粮油、罐头各两排双面货架": so many in each.
+bool interpret_runs_each(Reading& reading, const Meaning& statement) {
+  bool any = false;
+  for (const MeaningPtr& thing : statement.parts("things")) {
+    const std::string& zone = thing->text("zone");
+    if (zone.empty()) continue;
+    Meaning runs = standing_in(*statement.parts("fixture").front(), zone);
+    runs.slots["runs"] = statement.parts("runs");
+    runs.span = joined(thing->span, statement.span);
+    mention(reading, runs);
+    any = true;
+  }
+  return any && interpret_mention(reading, statement);
 }
 
 // "没有缺货"

@@ -148,6 +148,25 @@ bool interpret_same_as(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+// "Twice as much floor for fruit as for dairy", "half as much again as": settled when the prompt is
+// read, for the other area may stand after it.
+bool interpret_ratio(Reading& reading, const Meaning& statement) {
+  const std::vector<std::string> zones = zones_of(statement.parts("things"));
+  const std::vector<std::string> models = zones_of(statement.parts("as"));
+  const double factor =
+      statement.number("factor", 1) + statement.number("more") - statement.number("less");
+  if (zones.size() != 1 || models.size() != 1 || zones == models || factor <= 0) return false;
+  reading.found.ratios.push_back({zones.front(),
+                                  models.front(),
+                                  factor,
+                                  reading.strength,
+                                  reading.words(statement.span),
+                                  statement.span});
+  mention_zones(reading, statement.parts("things"));
+  mention_zones(reading, statement.parts("as"));
+  return true;
+}
+
 // Each state of the same goods: "tidy and well stocked".
 bool interpret_stocks(Reading& reading, const Meaning& statement) {
   bool any = false;

@@ -94,6 +94,11 @@ void mention_parts(Reading& reading, const language::Parts& parts) {
   }
 }
 
+bool stands_in_gondolas(const Reading& reading, const std::string& zone) {
+  const catalog::ZoneTypeRow* row = reading.catalog.zone_type(zone);
+  return row != nullptr && row->fixture == "gondola";
+}
+
 }  // namespace
 
 bool shop_is_measured(const Reading& reading) {
@@ -177,6 +182,14 @@ bool interpret_rows(Reading& reading, const Meaning& statement) {
   const Meaning& zone = *statement.parts("zone").front();
   const double rows = statement.parts("count").front()->number("value");
   if (rows < 1) return false;
+  if (stands_in_gondolas(reading, zone.text("zone"))) {  // rows of shelves are runs
+    plan::Requirement runs = reading.wish(Kind::run_count, statement.span);
+    runs.subject = "gondola";
+    runs.object = runs.second_object = zone.text("zone");
+    add_number(reading, runs, *statement.parts("count").front(), true);
+    mention(reading, zone);
+    return true;
+  }
   reading.found.rows.push_back(
       {zone.text("zone"), static_cast<int>(std::min(rows, max_rows_read)), statement.span});
   mention(reading, zone);

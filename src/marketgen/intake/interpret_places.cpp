@@ -240,6 +240,7 @@ bool interpret_held(Reading& reading, const Meaning& statement) {
     const std::string& zone = goods.text("zone");
     mention(reading, zone.empty() ? *by : standing_in(*by, zone));
   }
+  if (statement.has("at")) interpret_placed(reading, statement);
   return true;
 }
 

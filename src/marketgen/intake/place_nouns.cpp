@@ -195,6 +195,7 @@ void add_count(Reading& reading, const language::Meaning& said) {
   language::Meaning number = *said.parts("count").front();
   if (said.parts("count").size() > 1)  // "two rows of six each"
     number.slots["value"] = number.number("value") * said.parts("count").back()->number("value");
+  if (said.has("comparison")) number.slots["comparison"] = said.text("comparison");
   const std::string& name = said.text("name");
   const bool tills = name == "checkout" || name == "self_checkout";
   plan::Requirement count =

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "intake/fixture_wishes.h"
 #include "intake/plan_look.h"
 #include "intake/plan_provenance.h"
 #include "intake/plan_zones.h"
@@ -12,6 +15,64 @@ namespace marketgen::intake {
 namespace {
 
 constexpr int min_ceiling_mm = 2300, max_ceiling_mm = 12000;  // limits of Shell::ceiling_mm
+
+// Where that many columns stand in a grid that is nearly square: three by three are nine.
+std::vector<plan::Column> grid_of_columns(int count, int width_mm, int depth_mm) {
+  const double abreast = std::sqrt(static_cast<double>(count) * width_mm / std::max(1, depth_mm));
+  int columns = std::clamp(static_cast<int>(std::lround(abreast)), 1, std::max(1, count));
+  while (count % columns != 0)
+    --columns;
+  const int rows = count / columns;
+  std::vector<plan::Column> grid;
+  for (int i = 0; i < count; ++i) {
+    plan::Column& column = grid.emplace_back();
+    column.x_mm = width_mm * (2 * (i % columns) + 1) / (2 * columns);
+    column.y_mm = depth_mm * (2 * (i / columns) + 1) / (2 * rows);
+  }
+  return grid;
+}
+
+bool is_before_door(const plan::Shell& shell, const plan::Column& column) {
+  constexpr int free_mm = 1500;
+  const RectMm floor{0, 0, shell.width_mm, shell.depth_mm};
+  return std::ranges::any_of(shell.openings, [&](const plan::Opening& door) {
+    const PointMm at = plan::point_inside(floor, door, 0);
+    return std::hypot(at[0] - column.x_mm, at[1] - column.y_mm) < door.width_mm / 2 + free_mm;
+  });
+}
+
+// As many that stand with their backs to the walls, away from doors.
+std::vector<plan::Column> columns_at_walls(int count, const plan::Shell& shell) {
+  constexpr int step_mm = 1000;
+  std::vector<plan::Column> places;
+  const int half = plan::Column{}.size_mm / 2;
+  const auto add = [&](int x_mm, int y_mm) {
+    const plan::Column column{x_mm, y_mm};
+    if (!is_before_door(shell, column)) places.push_back(column);
+  };
+  for (const int x : {half, shell.width_mm - half})
+    for (int y = 2 * step_mm; y < shell.depth_mm - step_mm; y += step_mm)
+      add(x, y);
+  for (int x = 2 * step_mm; x < shell.width_mm - step_mm; x += step_mm)
+    add(x, shell.depth_mm - half);
+  std::vector<plan::Column> chosen;
+  const auto most = std::min(static_cast<std::size_t>(count), places.size());
+  for (std::size_t i = 0; i < most; ++i)
+    chosen.push_back(places[(2 * i + 1) * places.size() / (2 * most)]);
+  return chosen;
+}
+
+// As many as the words want, where no drawing says where they stand.
+void add_columns(plan::Shell& shell, const Understanding& found, bool at_walls) {
+  constexpr int max_columns = 40;
+  const plan::Requirement* wish = found.find(plan::RequirementKind::fixture_count, "pillar");
+  if (wish == nullptr || asks_for_none(*wish) || !shell.columns.empty()) return;
+  const bool only_named = wish->comparison == plan::Comparison::at_least && wish->value <= 1;
+  if (only_named) return;
+  const int count = std::clamp(static_cast<int>(std::lround(wish->value)), 1, max_columns);
+  shell.columns = at_walls ? columns_at_walls(count, shell)
+                           : grid_of_columns(count, shell.width_mm, shell.depth_mm);
+}
 
 plan::Shell shell_of(const PlanSources& sources) {
   plan::Shell shell = sources.program.shell.value_or(plan::Shell{});
@@ -24,6 +85,7 @@ plan::Shell shell_of(const PlanSources& sources) {
         std::clamp(static_cast<int>(std::lround(wish->value)), min_ceiling_mm, max_ceiling_mm);
   }
   shell.openings = sources.candidate.openings;
+  add_columns(shell, sources.understanding, sources.program.columns_at_walls);
   return shell;
 }
 

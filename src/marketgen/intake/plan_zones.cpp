@@ -16,6 +16,7 @@ constexpr int endcaps_front_from_mm = 5200;  // runs this long spare the floor f
 constexpr int endcaps_both_from_mm = 8000;
 constexpr double min_area_share = 0.6;     // of the target
 constexpr double no_gap_from_fill = 0.99;  // "to the brim": nothing is sold out, either
+constexpr int low_goods_mm = 80;           // tins and packs that stand over the highest board
 constexpr int canopy_mm = 160;             // of wall units, over the highest level's goods
 
 class ZoneWriter {
@@ -221,11 +222,15 @@ class ZoneWriter {
     const bool asked = !wishes.empty() || (is_gondola(zone) && (levels_asked || height_asked));
     if (!asked || kind.level_range[1] < 2 || usual < 2) return;
     const int pitch = bounded(wishes, (height - kind.base_mm - canopy_mm) / usual);
-    const auto levels_in = [&](int mm) { return (mm - kind.base_mm - canopy_mm) / pitch; };
+    // Over the highest board stand goods as high as others, or what room asked-for levels leave.
+    const int over_top = levels_asked && height_asked ? std::min(pitch, low_goods_mm) : pitch;
+    const auto levels_in = [&](int mm) {
+      return 1 + (mm - kind.base_mm - canopy_mm - over_top) / pitch;
+    };
     int levels = levels_asked || wishes.empty() ? usual : levels_in(height);
     levels = std::min(levels, levels_in(height_asked ? height : kind.height_range_mm[1]));
     levels = std::clamp(levels, kind.level_range[0], kind.level_range[1]);
-    const int needed = kind.base_mm + levels * pitch + canopy_mm;
+    const int needed = kind.base_mm + (levels - 1) * pitch + over_top + canopy_mm;
     constexpr int closest_mm = 80;  // of FixtureSpec::spacing_mm
     if (needed > kind.height_range_mm[1] || pitch < closest_mm) return;  // no room for them
     spec.levels = levels;
@@ -269,7 +274,8 @@ class ZoneWriter {
     if (wish.subject == "out_of_stock") stock.out_of_stock = wish.value;
     if (wish.subject == "misplaced") stock.misplaced = wish.value;
     if (wish.subject != "jitter") return;
-    stock.jitter = wish.value;
+    constexpr double tidy = 0.4;  // of the most that was allowed: not one item stands out
+    stock.jitter = wish.comparison == plan::Comparison::at_most ? tidy * wish.value : wish.value;
     if (wish.value >= untidy_jitter) stock.misplaced = std::max(stock.misplaced, untidy_misplaced);
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "intake/candidate.h"
 #include "intake/floor_size.h"
 #include "intake/store_size.h"
 #include "intake/zone_sizes.h"
@@ -358,7 +359,10 @@ void count_lanes(StoreProgram& program) {
   for (ProgramZone& zone : program.zones) {
     if (zone.type->type != "checkout" || zone.count) continue;
     const double wanted = program.profile->checkouts_per_100_m2 * program.area_m2() / 100;
-    const int fit = program.width_mm / 2 / 2100;  // half of the front, a lane with its passage each
+    constexpr int lane_mm = 2100, half_door_mm = 2000;  // with its passage; with its free floor
+    // Half of the front; less where people come in through the middle of it.
+    const bool middle = program.entrance_at == 0.5;
+    const int fit = (program.width_mm / 2 - (middle ? half_door_mm : 0)) / lane_mm;
     zone.count = std::clamp(static_cast<int>(std::lround(wanted)), 1, std::max(1, fit));
   }
 }
@@ -385,6 +389,22 @@ void keep_to(const Concessions& concessions, ProgramZone& zone) {
     if (wish.count && wish.runs) wish.runs = std::min(*wish.runs, *wish.count);
   }
   std::erase_if(zone.beside, [](const KindWish& wish) { return wish.runs == 0; });
+}
+
+// Drafts have the entrance's wall in the south; turned, its directions are reversed for two walls.
+std::optional<double> entrance_asked_at(const Understanding& found) {
+  constexpr double near_end = 0.15;
+  const plan::Wall wall = entrance_wall_of(found);
+  const bool reversed = wall == plan::Wall::north || wall == plan::Wall::west;
+  for (const plan::Requirement& wish : found.requirements) {
+    if (wish.kind != Kind::opening || wish.subject != "entrance" || wish.second_object.empty())
+      continue;
+    if (!wish.object.empty() && wish.object != name_of(wall)) continue;
+    if (wish.second_object == "center") return 0.5;
+    const bool low = wish.second_object == "west" || wish.second_object == "south";
+    return low != reversed ? near_end : 1 - near_end;
+  }
+  return std::nullopt;
 }
 
 std::optional<int> whole(const plan::Requirement* wish) {
@@ -439,6 +459,7 @@ Result<StoreProgram> make_program(const Brief& brief,
   StoreProgram program;
   program.till_counter = concessions.till_counter;
   program.plain = concessions.plain;
+  program.columns_at_walls = concessions.plans_before > 0;
   program.profile = &profile_of(brief, found, catalog);
   MARKETGEN_TRY(const auto size, floor_size_of(brief, found, *program.profile));
   program.width_mm = size[0];
@@ -463,6 +484,7 @@ Result<StoreProgram> make_program(const Brief& brief,
   }
   share_floor(program, found, chosen.count);
   share_runs(program, found, catalog);
+  program.entrance_at = entrance_asked_at(found);
   count_lanes(program);
   program.open = !floor_size_is_said(brief, found);
   if (program.open) grow_floor(program, found);

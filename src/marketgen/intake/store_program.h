@@ -43,9 +43,12 @@ struct StoreProgram {
   std::optional<int> aisles;    // aisles asked for
   std::optional<int> aisle_mm;  // aisle width asked for
   plan::Comparison aisle_how = plan::Comparison::equal;
+  std::optional<double>
+      entrance_at;  // asked for: from the west end of the front, as drafts have it
   std::vector<plan::EquipmentSpec> equipment;  // at the doors, where it is not as usual
   bool till_counter = false;                   // no room for lanes
   bool open = false;                           // nobody said how large the floor is
+  bool columns_at_walls = false;               // a floor with columns all over it did not do
   bool loose = false;                          // counted fixtures get the room that is left
   bool plain = false;                          // no room for more than a till and ordinary shelves
   std::optional<plan::Shell> shell;            // drawn

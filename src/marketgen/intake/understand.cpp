@@ -203,8 +203,46 @@ plan::Wall entrance_wall(const Understanding& found, plan::Wall otherwise) {
   return otherwise;
 }
 
+// A ratio to a floor that was said in numbers is a number; one to a floor that nobody knows is not
+// understood.
+void settle_ratios(Understanding& found) {
+  for (const ZoneRatio& ratio : std::exchange(found.ratios, {})) {
+    const plan::Requirement* model = found.find(plan::RequirementKind::area, ratio.of);
+    if (model == nullptr) {
+      found.unparsed.push_back({ratio.text, ratio.span});
+      continue;
+    }
+    plan::Requirement area;
+    area.kind = plan::RequirementKind::area;
+    area.subject = ratio.zone;
+    area.value = ratio.factor * model->value;
+    area.comparison = model->comparison;
+    area.strength = ratio.strength;
+    area.text = ratio.text;
+    area.span = ratio.span;
+    found.requirements.push_back(std::move(area));
+  }
+}
+
+// "The entrance is in the south wall, at its left end": an end without a wall is one of the wall
+// that was said of that door.
+void find_walls_of_ends(Understanding& found) {
+  const auto is_door = [](const plan::Requirement& wish) {
+    return wish.kind == plan::RequirementKind::opening;
+  };
+  std::vector<plan::Requirement>& wishes = found.requirements;
+  for (plan::Requirement& wish : wishes) {
+    if (!is_door(wish) || !wish.object.empty() || wish.second_object.empty()) continue;
+    const auto of_wall = std::ranges::find_if(wishes, [&](const plan::Requirement& other) {
+      return is_door(other) && other.subject == wish.subject && !other.object.empty();
+    });
+    if (of_wall != wishes.end()) wish.object = of_wall->object;
+  }
+}
+
 // "front", "back", "left" and "right" become walls.
 void resolve_directions(Understanding& found, plan::Wall entrance) {
+  find_walls_of_ends(found);
   const Compass& compass = compasses[static_cast<std::size_t>(entrance_wall(found, entrance))];
   for (plan::Requirement& wish : found.requirements) {
     const bool placed =
@@ -248,8 +286,9 @@ Understanding understand(std::string_view prompt,
     reading.first_sentence = std::exchange(first, false);
     if (SentenceReader(sentence, language, std::move(reading)).run()) found.understood = true;
   }
+  settle_ratios(found);
   resolve_directions(found, entrance);
-  settle_conflicts(found);
+  settle_conflicts(found, prompt);
   return found;
 }
 

@@ -27,6 +27,15 @@ struct WantedRows {
   IntRange span{0, 0};
 };
 
+// "Twice as much floor for fruit as for dairy": as soon as the prompt says how much dairy has.
+struct ZoneRatio {
+  std::string zone, of;  // zone types
+  double factor = 1;
+  plan::Strength strength = plan::Strength::must;
+  std::string text;
+  IntRange span{0, 0};
+};
+
 struct StoreName {
   std::string text;
   IntRange span{0, 0};
@@ -36,6 +45,7 @@ struct Understanding {
   std::vector<plan::Requirement> requirements;
   std::vector<Emphasis> emphases;
   std::vector<WantedRows> rows;
+  std::vector<ZoneRatio> ratios;  // while it is read; none when everything is
   std::optional<StoreName> name;
   std::vector<WordedChange> changes;  // of an edit
   double size_factor = 1;             // "small", "large": of the profile's usual floor area

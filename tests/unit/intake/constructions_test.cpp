@@ -44,6 +44,29 @@ const std::vector<ConstructionCase> constructions = {
     {"nothing higher than 1.6 m", {"height fixture <=1600"}},
     {"ceiling nine foot six", {"height ceiling 2895.6"}},
     {"gondolas come down from 2.0 to 1.6 metres", {"height gondola 1600"}},
+    {"the ceiling comes down to 3.8 m", {"height ceiling 3800"}},
+    {"the ceiling is lowered to 3.8 m over the whole room", {"height ceiling 3800"}},
+    {"three tills or more", {"fixture_count checkout_lane >=3"}},
+    // ---- Floors by comparison ----
+    {"Twice as much floor for produce as for dairy, with dairy at 45 m2.",
+     {"area dairy 45", "area produce 90", "zone_present dairy", "zone_present produce"}},
+    {"The dairy has 40 m2. Produce gets three times the floor of dairy.",
+     {"area dairy 40", "area produce 120", "zone_present dairy", "zone_present produce"}},
+    // ---- Runs shared among zones ----
+    {"Nine double-sided gondola runs. Four of them hold dry goods, three snacks, and the last two "
+     "household goods.",
+     {"run_count gondola dry_goods 9",
+      "run_count gondola dry_goods dry_goods 4",
+      "run_count gondola snacks snacks 3",
+      "run_count gondola household household 2",
+      "zone_present dry_goods",
+      "zone_present snacks",
+      "zone_present household"}},
+    {"two double-sided gondola runs of household goods and three of dry goods",
+     {"run_count gondola household household 2",
+      "run_count gondola dry_goods dry_goods 3",
+      "zone_present dry_goods",
+      "zone_present household"}},
     // ---- Stock ----
     {"snacks untidy", {"zone_present snacks", "stock jitter snacks >=0.8"}},
     {"the bakery is nearly empty", {"zone_present bakery", "stock fill bakery <=0.15"}},
@@ -93,8 +116,10 @@ const std::vector<ConstructionCase> constructions = {
     {"two entrances, one west and one east",
      {"opening entrance 2", "opening entrance west 1", "opening entrance east 1"}},
     {"the entrance at the left end of the south wall", {"opening entrance south east"}},
+    {"The entrance is in the south wall, at its left end.", {"opening entrance south east"}},
     {"no windows", {"opening window <=0"}},
     // ---- Present and absent ----
+    {"Take the bins out.", {"fixture_count bin <=0"}},
     {"snacks; bins are not allowed", {"zone_present snacks", "fixture_count bin <=0"}},
     {"don't leave out the eggs", {"product_present eggs"}},
 };

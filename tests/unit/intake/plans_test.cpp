@@ -249,6 +249,22 @@ TEST(Plans, LanesAreCountedAsAsked) {
       5);
 }
 
+// A hall too narrow for them: four runs, three behind one another, are still two abreast.
+TEST(Plans, CountedRunsOfANarrowHallStandBehindOneAnother) {
+  const plan::Plan plan =
+      plan_of("A shop 16 m wide and 30 m deep with four double-sided gondola runs of dry goods");
+  EXPECT_EQ(zone_of(plan, "dry_goods")->fixture.runs, 4);
+}
+
+TEST(Plans, PillarsStandInAGridOfTheRoom) {
+  const plan::Plan plan = plan_of("a shop 18 m wide and 18 m deep with nine pillars");
+  ASSERT_EQ(plan.shell.columns.size(), 9U);
+  EXPECT_EQ(plan.shell.columns.front().x_mm, 3000);
+  EXPECT_EQ(plan.shell.columns.front().y_mm, 3000);
+  EXPECT_EQ(plan.shell.columns.back().x_mm, 15000);
+  EXPECT_TRUE(plan_of("a shop 18 m wide and 18 m deep").shell.columns.empty());
+}
+
 TEST(Plans, AskedFloorIsGiven) {
   const plan::Plan plan = plan_of("a 24 x 15 m supermarket with a bakery of 25 m2");
   EXPECT_NEAR(rect_of(plan, "bakery").area_m2(), 25, 4);

@@ -226,6 +226,22 @@ TEST(Prompts, ContradictionsAreSettledAndReported) {
   }
 }
 
+// The words of a wish may be few: its clause says which of the many places in a long prompt is
+// meant.
+TEST(Prompts, ContradictionsQuoteTheClausesOfBoth) {
+  const intake::Understanding found = intake::understand(
+      "The ceiling is at 4.50 m throughout, I think. Later: the ceiling comes down to 3.80 m in "
+      "all "
+      "of it.",
+      shipped_language(),
+      committed_catalog());
+  ASSERT_EQ(found.conflicts.size(), 1U);
+  const std::string& why = found.conflicts[0].why;
+  EXPECT_NE(why.find("\"The ceiling is at 4.50 m throughout\""), std::string::npos) << why;
+  EXPECT_NE(why.find("\"the ceiling comes down to 3.80 m in all of it\""), std::string::npos)
+      << why;
+}
+
 TEST(Prompts, NumbersThatCanBothHoldAreNoConflict) {
   const intake::Understanding found =
       intake::understand("at least three checkouts and at most five checkouts",
