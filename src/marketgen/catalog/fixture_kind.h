@@ -76,9 +76,9 @@ struct FixtureKind {
             &FixtureKind::depth_range_mm,
             "smallest and largest depth",
             range(40, 4500)),
-      field("height_mm", &FixtureKind::height_mm, "overall height", range(300, 2600)),
+      field("height_mm", &FixtureKind::height_mm, "overall height", range(300, 3000)),
       field(
-          "height_range_mm", &FixtureKind::height_range_mm, "lowest and highest", range(300, 2600)),
+          "height_range_mm", &FixtureKind::height_range_mm, "lowest and highest", range(300, 3000)),
       field("levels", &FixtureKind::levels, "stocked levels, base included", range(0, 10)),
       field("level_range", &FixtureKind::level_range, "fewest and most levels", range(0, 10)),
       field("base_mm",

@@ -17,6 +17,7 @@ constexpr int endcaps_both_from_mm = 8000;
 constexpr double min_area_share = 0.6;     // of the target
 constexpr double no_gap_from_fill = 0.99;  // "to the brim": nothing is sold out, either
 constexpr int low_goods_mm = 80;           // tins and packs that stand over the highest board
+constexpr std::size_t max_words = 40;      // of StockSpec::exclude and must_stock
 constexpr int canopy_mm = 160;             // of wall units, over the highest level's goods
 
 class ZoneWriter {
@@ -249,9 +250,20 @@ class ZoneWriter {
     std::ranges::sort(stock.exclude);
     const auto repeated = std::ranges::unique(stock.exclude);
     stock.exclude.erase(repeated.begin(), repeated.end());
-    constexpr std::size_t max_excluded = 40;  // of StockSpec::exclude
-    if (stock.exclude.size() > max_excluded) stock.exclude.resize(max_excluded);
+    if (stock.exclude.size() > max_words) stock.exclude.resize(max_words);
+    if (stock.out_of_stock < 1) stock.must_stock = goods_wished(type);
     return stock;
+  }
+
+  // Goods that were asked for by name and that this type of zone sells.
+  std::optional<std::vector<std::string>> goods_wished(const std::string& type) const {
+    std::vector<std::string> words;
+    for (const plan::Requirement& wish : found_.requirements) {
+      const bool here = wish.kind == Kind::product_present && wish.object == type;
+      const bool known = std::ranges::find(words, wish.subject) != words.end();
+      if (here && !known && words.size() < max_words) words.push_back(wish.subject);
+    }
+    return words.empty() ? std::nullopt : std::optional(std::move(words));
   }
 
   // Wishes about all goods first, those about the zone's own after them.

@@ -172,7 +172,7 @@ struct SetFixture {
 
 struct SetStock {
   std::string zone;
-  std::optional<std::vector<std::string>> categories, exclude;
+  std::optional<std::vector<std::string>> categories, exclude, must_stock;
   std::optional<double> fill;
   std::optional<IntRange> facings;
   std::optional<BlockPattern> block;
@@ -182,6 +182,7 @@ struct SetStock {
       field_list(field("zone", &SetStock::zone, "whose goods", required(), reference()),
                  changes<StockSpec>("categories", &SetStock::categories),
                  changes<StockSpec>("exclude", &SetStock::exclude),
+                 changes<StockSpec>("must_stock", &SetStock::must_stock),
                  changes<StockSpec>("fill", &SetStock::fill),
                  changes<StockSpec>("facings", &SetStock::facings),
                  changes<StockSpec>("block", &SetStock::block),
@@ -189,7 +190,7 @@ struct SetStock {
                  changes<StockSpec>("jitter", &SetStock::jitter),
                  changes<StockSpec>("out_of_stock", &SetStock::out_of_stock),
                  changes<StockSpec>("misplaced", &SetStock::misplaced),
-                 field("usual", &SetStock::usual, usual_doc, at_most_items(9)));
+                 field("usual", &SetStock::usual, usual_doc, at_most_items(10)));
 };
 
 struct MoveOpening {

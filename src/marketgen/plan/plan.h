@@ -189,7 +189,7 @@ struct FixtureSpec {
       field("axis", &FixtureSpec::axis, "direction of the runs"),
       field("module_mm", &FixtureSpec::module_mm, "width of one section", range(200, 4500)),
       field("depth_mm", &FixtureSpec::depth_mm, "overall depth", range(200, 4500)),
-      field("height_mm", &FixtureSpec::height_mm, "overall height", range(300, 2600)),
+      field("height_mm", &FixtureSpec::height_mm, "overall height", range(300, 3000)),
       field("levels", &FixtureSpec::levels, "stocked levels, base included", range(1, 10)),
       field("spacing_mm", &FixtureSpec::spacing_mm, "distance between levels", range(80, 1500)),
       field("run_max_mm",
@@ -214,7 +214,8 @@ constexpr std::array<std::string_view, 3> names_of(BlockPattern) {
 
 struct StockSpec {
   std::vector<std::string> categories;
-  std::vector<std::string> exclude;  // words of products that must not be here
+  std::vector<std::string> exclude;                    // words of products that must not be here
+  std::optional<std::vector<std::string>> must_stock;  // words, each of a product that must be here
   double fill = 0.95;
   IntRange facings{2, 4};
   BlockPattern block = BlockPattern::brand_vertical;
@@ -231,6 +232,10 @@ struct StockSpec {
       field("exclude",
             &StockSpec::exclude,
             "names or keywords of products that must not be here",
+            at_most_items(40)),
+      field("must_stock",
+            &StockSpec::must_stock,
+            "names or keywords, of each of which one product must be here",
             at_most_items(40)),
       field("fill", &StockSpec::fill, "occupied share of the shelf front", range(0.0, 1.0)),
       field("facings", &StockSpec::facings, "fewest and most facings of one SKU", range(1, 40)),

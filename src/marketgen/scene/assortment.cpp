@@ -1,6 +1,8 @@
 #include "scene/assortment.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <tuple>
 
 #include "base/text.h"
@@ -17,20 +19,35 @@ double volume_of(const catalog::Product& product) {
   return product.width_m() * product.depth_m() * product.height_m();
 }
 
-// "cola" is in "cola zero" and in "Cola", not in "chocolate".
-bool has_word(const std::string& text, const std::string& word) {
+// Where "cola" is in "cola zero" and in "Cola": first byte and past the last, its plural's s
+// included. It is not in "chocolate".
+using Stretch = std::array<std::size_t, 2>;
+std::optional<Stretch> stretch_of_word(const std::string& text, const std::string& word) {
   const std::string where = lower_ascii(text), wanted = lower_ascii(word);
   const auto letter = [](char c) {
     return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
   };
+  std::optional<Stretch> last;
   for (std::size_t at = where.find(wanted); at != std::string::npos;
        at = where.find(wanted, at + 1)) {
     const bool starts = at == 0 || !letter(where[at - 1]);
     std::size_t end = at + wanted.size();
     if (end < where.size() && where[end] == 's') ++end;  // plural
-    if (starts && (end >= where.size() || !letter(where[end]))) return true;
+    if (starts && (end >= where.size() || !letter(where[end]))) last = {at, end};
   }
-  return false;
+  return last;
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+  return stretch_of_word(text, word).has_value();
+}
+
+// 0: the word is the product's name; 1: its end; 2: in it; 3: elsewhere.
+int distance_of_name(const catalog::Product& product, const std::string& word) {
+  const std::optional<Stretch> stretch = stretch_of_word(product.name, word);
+  if (!stretch) return 3;
+  if ((*stretch)[1] < product.name.size()) return 2;
+  return (*stretch)[0] == 0 ? 0 : 1;
 }
 
 // Categories and subcategories that a zone sells: its own list, or its type's.
@@ -62,6 +79,24 @@ bool named_by(const catalog::Product& product, const std::vector<std::string>& w
     }
   }
   return false;
+}
+
+std::vector<std::uint32_t> best_named(const plan::Zone& zone,
+                                      const std::string& word,
+                                      const catalog::Catalog& catalog) {
+  std::vector<std::uint32_t> best;
+  int least = 0;
+  for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
+    const catalog::Product& product = catalog.products[i];
+    if (!named_by(product, {word}) || named_by(product, zone.stock.exclude)) continue;
+    if (!sells(zone, product, catalog)) continue;
+    const int distance = distance_of_name(product, word);
+    if (!best.empty() && distance > least) continue;
+    if (distance < least) best.clear();
+    least = distance;
+    best.push_back(i);
+  }
+  return best;
 }
 
 bool sells(const plan::Zone& zone,

@@ -25,4 +25,11 @@ bool sells(const plan::Zone& zone,
 // a keyword.
 bool named_by(const catalog::Product& product, const std::vector<std::string>& words);
 
+// Rows of catalog.products that `zone` sells and the word names best: the word is their name, or
+// else its end, or else in it, or else it names them otherwise. "ham" is cooked ham rather than
+// crisps with the taste of it.
+std::vector<std::uint32_t> best_named(const plan::Zone& zone,
+                                      const std::string& word,
+                                      const catalog::Catalog& catalog);
+
 }  // namespace marketgen::scene

@@ -105,8 +105,8 @@ void plan_bays(std::vector<BayRef>& bays,
     cursors.push_back(stocks.of(bay).cursor);
     plan_again(bay, stocks.of(bay).cursor);
   }
-  if (catalog.own.empty()) return;
-  OwnGoods own(catalog, stocks);
+  OwnGoods own(plan, catalog, stocks);
+  if (own.empty()) return;
   while (own.give_out(bays)) {
     for (std::size_t i = 0; i < bays.size(); ++i) {
       AssortmentCursor before = cursors[i];

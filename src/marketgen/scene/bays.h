@@ -30,8 +30,9 @@ struct BayRef {
 std::vector<BayRef> bays_of(const Scene& scene);
 
 // Plans every bay. Slices of the assortment run on from bay to bay, separately for each zone and
-// temperature. The user's own products that no slice has come into bays that sell and hold them
-// (scene/own_goods.h); without own products nothing is other than it was.
+// temperature. The user's own products, and what zones must stock, come into bays that sell and
+// hold them where no slice has them (scene/own_goods.h); without such goods nothing is other than
+// it was.
 void plan_bays(std::vector<BayRef>& bays,
                const Scene& scene,
                const plan::Plan& plan,

@@ -126,8 +126,15 @@ std::string why_unstocked(std::uint32_t row,
 
 }  // namespace
 
-OwnGoods::OwnGoods(const catalog::Catalog& catalog, Stocks& stocks)
-    : catalog_(catalog), stocks_(stocks), rows_(own_rows(catalog)), tried_(rows_.size()) {}
+OwnGoods::OwnGoods(const plan::Plan& plan, const catalog::Catalog& catalog, Stocks& stocks)
+    : catalog_(catalog), stocks_(stocks) {
+  for (const std::uint32_t row : own_rows(catalog))
+    wanted_.push_back({{row}, "", {}});
+  for (const plan::Zone& zone : plan.zones) {
+    for (const std::string& word : zone.stock.must_stock.value_or(std::vector<std::string>{}))
+      wanted_.push_back({best_named(zone, word, catalog), zone.id, {}});
+  }
+}
 
 double OwnGoods::room_left_m(const BayRef& bay) const {
   double left_m = 0;
@@ -138,15 +145,18 @@ double OwnGoods::room_left_m(const BayRef& bay) const {
   return left_m;
 }
 
-std::size_t OwnGoods::best_bay(const std::vector<BayRef>& bays, std::size_t own) const {
-  const catalog::Product& product = catalog_.products[rows_[own]];
+std::size_t OwnGoods::best_bay(const std::vector<BayRef>& bays,
+                               const Wanted& wanted,
+                               std::uint32_t row) const {
+  const catalog::Product& product = catalog_.products[row];
   const auto rank = [&](std::size_t i) {
     return std::tuple(bays[i].bay.promotion, bays[i].certain.size(), i);
   };
   std::size_t best = nowhere;
   for (std::size_t i = 0; i < bays.size(); ++i) {
-    if (left_m_[i] < product.width_m() + pack_gap_m || tried_[own].contains(i) ||
-        !stocks_.of(bays[i]).sells[rows_[own]] || !holds_product(bays[i], product))
+    if (!wanted.zone.empty() && bays[i].zone != wanted.zone) continue;
+    if (left_m_[i] < product.width_m() + pack_gap_m || wanted.tried.contains({row, i}) ||
+        !stocks_.of(bays[i]).sells[row] || !holds_product(bays[i], product))
       continue;
     if (best == nowhere || rank(i) < rank(best)) best = i;
   }
@@ -155,17 +165,33 @@ std::size_t OwnGoods::best_bay(const std::vector<BayRef>& bays, std::size_t own)
 
 // What stands somewhere is promised to go on standing there. Bays that this round has changed are
 // not planned yet: there a promise counts, and nothing else.
-bool OwnGoods::stands(std::vector<BayRef>& bays, std::uint32_t row) const {
+bool OwnGoods::stands(std::vector<BayRef>& bays, const Wanted& wanted) const {
   for (std::size_t i = 0; i < bays.size(); ++i) {
-    const bool promised = std::ranges::find(bays[i].certain, row) != bays[i].certain.end();
-    if (promised && changed(i)) return true;
-    PlannedBlock* block = changed(i) ? nullptr : block_of(bays[i], row);
-    if (block == nullptr) continue;
-    block->certain = true;
-    if (!promised) bays[i].certain.push_back(row);
-    return true;
+    if (!wanted.zone.empty() && bays[i].zone != wanted.zone) continue;
+    for (const std::uint32_t row : wanted.rows) {
+      const bool promised = std::ranges::find(bays[i].certain, row) != bays[i].certain.end();
+      if (promised && changed(i)) return true;
+      PlannedBlock* block = changed(i) ? nullptr : block_of(bays[i], row);
+      if (block == nullptr) continue;
+      block->certain = true;
+      if (!promised) bays[i].certain.push_back(row);
+      return true;
+    }
   }
   return false;
+}
+
+// The product that is liked best and that some bay holds.
+void OwnGoods::put_somewhere(std::vector<BayRef>& bays, Wanted& wanted) {
+  for (const std::uint32_t row : wanted.rows) {
+    const std::size_t bay = best_bay(bays, wanted, row);
+    if (bay == nowhere) continue;
+    wanted.tried.insert({row, bay});
+    bays[bay].certain.push_back(row);
+    left_m_[bay] -= catalog_.products[row].width_m() + pack_gap_m;
+    changed_.insert(bay);
+    return;
+  }
 }
 
 bool OwnGoods::give_out(std::vector<BayRef>& bays) {
@@ -173,17 +199,14 @@ bool OwnGoods::give_out(std::vector<BayRef>& bays) {
   left_m_.clear();
   for (const BayRef& bay : bays)
     left_m_.push_back(room_left_m(bay));
-  for (std::size_t own = 0; own < rows_.size(); ++own) {
-    const std::uint32_t row = rows_[own];
-    if (stands(bays, row)) continue;
-    for (BayRef& bay : bays)
-      std::erase(bay.certain, row);
-    const std::size_t bay = best_bay(bays, own);
-    if (bay == nowhere) continue;
-    tried_[own].insert(bay);
-    bays[bay].certain.push_back(row);
-    left_m_[bay] -= catalog_.products[row].width_m() + pack_gap_m;
-    changed_.insert(bay);
+  for (Wanted& wanted : wanted_) {
+    if (stands(bays, wanted)) continue;
+    for (BayRef& bay : bays) {
+      if (wanted.zone.empty() || bay.zone == wanted.zone)
+        for (const std::uint32_t row : wanted.rows)
+          std::erase(bay.certain, row);
+    }
+    put_somewhere(bays, wanted);
   }
   return !changed_.empty();
 }

@@ -1,9 +1,11 @@
 // Products of the user's own catalogue (Catalog::own): each stands on a shelf wherever one sells
-// and holds it, and of every other it is said why not.
+// and holds it, and of every other it is said why not. So does one product of each of the words
+// that a zone must stock (StockSpec::must_stock), in that zone.
 #pragma once
 #include <cstdint>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/fields.h"
@@ -11,28 +13,39 @@
 
 namespace marketgen::scene {
 
-// Gives out bays to own products, in rounds: bays are planned again after each.
+// Gives out bays to goods that must stand somewhere, in rounds: bays are planned again after each.
 class OwnGoods {
  public:
-  OwnGoods(const catalog::Catalog& catalog, Stocks& stocks);
+  OwnGoods(const plan::Plan& plan, const catalog::Catalog& catalog, Stocks& stocks);
 
-  // Puts every own product that no bay has into the `certain` of one that sells and holds it and
-  // has not been tried: of those for offers last, else of those with the fewest others of his.
+  // Whether anything must stand somewhere.
+  bool empty() const { return wanted_.empty(); }
+  // Puts all of them that no bay has into the `certain` of one that sells and holds it and
+  // has not been tried: of those for offers last, else of those with the fewest others of them.
   // False when there was nothing to do.
   bool give_out(std::vector<BayRef>& bays);
   // Whether the last round gave the bay another product.
   bool changed(std::size_t bay) const { return changed_.contains(bay); }
 
  private:
-  std::size_t best_bay(const std::vector<BayRef>& bays, std::size_t own) const;
-  bool stands(std::vector<BayRef>& bays, std::uint32_t row) const;
+  // One of these products must stand, in the zone that is named.
+  struct Wanted {
+    std::vector<std::uint32_t> rows;  // of catalog.products, those that are liked best first
+    std::string zone;                 // id; "" for any
+    std::set<std::pair<std::uint32_t, std::size_t>> tried;  // product and bay
+  };
+
+  std::size_t best_bay(const std::vector<BayRef>& bays,
+                       const Wanted& wanted,
+                       std::uint32_t row) const;
+  bool stands(std::vector<BayRef>& bays, const Wanted& wanted) const;
+  void put_somewhere(std::vector<BayRef>& bays, Wanted& wanted);
   double room_left_m(const BayRef& bay) const;
 
   const catalog::Catalog& catalog_;
   Stocks& stocks_;
-  std::vector<std::uint32_t> rows_;           // of catalog.products
-  std::vector<std::set<std::size_t>> tried_;  // by own product: bays
-  std::vector<double> left_m_;                // by bay: width that no product of his was promised
+  std::vector<Wanted> wanted_;
+  std::vector<double> left_m_;  // by bay: width that none of them was promised
   std::set<std::size_t> changed_;
 };
 

@@ -101,6 +101,19 @@ class Bargain {
     return true;
   }
 
+  // All zones that still have room, with as many fixtures as fit, wherever they stand.
+  void concede_wishes(const Designed& now) {
+    concessions_.relations_may_fail = true;
+    for (const plan::Requirement& wish : now.planned.requirements) {
+      const bool runs = wish.kind == plan::RequirementKind::run_count;
+      if (!runs && wish.kind != plan::RequirementKind::fixture_count) continue;
+      if (wish.object == "checkout" || wish.object == "self_checkout") continue;
+      const std::string end = runs ? "/runs" : "";
+      for (const std::string& what : {wish.object + end, wish.object + "/" + wish.subject + end})
+        concessions_.max_count[what] = 0;
+    }
+  }
+
   // The plainest floor there is: nothing is left to try.
   void concede_all() {
     concessions_.relations_may_fail = true;
@@ -219,11 +232,18 @@ Result<Designed> concede(Designed first,
   Designed best = first, now = std::move(first);
   Bargain bargain;
   std::int64_t work_left = layout::max_repair_work / 2;  // for all rounds together
+  bool lax = false;                                      // counts and places were given up
   for (int round = 0; round < max_rounds && hard_faults(best.layout) > 0; ++round) {
     MARKETGEN_CHECK(check_interrupt());
     bargain.concede(now);
-    const bool last = work_left <= 0;
-    if (last && !bargain.give_up_counts(now)) bargain.concede_all();
+    const bool last = work_left <= 0 && lax;
+    if (work_left <= 0 && !bargain.give_up_counts(now)) {
+      if (lax)
+        bargain.concede_all();
+      else
+        bargain.concede_wishes(now);
+    }
+    if (work_left <= 0) lax = true;
     intake::Concessions concessions = bargain.concessions();
     concessions.plans_before = round + 1;
     MARKETGEN_TRY(intake::Planned planned, plan_again(concessions));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "scene/assortment.h"
 #include "scene_of.h"
 
 namespace marketgen {
@@ -78,6 +79,36 @@ TEST(OwnGoods, StandSomewhereWhateverTheSeed) {
     for (const std::string& sku : catalog.own)
       EXPECT_TRUE(stocked.skus.contains(sku)) << sku << " at seed " << seed;
   }
+}
+
+// One product of each word; the best named: "ginger ale" is no ginger biscuit.
+TEST(MustStock, StandsInItsZoneWhateverTheSeed) {
+  HandLaidShop shop = shop_of({"beverages", "snacks"});
+  const std::vector<std::string> words = {"Ginger Ale", "Tonic Water", "grapefruit juice"};
+  shop.plan.zones[0].stock.must_stock = words;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Stocked stocked = stock(shop, committed_catalog(), seed);
+    for (const std::string& word : words) {
+      const std::vector<std::uint32_t> rows =
+          scene::best_named(shop.plan.zones[0], word, committed_catalog());
+      ASSERT_FALSE(rows.empty()) << word;
+      EXPECT_TRUE(std::ranges::any_of(rows,
+                                      [&](std::uint32_t row) {
+                                        return stocked.skus.contains(
+                                            committed_catalog().products[row].sku);
+                                      }))
+          << word << " at seed " << seed;
+    }
+  }
+}
+
+TEST(MustStock, TheNameItselfIsNamedBest) {
+  plan::Zone dairy;
+  dairy.type = "dairy";
+  for (const std::uint32_t row : scene::best_named(dairy, "butter", committed_catalog()))
+    EXPECT_TRUE(committed_catalog().products[row].name.ends_with("Butter"));
+  EXPECT_FALSE(scene::best_named(dairy, "butter", committed_catalog()).empty());
+  EXPECT_TRUE(scene::best_named(dairy, "motor oil", committed_catalog()).empty());
 }
 
 TEST(OwnGoods, AreNeverOutOfStock) {
