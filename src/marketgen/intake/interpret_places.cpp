@@ -337,11 +337,13 @@ void remember_subjects(const Reading& reading, const Parts& things) {
 
 // The one thing that was counted, with the number that is meant.
 bool recount(Meaning& again, const Meaning& correction) {
-  if (again.has("count") && !again.has("things")) {
+  const Parts& things = again.parts("things");
+  const bool of_things =
+      std::ranges::any_of(things, [](const MeaningPtr& thing) { return thing->has("count"); });
+  if (again.has("count") && !of_things) {  // "four levels", also of shelves
     again.slots["count"] = correction.parts("count");
     return true;
   }
-  const Parts& things = again.parts("things");
   if (things.size() != 1 || !things.front()->has("count")) return false;
   auto thing = std::make_shared<Meaning>(*things.front());
   thing->slots["count"] = correction.parts("count");

@@ -272,6 +272,7 @@ const std::vector<ChineseCase> chinese_cases = {
     {"卧式冰柜两排，一排五台",
      {"run_count chest_freezer frozen 2", "fixture_count chest_freezer 10"},
      {}},
+    {"货架四层……还是五层吧", {"levels 5"}, {}},
     {"玻璃门冷藏柜八台改十台", {"fixture_count glass_door_cooler 10"}, {}},
     // ---- Floors by comparison ----
     {"烘焙25平米，乳品区是烘焙的两倍大",
