@@ -1,17 +1,16 @@
 #include "audit/egress.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "audit/traffic.h"
 #include "navigation/occupancy.h"
 #include "plan/bsp.h"
+#include "plan/egress.h"
 #include "plan/floor_places.h"
 
 namespace marketgen::audit {
 namespace {
 
-constexpr double m2_per_person = 5.574;  // 60 sq ft
 constexpr int person_radius_mm = 225, square_mm = 200;
 
 // The free squares just inside the doors.
@@ -20,7 +19,7 @@ std::vector<std::size_t> thresholds(const layout::Layout& layout,
   constexpr int search_mm = 1500;
   std::vector<std::size_t> cells;
   for (const plan::Opening& opening : layout.shell.openings) {
-    if (!leads_outside(opening)) continue;
+    if (!plan::leads_outside(opening)) continue;
     const PointMm inside =
         plan::point_inside(plan::shell_rect(layout.shell), opening, person_radius_mm + square_mm);
     if (const auto cell = navigation::nearest_free(grid, inside, search_mm)) cells.push_back(*cell);
@@ -30,20 +29,9 @@ std::vector<std::size_t> thresholds(const layout::Layout& layout,
 
 }  // namespace
 
-bool leads_outside(const plan::Opening& opening) {
-  return opening.kind == plan::OpeningKind::entrance || opening.kind == plan::OpeningKind::exit ||
-         opening.kind == plan::OpeningKind::emergency;
-}
-
 Egress measure_egress(const layout::Layout& layout) {
   Egress egress;
   const PolygonMm floor = plan::floor_of(layout.shell);
-  egress.people = area_m2(floor) / m2_per_person;
-  for (const plan::Opening& opening : layout.shell.openings) {
-    if (!leads_outside(opening)) continue;
-    ++egress.doors;
-    egress.width_mm += opening.width_mm;
-  }
   const navigation::OccupancyGrid grid =
       navigation::make_occupancy(floor, obstacles_of(layout), person_radius_mm, square_mm);
   const std::vector<float> ways = navigation::distances_from(grid, thresholds(layout, grid));
@@ -55,13 +43,6 @@ Egress measure_egress(const layout::Layout& layout) {
         grid.center(static_cast<int>(cell % columns), static_cast<int>(cell / columns));
   }
   return egress;
-}
-
-int doors_for(double people) {
-  constexpr double one = 49, two = 500, three = 1000;
-  if (people <= one) return 1;
-  if (people <= two) return 2;
-  return people <= three ? 3 : 4;
 }
 
 }  // namespace marketgen::audit

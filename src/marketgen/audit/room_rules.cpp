@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "audit/scene_rules.h"
+#include "plan/egress.h"
 #include "plan/plan.h"
 
 namespace marketgen::audit {
@@ -16,37 +17,6 @@ bool is_against_a_wall(const layout::Fixture& fixture, const PolygonMm& floor) {
 }
 
 }  // namespace
-
-std::vector<layout::Violation> check_EXITS_FEW(const SceneFacts& facts, const SceneRule& rule) {
-  const int needed = doors_for(facts.egress.people);
-  if (facts.egress.doors >= needed) return {};
-  layout::Violation found = violation_of(
-      rule,
-      "store",
-      facts.egress.doors,
-      fmt::format("{} doors lead outside; {:.0f} people, whom so large a floor is for, need {}",
-                  facts.egress.doors,
-                  facts.egress.people,
-                  needed));
-  found.limit = needed;
-  return {std::move(found)};
-}
-
-std::vector<layout::Violation> check_EGRESS_NARROW(const SceneFacts& facts, const SceneRule& rule) {
-  const double needed_mm = facts.egress.people * rule.limit;
-  if (facts.egress.width_mm >= needed_mm) return {};
-  layout::Violation found = violation_of(
-      rule,
-      "store",
-      facts.egress.width_mm,
-      fmt::format(
-          "the doors that lead outside are {:.1f} m wide together; {:.0f} people need {:.1f}",
-          1e-3 * facts.egress.width_mm,
-          facts.egress.people,
-          1e-3 * needed_mm));
-  found.limit = needed_mm;
-  return {std::move(found)};
-}
 
 std::vector<layout::Violation> check_EXIT_TRAVEL_LONG(const SceneFacts& facts,
                                                       const SceneRule& rule) {
@@ -66,7 +36,7 @@ std::vector<layout::Violation> check_EXIT_TRAVEL_LONG(const SceneFacts& facts,
 std::vector<layout::Violation> check_DOOR_NARROW(const SceneFacts& facts, const SceneRule& rule) {
   std::vector<layout::Violation> found;
   for (const plan::Opening& opening : facts.scene.layout.shell.openings) {
-    if (!leads_outside(opening) || opening.width_mm >= rule.limit) continue;
+    if (!plan::leads_outside(opening) || opening.width_mm >= rule.limit) continue;
     found.push_back(violation_of(
         rule,
         opening.id,

@@ -67,14 +67,12 @@ std::vector<layout::Violation> check_SHELF_EMPTY(const SceneFacts& facts, const 
 
 std::vector<layout::Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts,
                                                      const SceneRule& rule) {
-  constexpr double heavy_kg = 2.0;
   std::uint64_t number = 0;
   std::string where;
   for (std::uint32_t i = 0; i < facts.scene.products.size(); ++i) {
     const scene::SceneProduct& item = facts.scene.products[i];
     const double mass_kg = facts.scene.catalog[item.sku].mass_kg;
-    const double limit = mass_kg > scene::heavy_lift_kg ? scene::heavy_board_m : rule.limit;
-    if (item.position_m[2] < limit || mass_kg < heavy_kg) continue;
+    if (item.position_m[2] < scene::highest_rest_m(mass_kg)) continue;
     if (number++ == 0) where = scene::product_id(facts.scene, i);
   }
   if (number == 0) return {};
@@ -84,7 +82,7 @@ std::vector<layout::Violation> check_LOAD_HEAVY_HIGH(const SceneFacts& facts,
       static_cast<double>(number),
       fmt::format("{} items of {} kg and more stand above {} m, or of more than {} kg above {} m",
                   number,
-                  heavy_kg,
+                  scene::stretch_kg,
                   rule.limit,
                   scene::heavy_lift_kg,
                   scene::heavy_board_m))};

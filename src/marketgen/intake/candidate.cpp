@@ -6,12 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "plan/egress.h"
+
 namespace marketgen::intake {
 namespace {
 
 constexpr int entrance_door_mm = 1600;
 constexpr int service_door_mm = 1500;
-constexpr int emergency_door_mm = 1200;
 constexpr int window_mm = 2500;
 constexpr int corner_margin_mm = 400;         // no door right in a corner
 constexpr double service_door_from_m2 = 150;  // smaller shops take deliveries through the front
@@ -121,7 +122,7 @@ class DoorPlacer {
     place_further(plan::OpeningKind::entrance, entrance_mm);
     place_further(plan::OpeningKind::exit, exit_mm);
     place_service();
-    place_wished(plan::OpeningKind::emergency, emergency_door_mm);
+    place_wished(plan::OpeningKind::emergency, plan::emergency_door_mm);
     place_wished(plan::OpeningKind::window, window_mm);
   }
 
@@ -150,7 +151,7 @@ class DoorPlacer {
   static int width_of(plan::OpeningKind kind) {
     if (kind == plan::OpeningKind::service) return service_door_mm;
     if (kind == plan::OpeningKind::window) return window_mm;
-    return kind == plan::OpeningKind::emergency ? emergency_door_mm : entrance_door_mm;
+    return kind == plan::OpeningKind::emergency ? plan::emergency_door_mm : entrance_door_mm;
   }
 
   // Where one opening was asked for, as far as it was said.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "intake/plan_provenance.h"
 #include "intake/plan_zones.h"
 #include "intake/relation_geometry.h"
+#include "plan/egress.h"
 
 namespace marketgen::intake {
 namespace {
@@ -106,6 +109,19 @@ std::vector<plan::Relation> relations_of(const PlanSources& sources) {
   return relations;
 }
 
+// A hall has the ways out that so many people need, where no floor plan shows its doors and nobody
+// says how many emergency exits there are.
+void add_lacking_exits(plan::Shell& shell, const PlanSources& sources) {
+  const std::optional<plan::Shell>& drawn = sources.program.shell;
+  const auto speaks_of_exits = [](const plan::Requirement& wish) {
+    return wish.kind == plan::RequirementKind::opening &&
+           wish.subject == name_of(plan::OpeningKind::emergency);
+  };
+  if (drawn && !drawn->openings.empty()) return;
+  if (std::ranges::any_of(sources.understanding.requirements, speaks_of_exits)) return;
+  std::ranges::move(plan::lacking_exits(shell), std::back_inserter(shell.openings));
+}
+
 // Shelves are no higher than the ceiling lets them be.
 void fit_under_ceiling(plan::Plan& plan) {
   constexpr int clearance_mm = 300;
@@ -125,6 +141,7 @@ plan::Plan write_plan(const PlanSources& sources) {
   if (sources.understanding.name) plan.name = sources.understanding.name->text;
   plan.profile = sources.program.profile->id;
   plan.shell = shell_of(sources);
+  add_lacking_exits(plan.shell, sources);
   plan.look = look_of(sources);
   std::vector<std::string> ids;
   for (const ProgramZone& zone : sources.program.zones)

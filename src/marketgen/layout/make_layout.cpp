@@ -12,7 +12,7 @@
 #include "layout/overrides.h"
 #include "layout/reach.h"
 #include "layout/zone_build.h"
-#include "plan/bsp.h"
+#include "layout/zone_ground.h"
 
 namespace marketgen::layout {
 namespace {
@@ -126,19 +126,6 @@ std::vector<Fixture> furnish_round(const Design& design,
   return opened_up(design, build.site.take_fixtures(), standing);
 }
 
-std::vector<LayoutZone> make_zones(const Design& design) {
-  std::vector<LayoutZone> zones;
-  const std::vector<RectMm> rectangles = plan::zone_rectangles(design.plan);
-  for (std::size_t i = 0; i < rectangles.size(); ++i) {
-    const plan::Zone& zone = design.plan.zones[i];
-    const catalog::ZoneTypeRow* type = design.catalog.zone_type(zone.type);
-    const std::string label = zone.label.empty() && type != nullptr ? type->label : zone.label;
-    const PolygonMm polygon = zone_polygon(rectangles[i], design.floor);
-    zones.push_back({zone.id, zone.type, label, polygon, area_m2(polygon)});
-  }
-  return zones;
-}
-
 // Everything of the layout but its fixtures, and what depends on all of them.
 Result<Layout> with_fixtures(const Design& design, std::vector<Fixture> fixtures) {
   const plan::Plan& plan = design.plan;
@@ -158,7 +145,7 @@ Result<Layout> with_fixtures(const Design& design, std::vector<Fixture> fixtures
   MARKETGEN_CHECK(apply_overrides(layout.fixtures, plan, design.catalog));
   mark_run_ends(layout.fixtures);
   std::ranges::sort(layout.fixtures, {}, &Fixture::id);
-  layout.zones = make_zones(design);
+  layout.zones = layout_zones(design);
   layout.aisles = find_aisles(design, layout.fixtures);
   layout.violations = check_layout(layout, plan, design.catalog);
   return layout;

@@ -8,6 +8,7 @@
 #include "layout/layout.h"
 #include "layout/layout_rules.h"
 #include "layout/repair_moves.h"
+#include "layout/zone_faults.h"
 
 namespace marketgen::layout {
 namespace {
@@ -20,23 +21,11 @@ constexpr double large_shop_m2 = 600;
 constexpr int max_trials_soft_large = 8;
 constexpr int impossible = 1'000'000;  // hard faults of a plan that has no layout
 
-struct Score {
-  int hard = 0, soft = 0;
-  friend auto operator<=>(const Score&, const Score&) = default;
-};
-
 struct Trial {
   plan::Plan plan;
   Layout layout;
-  Score score;
+  FaultCount score;
 };
-
-Score score_of(const std::vector<Violation>& violations) {
-  Score score;
-  for (const Violation& v : violations)
-    ++(v.severity == Severity::hard ? score.hard : score.soft);
-  return score;
-}
 
 // Fewer faults; or no more of them and one empty zone less, so that of several that crowd one
 // another out the last has room.
@@ -72,7 +61,7 @@ class Repair {
     if (!layout.ok() && layout.error().code != "layout.impossible") return layout.error();
     if (!layout.ok()) return Trial{plan, {}, {impossible, 0}};
     work_ += std::ssize(layout->fixtures);
-    const Score score = score_of(layout->violations);
+    const FaultCount score = count_faults(layout->violations);
     return Trial{plan, std::move(layout).value(), score};
   }
 
@@ -93,6 +82,7 @@ class Repair {
           if (!is_new(candidate.plan) ||
               !plan::validate_plan(candidate.plan, "repair", catalog_).ok())
             continue;
+          if (!may_mend(candidate.plan, now, fault)) continue;
           --left;
           Result<Trial> trial = lay_out(candidate.plan);
           if (trial.ok() && improves(*trial, now, fault))
@@ -107,6 +97,12 @@ class Repair {
   std::int64_t work() const { return work_; }
 
  private:
+  // A fault of zones is mended by fewer of them, which takes no layout to know.
+  bool may_mend(const plan::Plan& plan, const Trial& now, const Violation& fault) const {
+    return !is_about_zones(fault.code) ||
+           zone_faults(plan, catalog_) < zone_faults(now.plan, catalog_);
+  }
+
   bool is_new(const plan::Plan& plan) {
     return tried_.insert(hash64(io::write_json_line(plan))).second;
   }
@@ -145,7 +141,7 @@ Result<Repaired> repair_plan(const plan::Plan& plan,
   repair.remember(plan);
   MARKETGEN_TRY(Trial now, repair.lay_out(plan));
   Repaired repaired;
-  while (now.score > Score{}) {
+  while (now.score > FaultCount{}) {
     MARKETGEN_CHECK(check_interrupt());
     auto next = repair.better(now);
     if (!next) break;

@@ -155,4 +155,17 @@ PolygonMm zone_polygon(const RectMm& rect, const Floor& floor) {
   return polygon;
 }
 
+std::vector<LayoutZone> layout_zones(const Design& design) {
+  std::vector<LayoutZone> zones;
+  const std::vector<RectMm> rectangles = plan::zone_rectangles(design.plan);
+  for (std::size_t i = 0; i < rectangles.size(); ++i) {
+    const plan::Zone& zone = design.plan.zones[i];
+    const catalog::ZoneTypeRow* type = design.catalog.zone_type(zone.type);
+    const std::string label = zone.label.empty() && type != nullptr ? type->label : zone.label;
+    const PolygonMm polygon = zone_polygon(rectangles[i], design.floor);
+    zones.push_back({zone.id, zone.type, label, polygon, area_m2(polygon)});
+  }
+  return zones;
+}
+
 }  // namespace marketgen::layout

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "geometry/rectangle.h"
+#include "layout/design.h"
 #include "layout/floor.h"
+#include "layout/layout.h"
 #include "plan/plan.h"
 
 namespace marketgen::layout {
@@ -26,5 +28,8 @@ std::vector<Ground> zone_grounds(const plan::Plan& plan, const Floor& floor);
 
 // The zone's floor for pictures and areas: its BSP rectangle clipped to the outline.
 PolygonMm zone_polygon(const RectMm& rect, const Floor& floor);
+
+// The zones of the plan's layout, in the plan's order. Precondition: valid plan.
+std::vector<LayoutZone> layout_zones(const Design& design);
 
 }  // namespace marketgen::layout

@@ -205,6 +205,12 @@ struct MoveOpening {
       changes<Opening>("width_mm", &MoveOpening::width_mm));
 };
 
+struct AddOpening {
+  Opening opening;
+  static constexpr auto fields =
+      field_list(field("opening", &AddOpening::opening, "the new door or window", required()));
+};
+
 struct SetLook {
   std::optional<std::string> floor, wall, ceiling, fixture, accent;
   std::optional<int> light_kelvin, light_lux;

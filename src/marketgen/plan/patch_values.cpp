@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "plan/patch_change.h"
+#include "plan/plan_edit.h"
 #include "plan/validation.h"
 
 namespace marketgen::plan {
@@ -100,6 +101,19 @@ Result<void> change(PlanChange& task, const MoveOpening& patch) {
   MARKETGEN_TRY(const std::size_t index, named_opening(task, patch.opening));
   set_fields(
       task, task.plan.shell.openings[index], patch, element_pointer("shell/openings", index));
+  return {};
+}
+
+Result<void> change(PlanChange& task, const AddOpening& patch) {
+  std::vector<Opening>& openings = task.plan.shell.openings;
+  if (std::ranges::find(openings, patch.opening.id, &Opening::id) != openings.end()) {
+    return Error{"plan.duplicate_id",
+                 task.at("opening/id"),
+                 "there is an opening \"" + patch.opening.id + "\" already; \"" +
+                     unused_id(task.plan, patch.opening.id) + "\" is free"};
+  }
+  task.paths.push_back(element_pointer("shell/openings", openings.size()));
+  openings.push_back(patch.opening);
   return {};
 }
 

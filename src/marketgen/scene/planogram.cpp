@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace marketgen::scene {
@@ -255,16 +256,23 @@ class BayPlan {
 
 }  // namespace
 
+double highest_rest_m(double mass_kg) {
+  if (mass_kg > heavy_lift_kg) return heavy_board_m;
+  return mass_kg >= stretch_kg ? stretch_m : std::numeric_limits<double>::infinity();
+}
+
 bool fits(const catalog::Product& product, const ShelfRoom& room) {
-  if (product.mass_kg > heavy_lift_kg && room.board_m > heavy_board_m) return false;
   return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m &&
          pitch_of(product) <= room.width_m;
 }
 
 int stack_height(const catalog::Product& product, const ShelfRoom& room) {
   const double usable = room.clearance_m - finger_room_m;
-  if (product.height_m() > usable) return 0;
-  return std::min(product.stack_max, static_cast<int>(usable / product.height_m()));
+  const double below = highest_rest_m(product.mass_kg) - room.board_m;
+  if (product.height_m() > usable || below <= 0) return 0;
+  const double resting = std::ceil(below / product.height_m());  // packs that rest below it
+  return static_cast<int>(
+      std::min({static_cast<double>(product.stack_max), usable / product.height_m(), resting}));
 }
 
 std::vector<PlannedShelf> plan_bay(const Bay& bay,

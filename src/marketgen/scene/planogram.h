@@ -26,6 +26,13 @@ struct ShelfRoom {
 // for women. Packs are gripped by their upper half, so that boards up to 1.15 m keep it below 1.4
 // m.
 constexpr double heavy_lift_kg = 7, heavy_board_m = 1.15;
+// The stretch level takes light goods: planogram practice has nothing of 2 kg and more above 1.60
+// m. HSE INDG143 (3 kg at arm's length above the shoulders, for women) is 1 kg milder.
+constexpr double stretch_kg = 2, stretch_m = 1.60;
+
+// No pack of this mass rests as high over the floor, neither on a board nor on another pack;
+// metres.
+double highest_rest_m(double mass_kg);
 
 // One block of one SKU on a shelf.
 struct PlannedBlock {
@@ -67,7 +74,8 @@ std::vector<PlannedShelf> plan_bay(const Bay& bay,
 // Whether one pack fits on an empty shelf: its size, and its mass at that height.
 bool fits(const catalog::Product& product, const ShelfRoom& room);
 
-// Packs on one another on a shelf of this clearance; 0 when not even one fits.
+// Packs on one another on a shelf of this clearance, none higher than its mass allows; 0 when not
+// even one fits.
 int stack_height(const catalog::Product& product, const ShelfRoom& room);
 
 }  // namespace marketgen::scene

@@ -125,7 +125,7 @@ void lay_heap(FilledBlock& block,
               const plan::StockSpec& stock,
               Stream& draw) {
   const double left = block.x_m - room.width_m / 2;
-  const ShelfRoom own{block.width_m, room.depth_m, room.clearance_m, room.use};
+  const ShelfRoom own{block.width_m, room.depth_m, room.clearance_m, room.use, room.board_m};
   const double piece_m = std::max(product.width_m(), product.depth_m());
   double highest_m = 0;
   for (const HeapItem& item : laid_heap(row, product, own, heap_taken_share * stock.jitter, draw)) {

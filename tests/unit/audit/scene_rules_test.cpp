@@ -65,16 +65,6 @@ const std::map<std::string_view, std::function<void(scene::Scene&)>>& faults() {
        }},
       {"STORAGE_WRONG", [](scene::Scene& s) { s.catalog[0].storage = catalog::Storage::frozen; }},
       {"PRICE_MISSING", [](scene::Scene& s) { s.price_labels.pop_back(); }},
-      {"EXITS_FEW",  // 400 m2, which are for 72 people
-       [](scene::Scene& s) {
-         s.layout.shell.openings.pop_back();
-         s.layout.shell.depth_mm = 20000;
-       }},
-      {"EGRESS_NARROW",  // 36 people, 183 mm
-       [](scene::Scene& s) {
-         for (plan::Opening& door : s.layout.shell.openings)
-           door.width_mm = 90;
-       }},
       {"EXIT_TRAVEL_LONG", [](scene::Scene& s) { s.layout.shell.width_mm = 200000; }},
       {"DOOR_NARROW", [](scene::Scene& s) { s.layout.shell.openings[1].width_mm = 800; }},
       {"LIGHT_DIM", [](scene::Scene& s) { s.layout.look.light_lux = 250; }},

@@ -2,12 +2,14 @@
 // were asked for.
 //
 // Relations are judged here by formulas of this file's own, on the rectangles of the finished plan.
+#include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
 #include "intake_fixture.h"
 #include "io/json.h"
 #include "plan/bsp.h"
+#include "plan/egress.h"
 
 namespace marketgen {
 namespace {
@@ -307,6 +309,25 @@ TEST(Plans, FlagsBeatTheText) {
   EXPECT_EQ(made->conflicts.size(), 3U);
   for (const intake::Conflict& conflict : made->conflicts)
     EXPECT_TRUE(conflict.kept.starts_with("--"));
+}
+
+TEST(Plans, AHallHasTheWaysOutThatItNeedsUnlessSomebodySaysHowMany) {
+  const auto emergency_exits = [](const plan::Plan& plan) {
+    return std::ranges::count(
+        plan.shell.openings, plan::OpeningKind::emergency, &plan::Opening::kind);
+  };
+  EXPECT_EQ(emergency_exits(plan_of("a 24 x 15 m supermarket")), 0);
+  for (const char* prompt : {"a 60 x 50 m hypermarket",
+                             "a 100 x 80 m hypermarket with the entrance in the east wall",
+                             "a 125 x 80 m cash and carry"}) {
+    const plan::Plan plan = plan_of(prompt);
+    const plan::WaysOut ways = plan::ways_out(plan.shell);
+    EXPECT_GT(emergency_exits(plan), 0) << prompt;
+    EXPECT_GE(ways.doors, ways.needed_doors()) << prompt;
+    EXPECT_GE(ways.width_mm, ways.needed_width_mm()) << prompt;
+  }
+  EXPECT_EQ(emergency_exits(plan_of("a 100 x 80 m hypermarket with one emergency exit")), 1);
+  EXPECT_EQ(emergency_exits(plan_of("a 100 x 80 m hypermarket without emergency exits")), 0);
 }
 
 TEST(Plans, RefusedFixturesGiveWayToOthersThatKeepTheSame) {

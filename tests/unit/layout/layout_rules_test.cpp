@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "plan/bsp.h"
 #include "sample_shop.h"
 
 namespace marketgen {
@@ -53,6 +54,20 @@ Shop sound_shop() {
 
 layout::Aisle aisle(layout::AisleKind kind, RectMm rect, int width) {
   return {"goods/run-1/aisle-south", kind, polygon_of(rect), width};
+}
+
+Shop with_one_door(int depth_mm) {
+  Shop shop = sound_shop();
+  shop.plan.shell.depth_mm = depth_mm;
+  shop.plan.shell.openings.pop_back();
+  return shop;
+}
+
+Shop with_doors_of(int width_mm) {
+  Shop shop = sound_shop();
+  for (plan::Opening& door : shop.plan.shell.openings)
+    door.width_mm = width_mm;
+  return shop;
 }
 
 Shop with_aisle(layout::AisleKind kind, RectMm rect, int width) {
@@ -220,6 +235,10 @@ const std::map<std::string, Case>& cases() {
           return with_fixture(sample::fixture(
               "goods/run-2/module-1", "gondola", "goods", 19000, 1500, 0, 1000, 500));
         }}},
+      {"EXITS_FEW",  // 280 m2 are for 50 people, 270 m2 for 48
+       {[] { return with_one_door(14000); }, [] { return with_one_door(13500); }}},
+      {"EGRESS_NARROW",  // 240 m2 are for 43 people, who need 219 mm
+       {[] { return with_doors_of(100); }, [] { return with_doors_of(120); }}},
       {"DOOR_SWING_BLOCKED",
        {[] { return with_cooler_before(500); }, [] { return with_cooler_before(1700); }}},
       {"FIXTURE_OUTSIDE",
@@ -295,7 +314,7 @@ const std::map<std::string, Case>& cases() {
 std::set<std::string> codes_broken_by(Shop shop) {
   shop.layout.profile = shop.plan.profile;
   shop.layout.shell = shop.plan.shell;
-  shop.layout.shell.outline_mm = PolygonMm{{0, 0}, {20000, 0}, {20000, 12000}, {0, 12000}};
+  shop.layout.shell.outline_mm = polygon_of(plan::shell_rect(shop.plan.shell));
   const catalog::Catalog catalog = sample::catalog();
   std::set<std::string> codes;
   for (const layout::Violation& v : layout::check_layout(shop.layout, shop.plan, catalog))
@@ -331,7 +350,7 @@ TEST(LayoutRules, EachIsKeptByItsSoundLayout) {
 TEST(LayoutRules, ViolationsCarryMeasureLimitAndPlace) {
   Shop shop = with_aisle(layout::AisleKind::secondary, {4000, 5000, 14000, 6500}, 700);
   shop.layout.shell = shop.plan.shell;
-  shop.layout.shell.outline_mm = PolygonMm{{0, 0}, {20000, 0}, {20000, 12000}, {0, 12000}};
+  shop.layout.shell.outline_mm = polygon_of(plan::shell_rect(shop.plan.shell));
   const std::vector<layout::Violation> found =
       layout::check_layout(shop.layout, shop.plan, sample::catalog());
   const auto narrow = std::ranges::find(found, "AISLE_TOO_NARROW", &layout::Violation::code);

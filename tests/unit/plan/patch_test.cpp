@@ -163,6 +163,15 @@ const std::vector<Example>& examples() {
        R"({"move_opening": {"opening": "exit", "center": 0.99}})",
        "plan.bad_opening",
        "/move_opening/center"},
+      {"add_opening",
+       R"({"add_opening": {"opening": {"id": "back", "kind": "emergency", "wall": "north", "width_mm": 1200}}})",
+       [](const plan::Plan& p) {
+         return p.shell.openings.size() == 3 && p.shell.openings.back().id == "back";
+       },
+       nullptr,
+       R"({"add_opening": {"opening": {"id": "exit", "kind": "emergency", "wall": "north"}}})",
+       "plan.duplicate_id",
+       "/add_opening/opening/id"},
       {"set_look",
        R"({"set_look": {"light_kelvin": 3000, "neon": true}})",
        [](const plan::Plan& p) { return p.look.light_kelvin == 3000 && p.look.neon == true; },

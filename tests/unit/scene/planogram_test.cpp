@@ -22,6 +22,22 @@ TEST(StackHeight, KnownAnswers) {  // 25 mm stay free for a hand
   EXPECT_EQ(scene::stack_height(bottle, shelf_room(1, 0.5, 2.0)), 1);
 }
 
+TEST(StackHeight, HeavyPacksRestLow) {  // also those that stand on others
+  const auto packs = [](double mass_kg, double board_m) {
+    const catalog::Product pack = stock_row("pack", "box", {200, 200, 200}, mass_kg, 3);
+    scene::ShelfRoom room = shelf_room(1, 0.5, 0.9);
+    room.board_m = board_m;
+    return scene::stack_height(pack, room);
+  };
+  EXPECT_EQ(packs(1.9, 1.7), 3);
+  EXPECT_EQ(packs(2, 1.7), 0) << "the stretch level begins at 1.60 m";
+  EXPECT_EQ(packs(2, 1.3), 2) << "at 1.3 and 1.5 m";
+  EXPECT_EQ(packs(2, 1.1), 3);
+  EXPECT_EQ(packs(8, 1.1), 1) << "more than 7 kg rest below 1.15 m";
+  EXPECT_EQ(packs(8, 0.9), 2);
+  EXPECT_EQ(packs(8, 1.2), 0);
+}
+
 scene::Bay bay_of(std::vector<scene::ShelfRoom> shelves, bool promotion = false) {
   return {std::move(shelves), promotion};
 }
