@@ -86,7 +86,9 @@ TEST(Repair, GivesAZoneTheFloorThatItLacksAndNoMore) {  // four small steps woul
       EXPECT_GE(rects[i].area_m2(), 45);
       EXPECT_LE(rects[i].area_m2(), 46);
     }
-    if (repaired->plan.zones[i].id == "goods") EXPECT_GE(rects[i].area_m2(), 45);
+    if (repaired->plan.zones[i].id == "goods") {
+      EXPECT_GE(rects[i].area_m2(), 45);
+    }
   }
 }
 
