@@ -90,6 +90,8 @@ def test_a_camera_does_not_tell_where_the_robot_truly_stands(store, aisle_episod
     began = head(seen), film(seen)
     for _ in range(400):  # 6 m: to the other end of the shop, whatever stands there
         seen, *_ = env.step(still(env, seen, drive=0.3))
+        if np.linalg.norm(film(seen) - began[1]) > 0.3:
+            break  # before base_pose is at the end of its space, which is the shop
     assert np.linalg.norm(film(seen) - began[1]) > 0.1, "the wheels slipped"
     assert np.allclose(head(seen), began[0], atol=0.02)
 
