@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "intake/drawn_shell.h"
+#include "intake/photo_wishes.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
@@ -212,6 +213,8 @@ Result<void> generate(const GenerateFlags& flags) {
   const intake::Brief& brief = drawn.brief;
   for (const std::string& warning : drawn.warnings)
     fmt::print(stderr, "warning: {}\n", shown(warning));
+  for (const photo::PhotoReading& photo : brief.photos)
+    if (!flags.common.json) say("photo       {}: {}\n", photo.file, intake::words_of(photo));
   for (int variant = 0; variant < flags.count; ++variant)
     MARKETGEN_CHECK(generate_one(flags, brief, catalog, variant));
   return {};
@@ -255,10 +258,11 @@ Run add_generate(CLI::App& app) {
       "--floor-plan-scale",
       flags->floor_plan_scale,
       "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100");
-  command->add_option("--image",
-                      flags->images,
-                      "PNG or JPEG of a drawing of zones, with names on them; they stand where it "
-                      "has them");
+  command->add_option(
+      "--image",
+      flags->images,
+      "PNG or JPEG: a photo of a shop, whose materials, light and shelves the store "
+      "gets, or one drawing of zones with names on them (repeatable)");
   command->add_option("--size", flags->size, "size of the room, e.g. 24x15m");
   command->add_option("--profile",
                       flags->profile,

@@ -11,7 +11,7 @@
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
-#include "intake/brief.h"
+#include "intake/photos_file.h"
 #include "io/flatbuffer.h"
 #include "io/json.h"
 #include "io/output.h"
@@ -40,6 +40,9 @@ std::vector<Document> documents() {
       {"market-report-1",
        "Requirements, rules and metrics of a store",
        type_of<store::StoreReport>()},
+      {"market-photos-1",
+       "What photos of a shop say, as a store was made with them",
+       type_of<intake::PhotosFile>()},
       {"market-product-1", "A product row of the catalogue", type_of<catalog::Product>()},
       {"market-asset-1", "An outside model taken into a library", type_of<catalog::AssetFile>()},
       {"market-fixture-1", "A fixture row of the catalogue", type_of<catalog::FixtureKind>()},

@@ -17,6 +17,8 @@ namespace nb = nanobind;
 [[noreturn]] void raise(const Error& error);
 void add_errors(nb::module_& module);
 void add_cameras(nb::module_& module);
+void add_photos(nb::module_& module);
+void add_photo_numbers(nb::module_& module);
 void add_stores(nb::module_& module);
 void add_renderers(nb::module_& module);
 void add_environments(nb::module_& module);

@@ -12,6 +12,8 @@ NB_MODULE(_core, module) {
   module.def("use_python", &marketgen::io::use_python, nb::arg("interpreter"));
   add_errors(module);
   add_cameras(module);
+  add_photos(module);
+  add_photo_numbers(module);
   add_stores(module);
   add_renderers(module);
   add_environments(module);

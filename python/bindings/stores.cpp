@@ -45,7 +45,7 @@ StoreHandle generate(const std::string& prompt,
                      const std::optional<std::string>& plan,
                      const std::optional<std::string>& floor_plan,
                      const std::optional<std::string>& floor_plan_scale,
-                     const std::optional<std::string>& image,
+                     const std::vector<std::string>& images,
                      const std::vector<std::string>& catalogs,
                      bool previews,
                      bool strict,
@@ -61,7 +61,7 @@ StoreHandle generate(const std::string& prompt,
   options.brief.style = style;
   options.brief.floor_plan = floor_plan;
   options.brief.floor_plan_scale = floor_plan_scale;
-  if (image) options.brief.image_files = {*image};
+  options.brief.image_files = images;
   if (plan) options.plan_file = *plan;
   if (!size.empty()) options.brief.size_mm = value_or_raise(intake::parse_size(size, "size"));
   catalog::Catalog catalog =

@@ -18,6 +18,7 @@ from . import _core, policies
 from ._core import __version__
 from .errors import Error, IsolationWarning, StoreWarning
 from .evaluation import Evaluation, Policy, evaluate
+from .photos import read_photo
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch
 from .store import Store, generate, open_store
 
@@ -50,5 +51,6 @@ __all__ = [
     "generate",
     "open_store",
     "policies",
+    "read_photo",
     "render_batch",
 ]

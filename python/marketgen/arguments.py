@@ -43,6 +43,15 @@ def paths(name: str, values: Any) -> list[str]:
     return [a_path(name, value) for value in values]
 
 
+def path_or_paths(name: str, values: Any) -> list[str]:
+    """One path, or a list of them."""
+    if isinstance(values, (str, bytes, os.PathLike)):
+        return [a_path(name, values)]
+    if not isinstance(values, Iterable):
+        raise bad(name, values, "a path, or a list of paths")
+    return [a_path(name, value) for value in values]
+
+
 def documents(name: str, values: Any) -> list[dict[str, Any]]:
     """Objects as JSON has them."""
     if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):

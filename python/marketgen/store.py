@@ -184,7 +184,7 @@ def generate(
     plan: PathLike | None = None,
     floor_plan: PathLike | None = None,
     floor_plan_scale: str | None = None,
-    image: PathLike | None = None,
+    image: PathLike | Sequence[PathLike] | None = None,
     catalogs: Sequence[PathLike] = (),
     previews: bool = False,
     strict: bool = False,
@@ -199,14 +199,15 @@ def generate(
     plan      a market-plan/1 file instead of a prompt
     floor_plan        SVG, DXF, PNG or JPEG of the room: outline, doors and columns (docs/drawings.md)
     floor_plan_scale  its scale where the file says none: "1 unit = 10 mm", "1 px = 2 cm", "1:100"
-    image     PNG or JPEG of a drawing of zones with names on them; they stand where it has them (docs/drawings.md)
+    image     PNG or JPEG, or a list of them: photos of shops, whose materials, light and shelves the store gets (docs/photos.md), and
+              one drawing of zones at most, with names on them; they stand where it has them (docs/drawings.md)
     catalogs  product files of your own; each product stands in the store, or a warning says why not
     previews  draw its pictures, too (seconds)
     strict    raise layout.violation when a hard rule is broken
     progress  called as progress(done, total, text) in this thread: so much of the stage `text` is done; what it raises ends
               the work, and is raised here
 
-    A UserWarning says what of a floor plan or drawing was doubtful or left out. A StoreWarning says that nothing of the prompt was understood, or which of your products stand nowhere.
+    A UserWarning says what of a floor plan, drawing or photo was doubtful or left out. A StoreWarning says that nothing of the prompt was understood, or which of your products stand nowhere.
     Equal arguments make equal bytes. Nothing is left behind when it fails or is interrupted.
     """
     rows = arguments.paths("catalogs", catalogs)
@@ -220,7 +221,7 @@ def generate(
         None if plan is None else arguments.a_path("plan", plan),
         None if floor_plan is None else arguments.a_path("floor_plan", floor_plan),
         None if floor_plan_scale is None else arguments.a_text("floor_plan_scale", floor_plan_scale),
-        None if image is None else arguments.a_path("image", image),
+        [] if image is None else arguments.path_or_paths("image", image),
         rows,
         arguments.a_truth("previews", previews),
         arguments.a_truth("strict", strict),

@@ -32,6 +32,7 @@ GENERATE = [
     ("floor_plan", 5),
     ("floor_plan_scale", 3),
     ("image", 5),
+    ("image", [5]),
     ("catalogs", "mine.csv"),
     ("catalogs", [3]),
     ("previews", "yes"),
@@ -65,6 +66,7 @@ CALLS = {
         lambda on: on.store.edit(patches=[{"set_look": {"floor": object()}}]),
         lambda on: on.store.edit(patches=[{"swop_leaves": {}}]),
     ],
+    "path": [lambda on: marketgen.read_photo(5)],
     "table": [lambda on: on.store.query("produce"), lambda on: on.store.query(3)],
     "where": [
         lambda on: on.store.query("products", 3),
@@ -169,7 +171,7 @@ def test_every_public_function_is_tried_above():
     """A new argument of a public function needs a bad value here."""
     import inspect
 
-    functions = [marketgen.generate, marketgen.open_store, marketgen.evaluate, marketgen.render_batch]
+    functions = [marketgen.generate, marketgen.open_store, marketgen.read_photo, marketgen.evaluate, marketgen.render_batch]
     functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py

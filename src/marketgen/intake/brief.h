@@ -15,6 +15,7 @@
 #include "base/seed.h"
 #include "catalog/catalog.h"
 #include "intake/drawn_zones.h"
+#include "photo/read_photo.h"
 #include "plan/plan.h"
 #include "plan/requirement.h"
 
@@ -23,7 +24,7 @@ namespace marketgen::intake {
 // Everything that was asked for. Flags beat text.
 struct Brief {
   std::string prompt;                           // UTF-8, at most 20,000 bytes
-  std::vector<std::string> image_files;         // a drawing of zones: PNG or JPEG, one at most
+  std::vector<std::string> image_files;         // --image: one drawing of zones at most, and photos
   std::optional<std::array<int, 2>> size_mm;    // --size
   std::optional<std::string> profile;           // --profile
   std::optional<std::string> style;             // --style
@@ -33,7 +34,8 @@ struct Brief {
   std::optional<std::string> floor_plan_scale;  // --floor-plan-scale
   std::optional<plan::Shell> shell;             // read from it (intake/drawn_shell.h); not saved
   double shell_confidence = 1;
-  std::optional<DrawnZones> zones;  // read from the picture (intake/drawn_shell.h); not saved
+  std::optional<DrawnZones> zones;  // read from the pictures (intake/drawn_shell.h); not saved
+  std::vector<photo::PhotoReading> photos;  // read from them, too; not saved
 
   static constexpr auto fields =
       field_list(field("prompt", &Brief::prompt, "the words", at_most_bytes(20000)),

@@ -12,7 +12,6 @@ namespace marketgen::intake {
 namespace {
 
 constexpr int wall_shelf_mm = 610;     // a wall unit with its skirting
-constexpr int min_cell_mm = 2600;      // two sections of a gondola
 constexpr int stacked_cell_mm = 4200;  // worth a cross aisle
 constexpr double widest_aisle = 1.35;  // of the habitual width: wider looks empty
 constexpr int fit_margin_mm = 12;      // so that rounding never costs a run

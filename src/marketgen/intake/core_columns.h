@@ -22,6 +22,8 @@ struct Core {
   double crowding = 0;  // metres that columns lack
 };
 
+constexpr int min_cell_mm = 2600;  // of a zone in a column: two sections of a gondola
+
 // `zones` from west to east. `stacked`: two zones a column where that leaves each deep enough.
 // Precondition: zones not empty.
 Core make_core(const std::vector<int>& zones,

@@ -8,6 +8,7 @@
 
 #include "drawing/floor_plan.h"
 #include "intake/offline_planner.h"
+#include "intake/photo_wishes.h"
 #include "intake/store_program.h"
 #include "intake/store_size.h"
 #include "io/file.h"
@@ -78,9 +79,18 @@ void stretch(plan::Shell& shell, std::array<double, 2> by) {
   }
 }
 
+// The picture that is a drawing of zones: the first one that is no photo.
+std::string zone_drawing_of(const Brief& brief) {
+  const auto is_drawing = [&](const std::string& file) {
+    return std::ranges::find(brief.photos, file, &photo::PhotoReading::file) == brief.photos.end();
+  };
+  const auto file = std::ranges::find_if(brief.image_files, is_drawing);
+  return file == brief.image_files.end() ? "drawing" : *file;
+}
+
 // Whose walls and doors the shell has, for a person.
 std::string drawing_of(const Brief& brief) {
-  return brief.floor_plan.value_or(brief.image_files.empty() ? "drawing" : brief.image_files[0]);
+  return brief.floor_plan.value_or(zone_drawing_of(brief));
 }
 
 void settle_size(const Brief& brief, plan::Shell& shell, Understanding& found) {
@@ -158,14 +168,16 @@ void add_warnings(std::vector<std::string>& all,
     all.push_back(fmt::format("{}: {}", file, warning));
 }
 
-// The zones of the brief's picture, and its shell where no floor plan gives one.
-Result<void> read_zones(Brief& brief,
+// The zones of a picture, and the brief's shell where no floor plan gives one.
+Result<void> read_zones(const std::string& file,
+                        Brief& brief,
                         const catalog::Catalog& catalog,
                         std::vector<std::string>& warnings) {
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(const Language loaded, Language::load(data));
   const Language language = loaded.with_words_of(catalog);
-  const Understanding found = understand(brief.prompt, language, catalog);
+  Understanding found = understand(brief.prompt, language, catalog);
+  apply_photos(brief, catalog, found);
   drawing::ReadOptions options;
   if (brief.size_mm) {
     options.width_mm = (*brief.size_mm)[0];
@@ -177,25 +189,94 @@ Result<void> read_zones(Brief& brief,
   const catalog::ProfileRow& profile = profile_of(brief, found, catalog);
   options.usual_area_m2 =
       1e-6 * profile.default_size_mm[0] * profile.default_size_mm[1] * found.size_factor;
-  MARKETGEN_TRY(drawing::ZoneDrawing read,
-                drawing::read_zone_drawing(brief.image_files[0], options));
-  brief.zones = named_by_words(read, language, catalog, profile.zones);
-  if (brief.zones->types.empty())
+  MARKETGEN_TRY(drawing::ZoneDrawing read, drawing::read_zone_drawing(file, options));
+  DrawnZones zones = named_by_words(read, language, catalog, profile.zones);
+  if (zones.types.empty())
     return Error{"drawing.no_zones",
-                 brief.image_files[0],
+                 file,
                  "nothing written on it names a zone of a shop; write on each zone what it is, as "
-                 "in \"bakery\" (reference photos are not read yet)"};
-  add_warnings(warnings, brief.image_files[0], read.warnings);
-  add_warnings(warnings, brief.image_files[0], read.floor.warnings);
-  add_warnings(warnings, brief.image_files[0], brief.zones->warnings);
+                 "in \"bakery\""};
+  add_warnings(warnings, file, read.warnings);
+  add_warnings(warnings, file, read.floor.warnings);
+  add_warnings(warnings, file, zones.warnings);
   if (read.scale_is_guessed)
     add_warnings(
         warnings,
-        brief.image_files[0],
+        file,
         {"nothing says how large it is, so it is as large as such shops are; give its size"});
+  brief.zones = std::move(zones);
   if (brief.floor_plan || brief.shell) return {};
   brief.shell = std::move(read.floor.shell);
   brief.shell_confidence = read.floor.outline_confidence;
+  return {};
+}
+
+// What the pictures of a brief are, at first sight.
+struct Pictures {
+  std::vector<std::string> drawings;          // of zones; what no photo can be is one, too
+  std::vector<photo::PhotoReading> doubtful;  // photos, unless they can be read as drawings
+};
+
+// Puts what is surely a photo of a shop among the brief's photos.
+Result<Pictures> sorted_pictures(Brief& brief) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const photo::Bank bank, photo::load_bank(data));
+  Pictures pictures;
+  for (const std::string& file : brief.image_files) {
+    Result<photo::PhotoReading> read = photo::read_photo(file, bank);
+    if (!read.ok() || read->subject == "drawing") {  // whose reader says what is wrong with it
+      pictures.drawings.push_back(file);
+      continue;
+    }
+    read->file = file;
+    const bool surely_room = read->subject == "room" && read->subject_confidence >= photo::sure;
+    (surely_room ? brief.photos : pictures.doubtful).push_back(std::move(*read));
+  }
+  return pictures;
+}
+
+// What no drawing was read from is a photo of a shop, or nothing that helps.
+Result<void> take_photo(photo::PhotoReading photo, Brief& brief) {
+  if (photo.subject == "other" && photo.subject_confidence >= photo::sure)
+    return Error{"photo.not_a_shop",
+                 photo.file,
+                 "this looks like neither a photo of a shop nor a drawing of zones; take the photo "
+                 "at eye level along an aisle, with floor and ceiling in it, or draw the walls and "
+                 "write a name on each zone"};
+  brief.photos.push_back(std::move(photo));
+  return {};
+}
+
+void warn_of_doubts(const Brief& brief, std::vector<std::string>& warnings) {
+  for (const photo::PhotoReading& photo : brief.photos) {
+    const std::string doubtful = not_sure_of(photo);
+    if (!doubtful.empty()) add_warnings(warnings, photo.file, {"not sure of " + doubtful});
+  }
+}
+
+// In the order of --image, whatever was found out first.
+void sort_photos(Brief& brief) {
+  std::ranges::stable_sort(brief.photos, {}, [&](const photo::PhotoReading& photo) {
+    return std::ranges::find(brief.image_files, photo.file) - brief.image_files.begin();
+  });
+}
+
+Result<void> read_pictures(Brief& brief,
+                           const catalog::Catalog& catalog,
+                           std::vector<std::string>& warnings) {
+  MARKETGEN_TRY(Pictures pictures, sorted_pictures(brief));
+  if (pictures.drawings.size() > 1)
+    return Error{"usage.bad_flag",
+                 "--image " + pictures.drawings[1],
+                 "a store has one drawing of zones; give one, and photos of shops beside it"};
+  for (const std::string& file : pictures.drawings)
+    MARKETGEN_CHECK(read_zones(file, brief, catalog, warnings));
+  for (photo::PhotoReading& photo : pictures.doubtful) {
+    const bool drawn = !brief.zones && read_zones(photo.file, brief, catalog, warnings).ok();
+    if (!drawn) MARKETGEN_CHECK(take_photo(std::move(photo), brief));
+  }
+  sort_photos(brief);
+  warn_of_doubts(brief, warnings);
   return {};
 }
 
@@ -203,13 +284,9 @@ Result<void> read_zones(Brief& brief,
 
 Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog) {
   Drawn drawn;
-  if (brief.image_files.size() > 1) {
-    return Error{"usage.bad_flag",
-                 "--image " + brief.image_files[1],
-                 "a store has one drawing of zones; give one --image"};
-  }
-  if (!brief.image_files.empty() && !brief.zones) {
-    MARKETGEN_CHECK(read_zones(brief, catalog, drawn.warnings));
+  const bool unread = !brief.zones && brief.photos.empty();
+  if (!brief.image_files.empty() && unread) {
+    MARKETGEN_CHECK(read_pictures(brief, catalog, drawn.warnings));
   }
   if (!brief.floor_plan || brief.shell) {
     drawn.brief = std::move(brief);

@@ -1,4 +1,4 @@
-// The floor plan of a brief: read once, and held against what flags and words say.
+// The floor plan and the pictures of a brief: read once, and held against what flags and words say.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,14 +9,16 @@
 namespace marketgen::intake {
 
 struct Drawn {
-  Brief brief;                        // with its shell and zones
+  Brief brief;                        // with its shell, zones and photos
   std::vector<std::string> warnings;  // of what was read, for a person: "FILE: …"
 };
 
 // Reads the brief's floor plan, if it has one that was not read yet. Where the drawing says no
-// scale, --size or a size in the words does. Errors: those of drawing::read_floor_plan,
-// usage.bad_flag for the scale and for more than one picture. A picture of zones is read as well
-// (drawing::read_zone_drawing): it gives the shell where no floor plan does.
+// scale, --size or a size in the words does. Each picture is a drawing of zones
+// (drawing::read_zone_drawing), which gives the shell where no floor plan does, or a photo of a
+// shop (photo::read_photo). Errors: those of drawing::read_floor_plan, drawing::read_zone_drawing
+// and photo::load_bank; usage.bad_flag for the scale and for more than one drawing of zones;
+// photo.not_a_shop.
 Result<Drawn> with_drawing(Brief brief, const catalog::Catalog& catalog);
 
 // The drawn shell as it will be built: flags beat words, words beat the drawing, and each loss is a

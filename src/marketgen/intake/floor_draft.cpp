@@ -124,6 +124,21 @@ class FloorBuilder {
 
   // ---- Middle: west band, core, east band ----
 
+  // Columns from west to east; where runs lie along the front and have room for that, rows from
+  // south to north.
+  Core core_of(const CoreRoom& room) const {
+    const std::vector<int>& zones = draft_.band(Band::core);
+    if (!program_.across || room.width_mm < min_cell_mm)
+      return make_core(zones, program_, room, draft_.stacked_core);
+    const bool at_back_wall = draft_.band(Band::north).empty();
+    Core core = make_core(zones,
+                          program_,
+                          {room.depth_mm, room.width_mm, room.run_aisle_mm, false, at_back_wall},
+                          draft_.stacked_core);
+    core.slice = transposed(std::move(core.slice));
+    return core;
+  }
+
   // With corner tills the middle ends at the till column instead of at one of the walls.
   Slice middle(int width_mm, int depth_mm, bool to_west_wall, bool to_east_wall) {
     const int west = to_west_wall ? band_depth(Band::west, depth_mm) : 0;
@@ -139,14 +154,11 @@ class FloorBuilder {
                 0);
     }
     if (has_core) {
-      const Core core = make_core(draft_.band(Band::core),
-                                  program_,
-                                  {core_width,
-                                   depth_mm,
-                                   floor_.run_aisle_mm,
-                                   to_west_wall && west == 0,
-                                   to_east_wall && east == 0},
-                                  draft_.stacked_core);
+      const Core core = core_of({core_width,
+                                 depth_mm,
+                                 floor_.run_aisle_mm,
+                                 to_west_wall && west == 0,
+                                 to_east_wall && east == 0});
       floor_.crowding += core.crowding + std::max(0, plan::min_node_side_mm - core_width) * 1e-3;
       floor_.run_aisle_mm = core.run_aisle_mm;
       floor_.runs = core.runs;

@@ -12,9 +12,6 @@
 namespace marketgen::intake {
 namespace {
 
-// Colours nearer than this go by the same name; about a fifth of the way from black to white.
-constexpr double same_color = 90;
-
 std::array<int, 3> channels_of(std::string_view hex) {
   std::array<int, 3> channels{};
   for (std::size_t i = 0; i < 3 && hex.size() == 7; ++i) {

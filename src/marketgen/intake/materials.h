@@ -21,6 +21,9 @@ const catalog::MaterialRow* material_for(const catalog::Catalog& catalog,
                                          const SurfaceWords& words,
                                          std::string_view color_hex);
 
+// Colours nearer than this go by the same name; about a fifth of the way from black to white.
+constexpr double same_color = 90;
+
 // Distance of two #rrggbb colours, 0..441.
 double color_distance(std::string_view a, std::string_view b);
 

@@ -8,6 +8,7 @@
 #include "intake/drawn_floor.h"
 #include "intake/drawn_shell.h"
 #include "intake/limits.h"
+#include "intake/photo_wishes.h"
 #include "intake/plan_writer.h"
 #include "intake/relation_geometry.h"
 #include "intake/store_program.h"
@@ -276,6 +277,7 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                      const Concessions& concessions) const {
   Understanding found = understand(brief.prompt, language_.with_words_of(catalog), catalog);
   apply_flags(brief, found);
+  apply_photos(brief, catalog, found);
   house_fixtures(found, catalog);
   const BeyondLimits beyond = keep_within_limits(found);
   Planned planned;
@@ -308,7 +310,8 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
   planned.unparsed = std::move(found.unparsed);
   planned.conflicts = std::move(found.conflicts);
   const bool silent = brief.prompt.find_first_not_of(" \t\r\n\v\f") == std::string::npos;
-  planned.understood = found.understood || (silent && brief.shell);  // the drawing says it all
+  const bool pictured = brief.shell || found.photographed.any();
+  planned.understood = found.understood || (silent && pictured);  // pictures say it all
   trace_relations(planned, candidate, program, planned.trace);
   return planned;
 }

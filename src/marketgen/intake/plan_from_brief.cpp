@@ -5,7 +5,9 @@
 #include "base/text.h"
 #include "intake/brief.h"
 #include "intake/drawn_shell.h"
+#include "intake/photos_file.h"
 #include "intake/store_size.h"
+#include "io/json.h"
 
 namespace marketgen::intake {
 namespace {
@@ -61,7 +63,8 @@ Result<void> check_known(const std::vector<Row>& rows,
 }
 
 Result<void> check_brief(const Brief& brief, const catalog::Catalog& catalog) {
-  const bool drawn = brief.floor_plan || !brief.image_files.empty() || brief.zones;
+  const bool drawn =
+      brief.floor_plan || !brief.image_files.empty() || brief.zones || !brief.photos.empty();
   if (!drawn || !brief.prompt.empty()) MARKETGEN_CHECK(check_prompt(brief.prompt));
   if (brief.size_mm) {
     MARKETGEN_CHECK(check_store_size((*brief.size_mm)[0], (*brief.size_mm)[1], "--size"));
@@ -81,6 +84,11 @@ Result<Planned> plan_from_brief(const Brief& brief,
   MARKETGEN_TRY(const Drawn drawn, with_drawing(brief, catalog));
   MARKETGEN_TRY(Planned planned, planner.plan(drawn.brief, catalog, seed, concessions));
   planned.trace.insert(planned.trace.begin(), drawn.warnings.begin(), drawn.warnings.end());
+  if (const auto& photos = drawn.brief.photos; !photos.empty()) {
+    PhotosFile file;
+    file.photos = photos;
+    planned.files.push_back({"photos.json", io::write_json(file)});
+  }
   MARKETGEN_CHECK(plan::validate_plan(planned.plan, "plan", catalog));
   return planned;
 }

@@ -50,10 +50,20 @@ void apply_color(plan::Look& look, const plan::Requirement& wish, const catalog:
   if (nearest != nullptr) look.fixture = nearest->id;
 }
 
+void apply_photographed(plan::Look& look, const PhotoWishes& shown) {
+  if (shown.floor) look.floor = shown.floor->value;
+  if (shown.wall) look.wall = shown.wall->value;
+  if (shown.ceiling) look.ceiling = shown.ceiling->value;
+  if (shown.fixture) look.fixture = shown.fixture->value;
+  if (shown.lamps) look.lamps = shown.lamps->value;
+  if (shown.light_kelvin) look.light_kelvin = shown.light_kelvin->value;
+}
+
 }  // namespace
 
 plan::Look look_of(const PlanSources& sources) {
   plan::Look look = plan::look_of(style_of(sources));
+  apply_photographed(look, sources.understanding.photographed);
   for (const plan::Requirement& wish : sources.understanding.requirements) {
     if (wish.kind == plan::RequirementKind::material) apply_material(look, wish);
     if (wish.kind == plan::RequirementKind::color) apply_color(look, wish, sources.catalog);

@@ -4,7 +4,8 @@
 
 namespace marketgen::intake {
 
-// The style that was asked for, or the one that goes with the profile; single wishes on top.
+// The style that was asked for, or the one that goes with the profile; what photos show and single
+// wishes on top.
 plan::Look look_of(const PlanSources& sources);
 
 // The colour that shelves were asked to have.

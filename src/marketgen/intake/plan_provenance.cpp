@@ -20,6 +20,7 @@ class ProvenanceWriter {
     add_drawing();
     add_drawn_zones();
     if (const auto& name = sources_.understanding.name) add("/name", name->span, said);
+    add_photographed();
     for (const plan::Requirement& wish : sources_.understanding.requirements)
       add_wish(wish);
     for (const Emphasis& emphasis : sources_.understanding.emphases) {
@@ -86,6 +87,45 @@ class ProvenanceWriter {
       if (std::ranges::any_of(drawn.openings, same))
         add_drawn("/shell/openings/" + std::to_string(i));
     }
+  }
+
+  template <class T>
+  void add_shown(std::string path, const std::optional<Photographed<T>>& shown) {
+    if (!shown) return;
+    plan::Provenance& entry = entries_.emplace_back();
+    entry.path = std::move(path);
+    entry.source = plan::Source::photo;
+    entry.confidence = shown->confidence;
+  }
+
+  void add_photographed() {
+    const PhotoWishes& shown = sources_.understanding.photographed;
+    add_shown("/profile", shown.profile);
+    add_shown("/look/floor", shown.floor);
+    add_shown("/look/wall", shown.wall);
+    add_shown("/look/ceiling", shown.ceiling);
+    add_shown("/look/fixture", shown.fixture);
+    add_shown("/look/lamps", shown.lamps);
+    add_shown("/look/light_kelvin", shown.light_kelvin);
+    for (std::size_t i = 0; i < plan_.zones.size(); ++i) {
+      if (plan_.zones[i].fixture.kind != "gondola") continue;
+      add_shown_shelves("/zones/" + std::to_string(i) + "/fixture/", plan_.zones[i], shown);
+    }
+  }
+
+  // Of one zone's gondolas: what photos show and the plan has.
+  void add_shown_shelves(const std::string& fixture,
+                         const plan::Zone& zone,
+                         const PhotoWishes& shown) {
+    const bool own = sources_.understanding.find(Kind::levels, zone.type) != nullptr;
+    if (!own && shown.levels && zone.fixture.levels == shown.levels->value)
+      add_shown(fixture + "levels", shown.levels);
+    add_shown(fixture + "aisle_mm", shown.aisle_mm);
+    const plan::Wall front = sources_.candidate.openings.front().wall;
+    const bool front_runs_east = front == plan::Wall::south || front == plan::Wall::north;
+    const bool across =
+        zone.fixture.axis == (front_runs_east ? plan::RunAxis::x : plan::RunAxis::y);
+    if (shown.across && shown.across->value == across) add_shown(fixture + "axis", shown.across);
   }
 
   // An entry for `field` of each zone of the type; every zone when `type` is empty.

@@ -1,4 +1,5 @@
-// Who said what: a provenance entry for every value of a plan that words or flags decided.
+// Who said what: a provenance entry for every value of a plan that words, flags or pictures
+// decided.
 #pragma once
 #include <vector>
 

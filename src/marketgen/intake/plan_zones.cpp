@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "intake/core_columns.h"
 #include "intake/plan_look.h"
 #include "intake/zone_sizes.h"
 
@@ -47,9 +48,13 @@ class ZoneWriter {
  private:
   static double rounded(double m2) { return std::max(0.5, std::floor(m2 * 10 + 0.5) / 10); }
 
-  bool runs_along_y() const {
-    const plan::Wall wall = sources_.candidate.openings.front().wall;
-    return wall == plan::Wall::south || wall == plan::Wall::north;
+  // Runs lead away from the front wall, or lie along it where the zone has room for that.
+  bool runs_along_y(const RectMm& rect) const {
+    const plan::Wall front = sources_.candidate.openings.front().wall;
+    const bool front_runs_east = front == plan::Wall::south || front == plan::Wall::north;
+    const int along_front = front_runs_east ? rect.width() : rect.depth();
+    const bool turned = program_.across && along_front >= min_cell_mm;
+    return front_runs_east != turned;
   }
 
   static bool is_gondola(const ProgramZone& zone) {
@@ -66,7 +71,7 @@ class ZoneWriter {
     }
     if (zone.kind->role != catalog::FixtureRole::shelving) return spec;
     if (zone.stance == Stance::central) {
-      spec.axis = runs_along_y() ? plan::RunAxis::y : plan::RunAxis::x;
+      spec.axis = runs_along_y(rect) ? plan::RunAxis::y : plan::RunAxis::x;
       spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
     } else if (least_aisle_holds(zone))
       spec.aisle_mm = program_.aisle_mm;
@@ -136,7 +141,7 @@ class ZoneWriter {
                                 kind.height_range_mm[0],
                                 kind.height_range_mm[1]);
     spec.levels = *spec.height_mm >= six_levels_from_mm ? 6 : 5;
-    const int run = runs_along_y() ? rect.depth() : rect.width();
+    const int run = runs_along_y(rect) ? rect.depth() : rect.width();
     spec.endcaps =
         run >= endcaps_both_from_mm
             ? plan::Endcaps::both
@@ -204,10 +209,21 @@ class ZoneWriter {
 
   void choose_levels(plan::FixtureSpec& spec, const ProgramZone& zone) const {
     const Wishes wishes = shelf_wishes(Kind::levels, zone);
-    if (wishes.empty() || zone.kind->level_range[1] < 2) return;
+    if (zone.kind->level_range[1] < 2) return;
     const int usual = spec.levels.value_or(zone.kind->levels);
-    spec.levels = std::clamp(
-        bounded(wishes, usual), std::max(1, zone.kind->level_range[0]), zone.kind->level_range[1]);
+    if (!wishes.empty())
+      spec.levels = std::clamp(bounded(wishes, usual),
+                               std::max(1, zone.kind->level_range[0]),
+                               zone.kind->level_range[1]);
+    else if (shows_levels(zone))
+      spec.levels = std::clamp(
+          found_.photographed.levels->value, zone.kind->level_range[0], zone.kind->level_range[1]);
+  }
+
+  // Photos say how many levels the zone's gondolas have.
+  bool shows_levels(const ProgramZone& zone) const {
+    return found_.photographed.levels && is_gondola(zone) &&
+           shelf_wishes(Kind::levels, zone).empty();
   }
 
   // As many levels at that distance as were asked for, or as the height holds; a height that nobody
@@ -218,7 +234,7 @@ class ZoneWriter {
     const int height = spec.height_mm.value_or(kind.height_mm);
     const int usual = spec.levels.value_or(kind.levels);
     const Wishes wishes = shelf_wishes(Kind::shelf_pitch, zone);
-    const bool levels_asked = !shelf_wishes(Kind::levels, zone).empty();
+    const bool levels_asked = !shelf_wishes(Kind::levels, zone).empty() || shows_levels(zone);
     const bool height_asked = wished_height(zone, height).has_value();
     const bool asked = !wishes.empty() || (is_gondola(zone) && (levels_asked || height_asked));
     if (!asked || kind.level_range[1] < 2 || usual < 2) return;

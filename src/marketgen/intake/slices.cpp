@@ -152,6 +152,13 @@ Slice cut_slice(plan::Axis axis) {
   return slice;
 }
 
+Slice transposed(Slice slice) {
+  slice.axis = slice.axis == plan::Axis::x ? plan::Axis::y : plan::Axis::x;
+  for (Slice& part : slice.parts)
+    part = transposed(std::move(part));
+  return slice;
+}
+
 Slice simplified(Slice slice) {
   if (slice.zone >= 0 || slice.parts.size() != 1) return slice;
   Slice only = std::move(slice.parts[0]);

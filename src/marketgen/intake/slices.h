@@ -26,6 +26,8 @@ struct Slice {
 
 Slice zone_slice(int zone);
 Slice cut_slice(plan::Axis axis);
+// The same with x for y: what lay west to east lies south to north.
+Slice transposed(Slice slice);
 // A slice with one part is that part.
 Slice simplified(Slice slice);
 

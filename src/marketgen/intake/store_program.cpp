@@ -422,6 +422,8 @@ const catalog::ProfileRow& profile_of(const Brief& brief,
   if (brief.profile) row = catalog.profile(*brief.profile);
   if (row == nullptr && wish != nullptr) row = catalog.profile(wish->object);
   if (row == nullptr && wants_no_tills(found)) row = catalog.profile(profile_without_tills);
+  if (row == nullptr && found.photographed.profile)
+    row = catalog.profile(found.photographed.profile->value);
   if (row == nullptr) row = catalog.profile(usual_profile);
   return row != nullptr ? *row : catalog.profiles.front();
 }
@@ -470,6 +472,8 @@ Result<StoreProgram> make_program(const Brief& brief,
   program.aisles = whole(found.find(Kind::aisle_count));
   program.aisle_mm = whole(found.find(Kind::aisle_width));
   if (program.aisle_mm) program.aisle_how = found.find(Kind::aisle_width)->comparison;
+  program.across = found.photographed.across && found.photographed.across->value;
+  if (found.photographed.aisle_mm) program.aisle_mm = found.photographed.aisle_mm->value;
   if (program.aisle_mm)  // narrower ones are against the rules of any shop
     program.aisle_mm = std::max(*program.aisle_mm, program.profile->minimum_aisle_mm);
   const NamedZones chosen = chosen_zones(found, catalog, program);

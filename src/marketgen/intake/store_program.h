@@ -43,6 +43,7 @@ struct StoreProgram {
   std::optional<int> aisles;    // aisles asked for
   std::optional<int> aisle_mm;  // aisle width asked for
   plan::Comparison aisle_how = plan::Comparison::equal;
+  bool across = false;  // runs of gondolas lie along the front, where a zone is wide enough
   std::optional<double>
       entrance_at;  // asked for: from the west end of the front, as drafts have it
   std::vector<plan::EquipmentSpec> equipment;  // at the doors, where it is not as usual
@@ -60,7 +61,7 @@ struct StoreProgram {
   }
 };
 
-// The kind of shop: by a flag, by the words, or the usual one.
+// The kind of shop: by a flag, by the words, by photos, or the usual one.
 const catalog::ProfileRow& profile_of(const Brief& brief,
                                       const Understanding& found,
                                       const catalog::Catalog& catalog);

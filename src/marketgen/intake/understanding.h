@@ -8,6 +8,7 @@
 #include "catalog/catalog.h"
 #include "intake/brief.h"
 #include "intake/language.h"
+#include "intake/photographed.h"
 #include "intake/worded_change.h"
 
 namespace marketgen::intake {
@@ -53,6 +54,7 @@ struct Understanding {
   std::vector<Conflict> conflicts;
   bool understood = false;                // at least one word said something
   std::optional<plan::Wall> drawn_front;  // the wall of the entrance on a floor plan
+  PhotoWishes photographed;               // set by apply_photos
 
   // The first requirement of that kind (and subject), or null.
   const plan::Requirement* find(plan::RequirementKind kind) const;

@@ -1,0 +1,33 @@
+// What photos of a shop give its plan.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "catalog/rows.h"
+
+namespace marketgen::intake {
+
+// A value that photos show, and how sure that is.
+template <class T>
+struct Photographed {
+  T value;
+  double confidence = 0;
+};
+
+// What photos show surely and neither flags nor words say (intake/photo_wishes.h).
+struct PhotoWishes {
+  std::optional<Photographed<std::string>> floor, wall, ceiling, fixture;  // materials
+  std::optional<Photographed<catalog::LampFitting>> lamps;
+  std::optional<Photographed<int>> light_kelvin;
+  std::optional<Photographed<int>> levels;    // of gondolas
+  std::optional<Photographed<int>> aisle_mm;  // between gondolas
+  std::optional<Photographed<bool>> across;   // runs of gondolas lie along the front wall
+  std::optional<Photographed<std::string>> profile;
+
+  bool any() const {
+    return floor || wall || ceiling || fixture || lamps || light_kelvin || levels || aisle_mm ||
+           across || profile;
+  }
+};
+
+}  // namespace marketgen::intake
