@@ -1,5 +1,7 @@
 #include "told_progress.h"
 
+#include <nanobind/stl/string.h>
+
 #include <chrono>
 
 namespace marketgen::python {
