@@ -9,7 +9,8 @@
 
 namespace marketgen::drawing {
 
-// A PNG, or else a JPEG. Errors: of io::decode_png and io::decode_jpeg.
+// A PNG, or else a JPEG, which is turned as the camera was held. Errors: of io::decode_png and
+// io::decode_jpeg.
 Result<Image> decoded_picture(std::string_view bytes, const std::string& where);
 
 // Makes a picture whose longer side is longer so large. How many of its pixels are one now.
