@@ -133,4 +133,4 @@ def test_zones_stand_where_a_drawing_has_them(tmp_path):
     with pytest.raises(marketgen.Error) as caught:
         Image.new("RGB", (300, 200), "white").save(tmp_path / "blank.png")
         marketgen.generate("", tmp_path / "none", image=tmp_path / "blank.png")
-    assert caught.value.code.startswith("drawing.")
+    assert caught.value.code == "photo.not_a_shop"
