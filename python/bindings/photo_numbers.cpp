@@ -5,7 +5,6 @@
 #include <nanobind/stl/vector.h>
 
 #include "binding.h"
-#include "io/file.h"
 #include "io/json.h"
 #include "photo/features.h"
 
@@ -25,9 +24,7 @@ NumberRows array_of(const std::vector<std::vector<double>>& rows) {
 }
 
 photo::Looked looked_at(const std::string& path) {
-  constexpr std::uint64_t max_bytes = 256U << 20;
-  const std::string bytes = value_or_raise(io::read_file(path, max_bytes));
-  return value_or_raise(photo::looked_at(bytes, path));
+  return value_or_raise(photo::looked_at(std::filesystem::path(path)));
 }
 
 // Columns of the grid of cells, and a row per cell.

@@ -59,7 +59,7 @@ SHOPS = {
     "supermarket-eu": ((18, 27), (13, 18)), "supermarket-us": ((20, 30), (15, 20)), "organic-eu": ((16, 25), (13, 18)),
     "discounter-eu": ((22, 30), (15, 20)), "hypermarket-eu": ((34, 42), (24, 30)),
 }
-# Whose kind a photo can tell.
+# How often each is drawn.
 SHOP_DRAWS = ["convenience-us", "convenience-cn", "supermarket-eu", "supermarket-us", "organic-eu", "discounter-eu", "discounter-eu",
               "hypermarket-eu"]
 MIN_SHELVES = 0.02  # share of the picture

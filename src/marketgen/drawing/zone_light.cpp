@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
 
+#include "drawing/picture.h"
 #include "drawing/zone_picture.h"
 
 namespace marketgen::drawing {
@@ -38,15 +40,8 @@ cv::Mat sheet_of(const cv::Mat& bgr) {
 
 // What that share of the masked pixels is darker than.
 double low_value(const cv::Mat& value, const cv::Mat& mask, double share) {
-  std::array<int, 256> counts{};
-  int all = 0;
-  for (int y = 0; y < value.rows; ++y) {
-    for (int x = 0; x < value.cols; ++x) {
-      if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      ++counts[value.at<std::uint8_t>(y, x)];
-      ++all;
-    }
-  }
+  const std::array<int, 256> counts = masked_histogram(value, mask);
+  const int all = std::accumulate(counts.begin(), counts.end(), 0);
   int below = 0, at = 0;
   while (at < 255 && below + counts[at] < share * all)
     below += counts[at++];

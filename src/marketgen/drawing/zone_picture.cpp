@@ -13,23 +13,6 @@ namespace {
 
 constexpr int longest_side_px = 1800;  // larger pictures are read at this size
 
-cv::Mat bgr_of(const Image& image) {
-  cv::Mat bgr(image.height, image.width, CV_8UC3);
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const std::uint8_t* p = image.at(x, y);
-      const bool see_through = image.channels == 4 || image.channels == 2;
-      const int alpha = see_through ? p[image.channels - 1] : 255;
-      const auto over = [&](int value) {
-        return static_cast<std::uint8_t>((value * alpha + 255 * (255 - alpha)) / 255);
-      };
-      const bool colour = image.channels >= 3;
-      bgr.at<cv::Vec3b>(y, x) = {over(p[colour ? 2 : 0]), over(p[colour ? 1 : 0]), over(p[0])};
-    }
-  }
-  return bgr;
-}
-
 struct Ray {
   std::vector<cv::Point2f> outer, inner;
 };

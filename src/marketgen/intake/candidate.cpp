@@ -360,6 +360,11 @@ class DoorPlacer {
 
 }  // namespace
 
+bool front_runs_east(const Candidate& candidate) {
+  const plan::Wall front = candidate.openings.front().wall;
+  return front == plan::Wall::south || front == plan::Wall::north;
+}
+
 plan::Wall entrance_wall_of(const Understanding& found) {
   if (found.drawn_front) return *found.drawn_front;
   for (const plan::Requirement& wish : found.requirements) {

@@ -19,6 +19,9 @@ struct Candidate {
   double door_off_m = 0;  // of the drafted entrance from the one on the floor plan
 };
 
+// Whether the wall of the entrance lies east to west.
+bool front_runs_east(const Candidate& candidate);
+
 // The wall that the entrance is to be in; south when nobody says.
 plan::Wall entrance_wall_of(const Understanding& found);
 

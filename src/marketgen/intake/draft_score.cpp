@@ -137,8 +137,7 @@ double room_penalty(const Candidate& candidate, const ScoreInput& input) {
 }
 
 double core_penalty(const FloorDraft& draft, const Candidate& candidate, const ScoreInput& input) {
-  const bool along_y = candidate.openings[0].wall == plan::Wall::south ||
-                       candidate.openings[0].wall == plan::Wall::north;
+  const bool along_y = front_runs_east(candidate);
   double sum = 0;
   for (const int zone : draft.band(Band::core)) {
     const RectMm& rect = candidate.rects[static_cast<std::size_t>(zone)];

@@ -228,7 +228,6 @@ Result<Pictures> sorted_pictures(Brief& brief) {
       pictures.drawings.push_back(file);
       continue;
     }
-    read->file = file;
     const bool surely_room = read->subject == "room" && read->subject_confidence >= photo::sure;
     (surely_room ? brief.photos : pictures.doubtful).push_back(std::move(*read));
   }

@@ -31,12 +31,16 @@ class ProvenanceWriter {
   }
 
  private:
-  void add(std::string path, IntRange span, double confidence) {
+  plan::Provenance& add_entry(std::string path, plan::Source source, double confidence) {
     plan::Provenance& entry = entries_.emplace_back();
     entry.path = std::move(path);
-    entry.source = plan::Source::text;
-    entry.span = span;
+    entry.source = source;
     entry.confidence = confidence;
+    return entry;
+  }
+
+  void add(std::string path, IntRange span, double confidence) {
+    add_entry(std::move(path), plan::Source::text, confidence).span = span;
   }
 
   void add_flag(std::string path) {
@@ -55,10 +59,7 @@ class ProvenanceWriter {
   }
 
   void add_drawn(std::string path) {
-    plan::Provenance& entry = entries_.emplace_back();
-    entry.path = std::move(path);
-    entry.source = plan::Source::drawing;
-    entry.confidence = sources_.brief.shell_confidence;
+    add_entry(std::move(path), plan::Source::drawing, sources_.brief.shell_confidence);
   }
 
   // Where a drawing has zones, each of its types' zones and how the floor is cut.
@@ -91,11 +92,7 @@ class ProvenanceWriter {
 
   template <class T>
   void add_shown(std::string path, const std::optional<Photographed<T>>& shown) {
-    if (!shown) return;
-    plan::Provenance& entry = entries_.emplace_back();
-    entry.path = std::move(path);
-    entry.source = plan::Source::photo;
-    entry.confidence = shown->confidence;
+    if (shown) add_entry(std::move(path), plan::Source::photo, shown->confidence);
   }
 
   void add_photographed() {
@@ -121,10 +118,8 @@ class ProvenanceWriter {
     if (!own && shown.levels && zone.fixture.levels == shown.levels->value)
       add_shown(fixture + "levels", shown.levels);
     add_shown(fixture + "aisle_mm", shown.aisle_mm);
-    const plan::Wall front = sources_.candidate.openings.front().wall;
-    const bool front_runs_east = front == plan::Wall::south || front == plan::Wall::north;
-    const bool across =
-        zone.fixture.axis == (front_runs_east ? plan::RunAxis::x : plan::RunAxis::y);
+    const bool across = zone.fixture.axis ==
+                        (front_runs_east(sources_.candidate) ? plan::RunAxis::x : plan::RunAxis::y);
     if (shown.across && shown.across->value == across) add_shown(fixture + "axis", shown.across);
   }
 

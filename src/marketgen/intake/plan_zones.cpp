@@ -50,11 +50,10 @@ class ZoneWriter {
 
   // Runs lead away from the front wall, or lie along it where the zone has room for that.
   bool runs_along_y(const RectMm& rect) const {
-    const plan::Wall front = sources_.candidate.openings.front().wall;
-    const bool front_runs_east = front == plan::Wall::south || front == plan::Wall::north;
-    const int along_front = front_runs_east ? rect.width() : rect.depth();
+    const bool runs_east = front_runs_east(sources_.candidate);
+    const int along_front = runs_east ? rect.width() : rect.depth();
     const bool turned = program_.across && along_front >= min_cell_mm;
-    return front_runs_east != turned;
+    return runs_east != turned;
   }
 
   static bool is_gondola(const ProgramZone& zone) {

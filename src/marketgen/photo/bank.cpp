@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include "io/file.h"
 #include "io/json.h"
@@ -15,8 +13,8 @@ namespace marketgen::photo {
 namespace {
 
 constexpr std::uint64_t max_bank_bytes = 64U << 20;
-constexpr double nearness =
-    1;  // squared distance, in spreads within a class, at which a weight is halved
+// Squared distance, in spreads within a class, at which a weight is halved; as in make_bank.py.
+constexpr double nearness = 1;
 constexpr double almost_sure = 0.49;  // the most that one who is not sure says
 
 class BankCheck {

@@ -7,7 +7,6 @@
 namespace marketgen::photo {
 namespace {
 
-constexpr double chroma_unit = 64;
 constexpr int nearly_white = 245, nearly_black = 30;
 
 struct Textures {

@@ -8,6 +8,7 @@
 namespace marketgen::photo {
 
 constexpr int cell_px = 16;
+constexpr double chroma_unit = 64;  // of OpenCV's a and b
 constexpr int hue_bins = 8, lightness_bins = 6, orientation_bins = 4, grain_scales = 3;
 constexpr int pattern_bins = 10, pattern_scales = 2;
 

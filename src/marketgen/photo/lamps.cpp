@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
+
+#include "drawing/picture.h"
 
 namespace marketgen::photo {
 namespace {
 
 constexpr std::size_t ceiling_part = 2;
+static_assert(part_names[ceiling_part] == "ceiling");
 constexpr double min_ceiling = 0.35;
 constexpr int min_spot_px = 5, brightest = 254;
 constexpr int min_lamp_lightness = 205;  // of OpenCV's 255: a lamp is about white in any exposure
 
-// Where lamps may be: CV_8UC1, 255 in squares of the ceiling, or in the upper half.
+// Squares of the ceiling: CV_8UC1, 255 there.
 cv::Mat ceiling_mask(const Looked& photo,
                      const Cells& cells,
                      const std::vector<PartShares>& parts) {
@@ -30,15 +34,8 @@ cv::Mat ceiling_mask(const Looked& photo,
 
 // The lightness that the brightest hundredth of the masked pixels has.
 int bright_enough(const cv::Mat& lightness, const cv::Mat& mask) {
-  std::array<int, 256> pixels{};
-  int all = 0;
-  for (int y = 0; y < lightness.rows; ++y) {
-    for (int x = 0; x < lightness.cols; ++x) {
-      if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      ++pixels[lightness.at<std::uint8_t>(y, x)];
-      ++all;
-    }
-  }
+  const std::array<int, 256> pixels = drawing::masked_histogram(lightness, mask);
+  const int all = std::accumulate(pixels.begin(), pixels.end(), 0);
   int level = 255;
   for (int above = pixels[255]; level > 0 && above < all / 100;)
     above += pixels[--level];
@@ -62,10 +59,10 @@ cv::Rect above(const cv::Rect& spot, const cv::Mat& picture) {
          cv::Rect(0, 0, picture.cols, picture.rows);
 }
 
-// How colourful a part of a Lab picture is, 64ths.
+// How colourful a part of a Lab picture is, in the unit of cells.
 double chroma_of(const cv::Mat& lab) {
   const cv::Scalar mean = cv::mean(lab);
-  return std::hypot(mean[1] - 128, mean[2] - 128) / 64;
+  return std::hypot(mean[1] - 128, mean[2] - 128) / chroma_unit;
 }
 
 std::vector<double> spots_in(const Looked& photo, const cv::Mat& mask) {

@@ -7,35 +7,18 @@
 
 #include "drawing/picture.h"
 #include "geometry/image.h"
+#include "io/file.h"
 
 namespace marketgen::photo {
 namespace {
 
-// Three channels of any picture, on white.
-cv::Mat rgb_of(const Image& image) {
-  cv::Mat rgb(image.height, image.width, CV_8UC3);
-  for (int y = 0; y < image.height; ++y) {
-    auto* row = rgb.ptr<cv::Vec3b>(y);
-    for (int x = 0; x < image.width; ++x) {
-      const std::uint8_t* p = image.at(x, y);
-      const bool grey = image.channels < 3;
-      const int alpha = image.channels == 2 ? p[1] : image.channels == 4 ? p[3] : 255;
-      for (int c = 0; c < 3; ++c) {
-        const int value = grey ? p[0] : p[c];
-        row[x][c] = static_cast<std::uint8_t>((value * alpha + 255 * (255 - alpha)) / 255);
-      }
-    }
-  }
-  return rgb;
-}
-
 // Longer side as the bank's photos have it.
-void resize_to_bank(cv::Mat& rgb) {
-  const double by = static_cast<double>(longer_side_px) / std::max(rgb.cols, rgb.rows);
+void resize_to_bank(cv::Mat& picture) {
+  const double by = static_cast<double>(longer_side_px) / std::max(picture.cols, picture.rows);
   if (by == 1) return;
-  const cv::Size size(std::max(min_side_px, static_cast<int>(std::lround(rgb.cols * by))),
-                      std::max(min_side_px, static_cast<int>(std::lround(rgb.rows * by))));
-  cv::resize(rgb, rgb, size, 0, 0, by < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  const cv::Size size(std::max(min_side_px, static_cast<int>(std::lround(picture.cols * by))),
+                      std::max(min_side_px, static_cast<int>(std::lround(picture.rows * by))));
+  cv::resize(picture, picture, size, 0, 0, by < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
 }
 
 }  // namespace
@@ -52,11 +35,18 @@ Result<Looked> looked_at(std::string_view bytes, const std::string& where) {
                              min_side_px)};
   }
   Looked looked;
-  looked.rgb = rgb_of(image);
-  resize_to_bank(looked.rgb);
+  cv::Mat bgr = drawing::bgr_of(image);
+  resize_to_bank(bgr);
+  cv::cvtColor(bgr, looked.rgb, cv::COLOR_BGR2RGB);
   cv::cvtColor(looked.rgb, looked.lab, cv::COLOR_RGB2Lab);
   cv::extractChannel(looked.lab, looked.lightness, 0);
   return looked;
+}
+
+Result<Looked> looked_at(const std::filesystem::path& path) {
+  constexpr std::uint64_t max_photo_bytes = 256U << 20;
+  MARKETGEN_TRY(const std::string bytes, io::read_file(path, max_photo_bytes));
+  return looked_at(bytes, path.string());
 }
 
 }  // namespace marketgen::photo

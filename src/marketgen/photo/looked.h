@@ -1,5 +1,6 @@
 // A photo made ready to be looked at: of one size, in CIE Lab.
 #pragma once
+#include <filesystem>
 #include <opencv2/core.hpp>
 #include <string>
 #include <string_view>
@@ -20,5 +21,7 @@ struct Looked {
 // PNG or JPEG, larger or smaller, of 1, 3 or 4 channels; what is transparent is white. Errors:
 // image.bad_file, input.too_large, image.too_small.
 Result<Looked> looked_at(std::string_view bytes, const std::string& where);
+// Errors: those, and input.not_found.
+Result<Looked> looked_at(const std::filesystem::path& path);
 
 }  // namespace marketgen::photo

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "io/file.h"
 #include "photo/features.h"
 #include "photo/palette.h"
 #include "photo/parts.h"
@@ -10,7 +9,6 @@
 namespace marketgen::photo {
 namespace {
 
-constexpr std::uint64_t max_photo_bytes = 256U << 20;
 constexpr std::string_view subject_attribute = "subject", color_ending = "_color";
 
 struct Read {
@@ -53,6 +51,26 @@ AttributeReading reading_of(const Read& read) {
           weightiest(read.vote.materials)};
 }
 
+PhotoReading reading_of(const Looked& photo, const std::string& file, const Bank& bank) {
+  const Cells cells = cells_of(photo);
+  const Features features = features_of(photo, cells, parts_of(cells, bank));
+  PhotoReading reading;
+  reading.file = file;
+  std::vector<Read> votes = votes_on(bank, features);
+  agree_on_materials(votes);
+  for (const Read& vote : votes) {
+    AttributeReading read = reading_of(vote);
+    if (read.attribute == subject_attribute) {
+      reading.subject = read.value;
+      reading.subject_confidence = read.confidence;
+    } else {
+      reading.attributes.push_back(std::move(read));
+    }
+  }
+  reading.palette = palette_of(photo);
+  return reading;
+}
+
 const AttributeReading* find_in(const std::vector<AttributeReading>& readings,
                                 std::string_view attribute) {
   const auto at = std::ranges::find(readings, attribute, &AttributeReading::attribute);
@@ -79,28 +97,12 @@ Result<PhotoReading> read_photo_bytes(std::string_view bytes,
                                       const std::string& where,
                                       const Bank& bank) {
   MARKETGEN_TRY(const Looked photo, looked_at(bytes, where));
-  const Cells cells = cells_of(photo);
-  const Features features = features_of(photo, cells, parts_of(cells, bank));
-  PhotoReading reading;
-  reading.file = where;
-  std::vector<Read> votes = votes_on(bank, features);
-  agree_on_materials(votes);
-  for (const Read& vote : votes) {
-    AttributeReading read = reading_of(vote);
-    if (read.attribute == subject_attribute) {
-      reading.subject = read.value;
-      reading.subject_confidence = read.confidence;
-    } else {
-      reading.attributes.push_back(std::move(read));
-    }
-  }
-  reading.palette = palette_of(photo);
-  return reading;
+  return reading_of(photo, where, bank);
 }
 
 Result<PhotoReading> read_photo(const std::filesystem::path& path, const Bank& bank) {
-  MARKETGEN_TRY(const std::string bytes, io::read_file(path, max_photo_bytes));
-  return read_photo_bytes(bytes, path.string(), bank);
+  MARKETGEN_TRY(const Looked photo, looked_at(path));
+  return reading_of(photo, path.string(), bank);
 }
 
 std::vector<AttributeReading> together(const std::vector<PhotoReading>& photos) {
