@@ -91,8 +91,8 @@ class ProvenanceWriter {
   }
 
   template <class T>
-  void add_shown(std::string path, const std::optional<Photographed<T>>& shown) {
-    if (shown) add_entry(std::move(path), plan::Source::photo, shown->confidence);
+  void add_shown(const std::string& path, const std::optional<Photographed<T>>& shown) {
+    if (shown) add_entry(path, plan::Source::photo, shown->confidence);
   }
 
   void add_photographed() {
