@@ -25,6 +25,7 @@ def parse_arguments():
     parser.add_argument("files", nargs="+", type=pathlib.Path)
     parser.add_argument("--program", required=True)
     parser.add_argument("--out", type=pathlib.Path, help="one JSON line for each wish")
+    parser.add_argument("--seed", type=int, default=1, help="of generate; several show how much of a difference is chance")
     parser.add_argument("--show-misses", action="store_true")
     parser.add_argument("--totals-only", action="store_true", help="no words of prompts or wishes")
     parser.add_argument("--stores", type=pathlib.Path, help="keep the finished stores here")
@@ -39,11 +40,11 @@ def parse_arguments():
     return arguments
 
 
-def generate(program, prompt, folder):
+def generate(program, prompt, folder, seed):
     """The error's text, or None when the store is there. Its output is never printed."""
     words = folder.parent / (folder.name + ".txt")
     words.write_text(prompt, encoding="utf8")
-    command = [program, "generate", "--prompt-file", str(words), "-o", str(folder), "--no-previews", "--quiet", "--seed", "1"]
+    command = [program, "generate", "--prompt-file", str(words), "-o", str(folder), "--no-previews", "--quiet", "--seed", str(seed)]
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=LIMIT_S)
     except subprocess.TimeoutExpired:
@@ -59,7 +60,7 @@ def facts_of(row, arguments, scratch):
     """(facts, None) or (None, error)"""
     folder = (arguments.stores or scratch) / row["id"]
     if not (arguments.reuse and (folder / "layout.json").exists()):
-        error = generate(arguments.program, row["prompt"], folder)
+        error = generate(arguments.program, row["prompt"], folder, arguments.seed)
         if error:
             return None, error
     try:

@@ -1,6 +1,7 @@
 #include "intake/core_columns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -60,11 +61,12 @@ CoreColumn column_of(int zone, const StoreProgram& program, int depth_mm) {
   if (row.rows) column.runs = column.max_runs = island ? (*row.rows + 1) / 2 : *row.rows;
   const auto lines = counted_lines(row, depth_mm);
   if (lines) column.max_runs = *lines;
-  if (lines && !program.loose) column.runs = *lines;
+  const double share = program.counted_share;
+  if (lines && share > 0) column.runs = std::max(1, static_cast<int>(std::lround(share * *lines)));
   column.counted = row.main.runs.has_value();
-  column.beside_mm = program.loose ? 0 : beside_depth_mm(row, depth_mm);
+  column.beside_mm = static_cast<int>(share * beside_depth_mm(row, depth_mm));
   ask_for_width(column, row, program, depth_mm);
-  column.measured = column.asked_mm > 0 || column.beside_mm > 0 || (lines && !program.loose);
+  column.measured = column.asked_mm > 0 || column.beside_mm > 0 || (lines && share > 0);
   return column;
 }
 

@@ -9,6 +9,7 @@ namespace marketgen::intake {
 namespace {
 
 constexpr int moves_per_start = 220;
+constexpr double followed_wish_chance = 0.15;
 constexpr double wished_zone_chance = 0.35;  // moves of zones whose place was asked for
 constexpr double first_temperature = 6;  // in penalty points; falls to nothing over a start's moves
 constexpr double taste_points = 2.5;
@@ -29,6 +30,8 @@ class Search {
         points = draw.uniform(0, taste_points);
       if (is_wished(program.zones[i].type->type)) wished_.push_back(static_cast<int>(i));
     }
+    for (const plan::Requirement& wish : understanding.requirements)
+      if (wish.kind == plan::RequirementKind::relation) add_tie(wish);
   }
 
   FoundDraft run(int starts) {
@@ -196,6 +199,96 @@ class Search {
     std::size_t band, at;
   };
 
+  // What a wish says of a zone: beside or opposite which other, or at which wall.
+  struct Tie {
+    int zone = 0;
+    std::optional<int> other;
+    std::optional<Band> band;
+    bool opposite = false, at_front = false;
+  };
+
+  std::optional<int> zone_called(const std::string& type) const {
+    for (std::size_t i = 0; i < program_.zones.size(); ++i)
+      if (program_.zones[i].type->type == type) return static_cast<int>(i);
+    return std::nullopt;
+  }
+
+  void add_tie(const plan::Requirement& wish) {
+    const auto zone = zone_called(wish.subject);
+    const bool apart = wish.relation == plan::RelationKind::far ||
+                       wish.relation == plan::RelationKind::not_adjacent;
+    if (!zone || apart) return;
+    Tie tie;
+    tie.zone = *zone;
+    tie.opposite = wish.relation == plan::RelationKind::facing;
+    tie.at_front = wish.object == "entrance" || wish.object == "exit" || wish.object == "checkout";
+    if (const auto wall = value_named<plan::Wall>(wish.object)) tie.band = band_at(*wall);
+    for (const std::string& name : {wish.object, wish.second_object}) {
+      tie.other = zone_called(name);
+      if (tie.other && is_till(*tie.other)) tie.other.reset();
+      if (tie.other || tie.band || tie.at_front) ties_.push_back(tie);
+    }
+  }
+
+  bool is_till(int zone) const {
+    return program_.zones[static_cast<std::size_t>(zone)].stance == Stance::front;
+  }
+
+  std::optional<Place> place_of(const FloorDraft& draft, int zone) const {
+    for (std::size_t b = 0; b < band_count; ++b) {
+      const auto at = std::ranges::find(draft.bands[b], zone);
+      if (at != draft.bands[b].end())
+        return Place{b, static_cast<std::size_t>(at - draft.bands[b].begin())};
+    }
+    return std::nullopt;
+  }
+
+  static void insert_at(FloorDraft& draft, Band band, std::size_t at, int zone) {
+    std::vector<int>& zones = draft.band(band);
+    zones.insert(zones.begin() + static_cast<std::ptrdiff_t>(std::min(at, zones.size())), zone);
+  }
+
+  // Puts a zone where a wish says.
+  void follow_wish(FloorDraft& draft, Stream& draw) const {
+    const Tie& tie =
+        ties_[static_cast<std::size_t>(draw.integer(0, static_cast<int>(ties_.size()) - 1))];
+    const auto from = place_of(draft, tie.zone);
+    if (!from) return;
+    std::vector<int>& source = draft.bands[from->band];
+    source.erase(source.begin() + static_cast<std::ptrdiff_t>(from->at));
+    const std::size_t end = draw.chance(0.5) ? 0 : program_.zones.size();
+    if (tie.other) return put_by(draft, tie, draw);
+    if (tie.band) return insert_at(draft, *tie.band, end, tie.zone);
+    // By the doors: along the front, or where a side wall begins.
+    constexpr std::array<Band, 3> by_doors = {Band::front, Band::west, Band::east};
+    const Band band = by_doors[static_cast<std::size_t>(draw.integer(0, 2))];
+    insert_at(draft, band, band == Band::front ? end : 0, tie.zone);
+  }
+
+  // Beside the other zone; or across the aisle from it, where the fronts along a side wall look at
+  // those of the nearest run.
+  void put_by(FloorDraft& draft, const Tie& tie, Stream& draw) const {
+    std::optional<Place> other = place_of(draft, *tie.other);
+    const std::size_t end = draw.chance(0.5) ? 0 : program_.zones.size();
+    if (!other) return insert_at(draft, Band::core, end, tie.zone);
+    if (!tie.opposite || other->band == index_of(Band::core)) {
+      const auto band = static_cast<Band>(other->band);
+      return insert_at(draft, band, other->at + (draw.chance(0.5) ? 1 : 0), tie.zone);
+    }
+    const bool aside =
+        other->band == index_of(Band::west) || other->band == index_of(Band::east);
+    if (!aside) {  // across the front or the back aisle runs show their ends
+      std::vector<int>& source = draft.bands[other->band];
+      source.erase(source.begin() + static_cast<std::ptrdiff_t>(other->at));
+      other->band = index_of(draw.chance(0.5) ? Band::west : Band::east);
+      insert_at(draft, static_cast<Band>(other->band), end, *tie.other);
+    }
+    insert_at(draft,
+              Band::core,
+              other->band == index_of(Band::west) ? 0 : program_.zones.size(),
+              tie.zone);
+  }
+
   std::optional<Place> random_place(const FloorDraft& draft, Stream& draw) const {
     std::size_t zones = 0;
     for (const auto& band : draft.bands)
@@ -223,7 +316,9 @@ class Search {
 
   void change(FloorDraft& draft, Stream& draw) const {
     const double kind = draw.uniform();
-    if (kind < 0.40) {
+    if (!ties_.empty() && draw.chance(followed_wish_chance)) {
+      follow_wish(draft, draw);
+    } else if (kind < 0.40) {
       swap_zones(draft, draw);
     } else if (kind < 0.82) {
       move_zone(draft, draw);
@@ -266,6 +361,7 @@ class Search {
   Seed seed_;
   BandTaste taste_;
   std::vector<int> wished_;  // zones that relations name
+  std::vector<Tie> ties_;
 };
 
 }  // namespace

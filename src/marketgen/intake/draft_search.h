@@ -13,7 +13,7 @@ struct FoundDraft {
   int evaluations = 0;
 };
 
-constexpr int max_starts = 8;  // of one search; more find nothing better
+constexpr int max_starts = 12;  // of one search; more find nothing better
 
 // What one start costs, whatever machine does it: a floor that is judged costs as much as it has
 // zones and relations, of which each takes about a microsecond.

@@ -27,7 +27,7 @@ constexpr std::string_view not_found =
     "no floor for so many zones was found in the time that planning may take";
 constexpr int patient_searches = 5;  // that lose one zone each; then more at once
 // What the searches of one plan may cost (work_of_a_start): eight of a usual shop's.
-constexpr std::int64_t max_work = 150'000;
+constexpr std::int64_t max_work = 600'000;
 
 // The first wish that names a zone of this type; null when nobody asked for one.
 const plan::Requirement* wish_for(const Understanding& found, const ProgramZone& zone) {
@@ -148,16 +148,18 @@ int affordable_starts(const StoreProgram& program,
   return static_cast<int>(std::clamp<std::int64_t>(starts, 1, max_starts));
 }
 
-// The fixtures that are counted take the room that there is instead of the room that they need.
+// The fixtures that are counted take less than the room that they need, in the end what there is.
 // False when that changes nothing.
 bool loosen_counts(StoreProgram& program, std::vector<std::string>& trace) {
   const bool counted = std::ranges::any_of(program.zones, [](const ProgramZone& zone) {
     return zone.stance != Stance::front &&
            (zone.main.count || zone.main.runs || !zone.beside.empty());
   });
-  if (program.loose || !counted) return false;
-  program.loose = true;
-  trace.emplace_back("no room for all fixtures that are counted");
+  if (program.counted_share <= 0 || !counted) return false;
+  constexpr double step = 0.25;
+  program.counted_share -= step;
+  if (program.counted_share == 1 - step)
+    trace.emplace_back("no room for all fixtures that are counted");
   return true;
 }
 

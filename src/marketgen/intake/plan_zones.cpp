@@ -5,6 +5,7 @@
 
 #include "intake/core_columns.h"
 #include "intake/plan_look.h"
+#include "intake/relation_geometry.h"
 #include "intake/zone_sizes.h"
 
 namespace marketgen::intake {
@@ -15,6 +16,7 @@ using Kind = plan::RequirementKind;
 constexpr int six_levels_from_mm = 1900;     // gondolas this high hold a sixth level
 constexpr int endcaps_front_from_mm = 5200;  // runs this long spare the floor for an endcap
 constexpr int endcaps_both_from_mm = 8000;
+constexpr int min_turned_run_mm = 1800;  // shorter runs show nobody their front
 constexpr double min_area_share = 0.6;     // of the target
 constexpr double no_gap_from_fill = 0.99;  // "to the brim": nothing is sold out, either
 constexpr int low_goods_mm = 80;           // tins and packs that stand over the highest board
@@ -24,7 +26,10 @@ constexpr int canopy_mm = 160;             // of wall units, over the highest le
 class ZoneWriter {
  public:
   explicit ZoneWriter(const PlanSources& sources)
-      : sources_(sources), found_(sources.understanding), program_(sources.program) {}
+      : sources_(sources),
+        found_(sources.understanding),
+        program_(sources.program),
+        floor_(named_floor(sources.candidate, sources.program)) {}
 
   plan::Zone write(std::size_t index) const {
     const ProgramZone& from = program_.zones[index];
@@ -48,8 +53,16 @@ class ZoneWriter {
  private:
   static double rounded(double m2) { return std::max(0.5, std::floor(m2 * 10 + 0.5) / 10); }
 
-  // Runs lead away from the front wall, or lie along it where the zone has room for that.
-  bool runs_along_y(const RectMm& rect) const {
+  // Runs lead away from the front wall, or lie along it where the zone has room for that; where
+  // words say what they face, they lie across the way there.
+  bool runs_along_y(const ProgramZone& zone, const RectMm& rect) const {
+    for (const plan::Requirement& wish : found_.requirements) {
+      const bool of_zone = wish.subject == zone.type->type || wish.object == zone.type->type;
+      if (wish.kind != Kind::relation || !of_zone) continue;
+      const auto sight = sight_of(wish, floor_);
+      const int along = sight == plan::Axis::x ? rect.depth() : rect.width();
+      if (sight && along >= min_turned_run_mm) return sight == plan::Axis::x;
+    }
     const bool runs_east = front_runs_east(sources_.candidate);
     const int along_front = runs_east ? rect.width() : rect.depth();
     const bool turned = program_.across && along_front >= min_cell_mm;
@@ -70,7 +83,7 @@ class ZoneWriter {
     }
     if (zone.kind->role != catalog::FixtureRole::shelving) return spec;
     if (zone.stance == Stance::central) {
-      spec.axis = runs_along_y(rect) ? plan::RunAxis::y : plan::RunAxis::x;
+      spec.axis = runs_along_y(zone, rect) ? plan::RunAxis::y : plan::RunAxis::x;
       spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
     } else if (least_aisle_holds(zone))
       spec.aisle_mm = program_.aisle_mm;
@@ -140,7 +153,7 @@ class ZoneWriter {
                                 kind.height_range_mm[0],
                                 kind.height_range_mm[1]);
     spec.levels = *spec.height_mm >= six_levels_from_mm ? 6 : 5;
-    const int run = runs_along_y(rect) ? rect.depth() : rect.width();
+    const int run = runs_along_y(zone, rect) ? rect.depth() : rect.width();
     spec.endcaps =
         run >= endcaps_both_from_mm
             ? plan::Endcaps::both
@@ -328,6 +341,7 @@ class ZoneWriter {
   const PlanSources& sources_;
   const Understanding& found_;
   const StoreProgram& program_;
+  plan::NamedFloor floor_;
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ constexpr double plain_gap_m = 2;       // between what is not adjacent
 constexpr double off_line_share = 0.6;  // of the way to the nearer end
 constexpr double middle_third[] = {0.36, 0.64};
 constexpr double in_sight_m = 3.5;  // of fronts across an aisle: fixtures stand back in their zones
+constexpr double in_sight_of_door_m = 10;
 constexpr double opposite_m = 2.5;  // that two fronts share: two modules
 
 struct Metres {
@@ -88,27 +89,75 @@ Metres way_of(plan::RelationKind kind, const plan::NamedFloor& floor) {
   return inward;
 }
 
-// Runs go the way that people come in, so their fronts look across it; what faces an opening lies
-// ahead of it.
-double facing_strain(const std::vector<plan::NamedPlace>& as,
-                     const std::vector<plan::NamedPlace>& bs,
-                     Metres inward) {
-  double least = HUGE_VAL;
+double shared_m(const RectMm& a, const RectMm& b, plan::Axis axis) {
+  const bool x = axis == plan::Axis::x;
+  return 1e-3 * (x ? std::min(a.x1, b.x1) - std::max(a.x0, b.x0)
+                   : std::min(a.y1, b.y1) - std::max(a.y0, b.y0));
+}
+
+// Fixtures on walls look away from them, in a corner from the longer one; those of a zone without
+// walls can be turned. May those of `rect` look the way along `axis`, towards larger coordinates or
+// smaller ones?
+bool can_look(const RectMm& rect, const RectMm& floor, plan::Axis axis, bool up) {
+  bool west = rect.x0 <= floor.x0, east = rect.x1 >= floor.x1;
+  bool south = rect.y0 <= floor.y0, north = rect.y1 >= floor.y1;
+  if (!west && !east && !south && !north) return true;
+  const bool in_corner = (west || east) && (south || north);
+  const bool runs_east = rect.width() >= rect.depth();
+  if (in_corner && runs_east) west = east = false;
+  if (in_corner && !runs_east) south = north = false;
+  if (axis == plan::Axis::x) return up ? west : east;
+  return up ? south : north;
+}
+
+// How far two places are from looking at one another along an axis. 0: they do.
+double off_sight_m(const plan::NamedPlace& a,
+                   const plan::NamedPlace& b,
+                   const RectMm& floor,
+                   plan::Axis axis) {
+  constexpr double back_to_back_m = 3;  // our own: as bad as so far apart
+  const plan::Axis other = axis == plan::Axis::x ? plan::Axis::y : plan::Axis::x;
+  const bool door = b.kind == plan::PlaceKind::opening;
+  const double beside = shared_m(a.rect, b.rect, other), across = shared_m(a.rect, b.rect, axis);
+  const std::size_t k = axis == plan::Axis::x ? 0 : 1;
+  const bool up = a.rect.center()[k] < b.rect.center()[k];
+  const bool looks = can_look(a.rect, floor, axis, up) &&
+                     (door || can_look(b.rect, floor, axis, !up));
+  return std::max(0.0, (door ? 0.5 : opposite_m) - beside) +
+         std::max(0.0, -across - (door ? in_sight_of_door_m : in_sight_m)) +
+         std::max(0.0, across) + (looks ? 0 : back_to_back_m);
+}
+
+struct Sight {
+  double off_m = HUGE_VAL;
+  plan::Axis axis = plan::Axis::x;
+};
+
+// The way along which places are nearest to looking at one another. A door is looked at from ahead.
+Sight best_sight(const std::vector<plan::NamedPlace>& as,
+                 const std::vector<plan::NamedPlace>& bs,
+                 const plan::NamedFloor& floor) {
+  Sight best;
   for (const plan::NamedPlace& a : as) {
     for (const plan::NamedPlace& b : bs) {
       if (a == b) continue;
-      const double x = 1e-3 * (std::min(a.rect.x1, b.rect.x1) - std::max(a.rect.x0, b.rect.x0));
-      const double y = 1e-3 * (std::min(a.rect.y1, b.rect.y1) - std::max(a.rect.y0, b.rect.y0));
       const bool door = b.kind == plan::PlaceKind::opening;
-      const double along = (inward.x != 0) != door ? x : y,
-                   across = (inward.x != 0) != door ? y : x;
-      const double shared = door ? 0.5 : opposite_m;
-      least = std::min(least,
-                       std::max(0.0, shared - along) + std::max(0.0, -across - in_sight_m) +
-                           std::max(0.0, across));
+      const plan::Axis ahead = b.rect.width() > b.rect.depth() ? plan::Axis::y : plan::Axis::x;
+      for (const plan::Axis axis : {plan::Axis::x, plan::Axis::y}) {
+        if (door && axis != ahead) continue;
+        const double off = off_sight_m(a, b, floor.bounds, axis);
+        if (off < best.off_m) best = {off, axis};
+      }
     }
   }
-  return least == HUGE_VAL ? 0 : least;
+  return best;
+}
+
+double facing_strain(const std::vector<plan::NamedPlace>& as,
+                     const std::vector<plan::NamedPlace>& bs,
+                     const plan::NamedFloor& floor) {
+  const Sight best = best_sight(as, bs, floor);
+  return best.off_m == HUGE_VAL ? 0 : best.off_m;
 }
 
 double strain_m(const plan::Requirement& wish,
@@ -122,7 +171,7 @@ double strain_m(const plan::Requirement& wish,
     case plan::RelationKind::near:
       return std::max(0.0, nearest_m(as, bs) - steps);
     case plan::RelationKind::facing:
-      return facing_strain(as, bs, way_of(wish.relation, floor));
+      return facing_strain(as, bs, floor);
     case plan::RelationKind::not_adjacent:
       return std::max(0.0, plain_gap_m - nearest_m(as, bs));
     case plan::RelationKind::left_of:
@@ -163,6 +212,13 @@ double miss_of(const plan::Requirement& wish, const plan::NamedFloor& floor) {
   if (!measure) return not_judged;
   const double miss_m = planner_margin_m(*measure) - measure->slack_m();
   return miss_m <= 0 ? 0 : 1 + miss_m / plan::diagonal_m(floor.bounds);
+}
+
+std::optional<plan::Axis> sight_of(const plan::Requirement& wish, const plan::NamedFloor& floor) {
+  if (wish.relation != plan::RelationKind::facing) return std::nullopt;
+  const Sight best = best_sight(
+      plan::places_named(floor, wish.subject), plan::places_named(floor, wish.object), floor);
+  return best.off_m <= 0 ? std::optional(best.axis) : std::nullopt;
 }
 
 double strain_of(const plan::Requirement& wish, const plan::NamedFloor& floor) {

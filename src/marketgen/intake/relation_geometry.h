@@ -3,6 +3,8 @@
 // They are measured as everywhere (plan/relation.h). A planner keeps a margin, because layouts
 // shift what it planned by some decimetres.
 #pragma once
+#include <optional>
+
 #include "intake/candidate.h"
 #include "plan/relation.h"
 
@@ -24,5 +26,9 @@ double miss_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
 // ahead, "between" of what lies on the way. Our own figures, tighter than those of
 // plan/relation.h.
 double strain_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
+
+// Along which axis the fronts of what faces one another look, where they can. Fixtures on walls look
+// away from them, those of other zones can be turned so.
+std::optional<plan::Axis> sight_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
 
 }  // namespace marketgen::intake

@@ -252,28 +252,39 @@ double importance_of(const catalog::ProfileRow& profile, const std::string& type
   return first - (first - last) * static_cast<double>(at) / std::max(1.0, count);
 }
 
+// The floor that words give a zone, in numbers or by what they count there.
+std::optional<double> said_floor_m2(const ProgramZone& zone, const catalog::ProfileRow& profile) {
+  if (zone.wanted_m2 && zone.wanted_how != plan::Comparison::at_most) return zone.wanted_m2;
+  if (zone.main.count || zone.main.runs) return counted_floor_m2(zone, profile);
+  return std::nullopt;
+}
+
 // Floor in proportion to the zone types' shares and to what the words stress.
 void share_floor(StoreProgram& program,
                  const Understanding& found,
                  const std::map<std::string, int>& count) {
-  double shares = 0;
   const auto share_of = [&](const ProgramZone& zone) {
     const std::string& type = zone.type->type;
     if (is_till(type)) return 0.0;
     return zone.type->share * emphasis_on(found, type) * importance_of(*program.profile, type) /
            count.at(type);
   };
-  for (const ProgramZone& zone : program.zones)
-    shares += share_of(zone);
+  // What words measure comes first; the others share what it leaves, if that is not too little.
+  constexpr double min_left = 0.6;
   const double selling_m2 = program.area_m2() * (1 - checkout_zones_share);
+  double left_m2 = selling_m2, shares = 0;
   for (ProgramZone& zone : program.zones) {
-    zone.target_m2 = shares > 0 ? selling_m2 * share_of(zone) / shares : 0;
-    const double counted_m2 = counted_floor_m2(zone, *program.profile);
-    const bool exact = zone.main.count || zone.main.runs;
-    zone.target_m2 = exact ? counted_m2 : std::max(zone.target_m2, counted_m2);
-    if (!zone.wanted_m2) continue;
-    const bool most = zone.wanted_how == plan::Comparison::at_most;
-    zone.target_m2 = most ? std::min(zone.target_m2, *zone.wanted_m2) : *zone.wanted_m2;
+    const std::optional<double> said = said_floor_m2(zone, *program.profile);
+    zone.target_m2 = said.value_or(0);
+    left_m2 -= zone.target_m2;
+    if (!said) shares += share_of(zone);
+  }
+  left_m2 = std::max(left_m2, min_left * selling_m2);
+  for (ProgramZone& zone : program.zones) {
+    if (said_floor_m2(zone, *program.profile)) continue;
+    const double fair_m2 = shares > 0 ? left_m2 * share_of(zone) / shares : 0;
+    zone.target_m2 = std::max(fair_m2, counted_floor_m2(zone, *program.profile));
+    if (zone.wanted_m2) zone.target_m2 = std::min(zone.target_m2, *zone.wanted_m2);  // at most
   }
 }
 

@@ -50,7 +50,7 @@ struct StoreProgram {
   bool till_counter = false;                   // no room for lanes
   bool open = false;                           // nobody said how large the floor is
   bool columns_at_walls = false;               // a floor with columns all over it did not do
-  bool loose = false;                          // counted fixtures get the room that is left
+  double counted_share = 1;  // of the room that counted fixtures need: less where it is not there
   bool plain = false;                          // no room for more than a till and ordinary shelves
   std::optional<plan::Shell> shell;            // drawn
   std::optional<DrawnZones> drawn;             // zones stand where a drawing has them

@@ -20,8 +20,8 @@ int min_length(const StripRoom& room) {
 
 // What is counted fits there.
 int min_length(const StripRoom& room, const StoreProgram& program, const ProgramZone& zone) {
-  const int counted = program.loose ? 0 : counted_length_mm(zone, *program.profile, room.depth_mm);
-  return std::max(min_length(room), counted);
+  const int counted = counted_length_mm(zone, *program.profile, room.depth_mm);
+  return std::max(min_length(room), static_cast<int>(program.counted_share * counted));
 }
 
 // Lengths of all zones; those below the least are raised at the cost of the others.
