@@ -19,6 +19,7 @@ constexpr double stressed_factor = 3;    // "lots of" cold drinks need their flo
 constexpr double strained = 0.3;         // of a wish missed: what holds, but few would say so
 constexpr double aside_but_remote = 20;  // "left of the entrance" is said of what is close to it
 constexpr double asked_area_off = 90;    // floor that was asked for in numbers
+constexpr double asked_area_missed = 30;
 constexpr double asked_area_tolerance = 0.06;
 constexpr double short_core_per_m = 8;  // gondola runs shorter than a few sections
 constexpr double aisle_missed = 12;     // each aisle more or less than asked for
@@ -123,7 +124,8 @@ double room_penalty(const Candidate& candidate, const ScoreInput& input) {
     sum += (zone.stance == Stance::front ? tills_off_floor : zone_off_floor) * lost * lost;
     if (is_type(zone, {"checkout", "self_checkout", "customer_service"})) continue;
     if (zone.wanted_m2) {
-      sum += asked_area_off * asked_area_miss(zone, rect.area_m2());
+      const double miss = asked_area_miss(zone, rect.area_m2());
+      sum += asked_area_off * miss + (miss > 0 ? asked_area_missed : 0);
       if (zone.wanted_how != plan::Comparison::at_most) continue;
     }
     const double area =

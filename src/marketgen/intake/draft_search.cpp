@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "intake/zone_sizes.h"
 
 namespace marketgen::intake {
 namespace {
@@ -124,13 +125,29 @@ class Search {
       constexpr double crowded = 0.8;  // each zone that stands there already
       const double many =
           b == index_of(Band::core) ? 0 : crowded * static_cast<double>(draft.bands[b].size());
-      const double points = band_habit(row, static_cast<Band>(b)) + taste_[index][b] + many -
+      constexpr double too_large = 30;
+      const bool no_room = b == index_of(Band::front) && said_m2(row) > front_m2();
+      const double points = band_habit(row, static_cast<Band>(b)) + taste_[index][b] + many +
+                            (no_room ? too_large : 0) -
                             (wished_band(row.type->type) == static_cast<Band>(b) ? asked_for : 0);
       if (points >= best_points) continue;
       best = b;
       best_points = points;
     }
     draft.bands[best].push_back(zone);
+  }
+
+  static double said_m2(const ProgramZone& zone) {
+    return zone.wanted_m2 && zone.wanted_how != plan::Comparison::at_most ? *zone.wanted_m2 : 0;
+  }
+
+  // What the front has for a zone beside the tills and the door.
+  double front_m2() const {
+    constexpr double share = 0.35;
+    const plan::Wall wall = entrance_wall_of(understanding_);
+    const bool runs_east = wall == plan::Wall::south || wall == plan::Wall::north;
+    const int length_mm = runs_east ? program_.width_mm : program_.depth_mm;
+    return share * 1e-6 * length_mm * front_depth_mm(program_, catalog_, 0);
   }
 
   // The band in which a zone stands where it was asked to be.

@@ -148,25 +148,30 @@ int affordable_starts(const StoreProgram& program,
   return static_cast<int>(std::clamp<std::int64_t>(starts, 1, max_starts));
 }
 
-// The fixtures that are counted take less than the room that they need, in the end what there is.
+// What words measure and count takes less than the room that it needs, in the end what there is.
 // False when that changes nothing.
-bool loosen_counts(StoreProgram& program, std::vector<std::string>& trace) {
-  const bool counted = std::ranges::any_of(program.zones, [](const ProgramZone& zone) {
+bool loosen_measures(StoreProgram& program, std::vector<std::string>& trace) {
+  constexpr double step = 0.25, area_step = 0.9;
+  const auto is_measured = [](const ProgramZone& zone) {
+    return zone.wanted_m2 && zone.wanted_how != plan::Comparison::at_most;
+  };
+  const bool said = std::ranges::any_of(program.zones, [&](const ProgramZone& zone) {
     return zone.stance != Stance::front &&
-           (zone.main.count || zone.main.runs || !zone.beside.empty());
+           (zone.main.count || zone.main.runs || !zone.beside.empty() || is_measured(zone));
   });
-  if (program.counted_share <= 0 || !counted) return false;
-  constexpr double step = 0.25;
+  if (program.counted_share <= 0 || !said) return false;
+  if (program.counted_share == 1)
+    trace.emplace_back("no room for all fixtures and floors that are counted");
   program.counted_share -= step;
-  if (program.counted_share == 1 - step)
-    trace.emplace_back("no room for all fixtures that are counted");
+  for (ProgramZone& zone : program.zones)
+    if (is_measured(zone)) *zone.wanted_m2 *= area_step;
   return true;
 }
 
 // Before a zone is lost that was asked for. False when nothing is left to try.
 bool make_room(StoreProgram& program, const Understanding& found, std::vector<std::string>& trace) {
   if (!is_named(found, program.zones[max_dispensable(program, found)])) return false;
-  if (!program.open || !enlarge(program)) return loosen_counts(program, trace);
+  if (!program.open || !enlarge(program)) return loosen_measures(program, trace);
   trace.push_back("a larger floor: " + metres(program.width_mm) + " x " + metres(program.depth_mm) +
                   " m");
   return true;
