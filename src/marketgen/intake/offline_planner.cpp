@@ -233,6 +233,8 @@ Candidate find_floor(StoreProgram& program,
     const int lost = 1 + static_cast<int>(best.candidate.drafted.crowding / 4) + hopeless + spent;
     for (int i = 0; i < lost && program.zones.size() > min_zones; ++i) {
       give_up_zone(program, found, spent > 0 ? not_found : no_room, trace);
+      const bool named = is_named(found, program.zones[max_dispensable(program, found)]);
+      if (named && program.open && spent == 0) break;  // a larger floor first
     }
   }
 }
