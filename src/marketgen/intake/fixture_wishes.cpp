@@ -31,7 +31,9 @@ struct Said {
 
 KindWish settled(const Said& said) {
   KindWish wish = said.wish;
-  if (said.counted && !said.count.open()) wish.count = said.count.planned();
+  constexpr int several = 2;  // "at least eight" is met by eight; a kind that is only named is not counted
+  if (said.counted && (!said.count.open() || said.count.low >= several))
+    wish.count = said.count.planned();
   wish.least = said.counted ? said.count.planned() : 0;
   if (said.in_runs) wish.runs = std::max(1, said.runs.planned());
   if (wish.count && wish.runs) wish.count = std::max(*wish.count, *wish.runs);

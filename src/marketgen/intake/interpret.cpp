@@ -102,6 +102,7 @@ constexpr StatementKind statement_kinds[] = {
     {"floor_of_it", interpret_floor_of_it},
     {"lacking", interpret_lacking},
     {"levels_of", interpret_levels_of},
+    {"doors_on", interpret_doors_on},
     {"doors_at", interpret_doors_at},
     {"surfaces", interpret_surfaces},
     {"none_of_stock", interpret_none_of_stock},

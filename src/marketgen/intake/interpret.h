@@ -143,6 +143,7 @@ bool interpret_floor_of_it(Reading& reading, const language::Meaning& statement)
 bool interpret_count_of_it(Reading& reading, const language::Meaning& statement);
 bool interpret_lacking(Reading& reading, const language::Meaning& statement);
 bool interpret_levels_of(Reading& reading, const language::Meaning& statement);
+bool interpret_doors_on(Reading& reading, const language::Meaning& statement);
 bool interpret_doors_at(Reading& reading, const language::Meaning& statement);
 bool interpret_doors_shared(Reading& reading, const language::Meaning& statement);
 bool interpret_runs_each(Reading& reading, const language::Meaning& statement);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "intake/place_nouns.h"
@@ -162,12 +163,23 @@ bool interpret_mention(Reading& reading, const Meaning& statement) {
 }
 
 bool interpret_absent(Reading& reading, const Meaning& statement) {
-  for (const MeaningPtr& thing : statement.parts("things")) {
+  const Parts& said = statement.parts("things");
+  const bool answer = said.front()->is("type", "pronoun");  // "and the café? There is none"
+  const Parts things = answer ? resolved(reading, said) : said;
+  if (things.empty()) return false;
+  for (const MeaningPtr& thing : things) {
     PlaceNoun noun = noun_of(*thing);
     noun.negated = true;
     noun.counted = false;
-    if (thing == statement.parts("things").front()) noun.span = joined(statement.span, noun.span);
-    noun.span[1] = thing->span[1];
+    if (answer) {
+      std::erase_if(reading.found.requirements, [&](const plan::Requirement& wish) {
+        return wish.kind == plan::RequirementKind::zone_present && wish.span == thing->span;
+      });
+      noun.span = statement.span;
+    } else if (thing == things.front()) {
+      noun.span = joined(statement.span, noun.span);
+    }
+    if (!answer) noun.span[1] = thing->span[1];
     add_mention(reading, noun);
   }
   return true;
@@ -275,6 +287,21 @@ bool interpret_doors(Reading& reading, const Meaning& statement) {
     const std::size_t made = wishes.size();
     add_door(reading, noun_of(*door), part->parts("at"));
     if (wishes.size() == made + 1) wishes.back().value = part->number("number");
+  }
+  return true;
+}
+
+// "Emergency exits in the short walls": one in each. A room of no said size is wider than deep.
+bool interpret_doors_on(Reading& reading, const Meaning& statement) {
+  const plan::Requirement* size = reading.found.find(plan::RequirementKind::size);
+  const bool wide = size == nullptr || size->value >= size->second_value;
+  const bool east_and_west = wide == statement.is("walls", "short");
+  constexpr std::array sides = {std::array{"north", "south"}, std::array{"east", "west"}};
+  for (const char* wall : sides[east_and_west ? 1 : 0]) {
+    plan::Requirement& door = reading.add(plan::RequirementKind::opening, statement.span);
+    door.subject = statement.parts("door").front()->text("name");
+    door.object = wall;
+    door.value = 1;
   }
   return true;
 }

@@ -314,8 +314,8 @@ class ZoneWriter {
     if (wish.subject == "out_of_stock") stock.out_of_stock = wish.value;
     if (wish.subject == "misplaced") stock.misplaced = wish.value;
     if (wish.subject != "jitter") return;
-    constexpr double tidy = 0.4;  // of the most that was allowed: not one item stands out
-    stock.jitter = wish.comparison == plan::Comparison::at_most ? tidy * wish.value : wish.value;
+    // "Tidy" is faced up: not one item stands out.
+    stock.jitter = wish.comparison == plan::Comparison::at_most ? 0 : wish.value;
     if (wish.value >= untidy_jitter) stock.misplaced = std::max(stock.misplaced, untidy_misplaced);
   }
 

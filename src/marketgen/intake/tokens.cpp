@@ -267,14 +267,25 @@ class Tokenizer {
   }
 
   bool ends_sentence(int code) const {
-    constexpr std::array<std::string_view, 5> abbreviations = {"sq", "approx", "max", "min", "ca"};
+    constexpr std::array<std::string_view, 8> abbreviations = {
+        "sq", "approx", "max", "min", "ca", "incl", "excl", "dept"};
     constexpr std::array<int, 7> ends = {'!', '?', ';', 0x3002, 0xFF01, 0xFF1F, 0xFF1B};
     if (std::ranges::find(ends, code) != ends.end()) return true;
-    if (code != '.') return false;
+    if (code != '.' || is_initial()) return false;
     for (const std::string_view word : abbreviations) {
       if (!tokens_.empty() && tokens_.back().text == word) return false;
     }
     return true;
+  }
+
+  // The dots of "i.e." and "e.g.": after one letter that follows such a dot or is followed by one.
+  bool is_initial() const {
+    const bool letter = !tokens_.empty() && tokens_.back().kind == TokenKind::word &&
+                        tokens_.back().text.size() == 1 && tokens_.back().text != "m";
+    if (!letter) return false;
+    const bool more = here().glyph == Glyph::letter && here(1).code == '.';
+    const std::size_t count = tokens_.size();
+    return more || (count >= 2 && tokens_[count - 2].text == ".");
   }
 
   std::string_view prompt_;
