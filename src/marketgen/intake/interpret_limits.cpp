@@ -121,7 +121,15 @@ bool interpret_respectively(Reading& reading, const Meaning& statement) {
       number.slots["value"] = number.number("value") * statement.number("per");
     add_number(reading, wish, number, true);
   }
-  return interpret_mention(reading, statement);
+  Meaning named = statement;
+  Parts ones = things;
+  auto last = std::make_shared<Meaning>(*things.back());
+  const auto count = static_cast<double>(things.size());  // "all three": not of the last one
+  if (last->has("count") && last->parts("count").front()->number("value") == count)
+    last->slots.erase("count");
+  ones.back() = std::move(last);
+  named.slots["things"] = std::move(ones);
+  return interpret_mention(reading, named);
 }
 
 // "Detergents exactly as the dry goods": whatever the other zone has for itself.

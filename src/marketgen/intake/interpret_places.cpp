@@ -22,21 +22,49 @@ Parts nth_of_list(const std::vector<Parts>& recent, std::size_t n) {
   return {};
 }
 
+// The last list of three and more.
+Parts last_list(const std::vector<Parts>& recent) {
+  for (std::size_t i = recent.size(); i-- > 0;)
+    if (recent[i].size() > 2) return recent[i];
+  return {};
+}
+
+Parts first_two_of(const Parts& list) {
+  return list.empty() ? list : Parts(list.begin(), list.begin() + 2);
+}
+
+// Both doors for customers, as one word names them.
+Parts both_doors(const Meaning& pronoun) {
+  Parts doors;
+  for (const char* name : {"entrance", "exit"}) {
+    auto door = std::make_shared<Meaning>(pronoun);
+    door->slots.erase("refers");
+    door->slots["type"] = "opening";
+    door->slots["name"] = name;
+    doors.push_back(std::move(door));
+  }
+  return doors;
+}
+
 // "it" is what was named last, "them" all that were named in one, "both" the last two, "the former"
 // and "the latter" either of them, "the second" one of a list, "which" the last thing of all.
 Parts referred(const Reading& reading, const Meaning& pronoun) {
   const std::string& refers = pronoun.text("refers");
   const Memory& memory = *reading.memory;
+  if (refers == "doors") return both_doors(pronoun);
   if (refers == "which") return memory.last_object ? Parts{memory.last_object} : Parts{};
   if (refers == "wall") return memory.last_place ? Parts{memory.last_place} : Parts{};
   if (memory.recent.empty()) return {};
   if (refers == "them") return memory.recent.back();
+  if (refers == "first_two") return first_two_of(last_list(memory.recent));
+  if (const Parts list = last_list(memory.recent); refers == "last_one" && !list.empty())
+    return {list.back()};
   if (refers == "nth")
     return nth_of_list(memory.recent, static_cast<std::size_t>(pronoun.number("number", 1)));
   Parts recent;
   for (const Parts& things : memory.recent)
     recent.insert(recent.end(), things.begin(), things.end());
-  if (refers == "last" || refers == "latter") return {recent.back()};
+  if (refers == "last" || refers == "latter" || refers == "last_one") return {recent.back()};
   if (recent.size() < 2) return {};
   const MeaningPtr& former = recent[recent.size() - 2];
   return refers == "former" ? Parts{former} : Parts{former, recent.back()};
@@ -71,6 +99,21 @@ void end_of_wall(const plan::Requirement& door, plan::Requirement& other, const 
   const bool end = spot.number("wall") == 0 && !door.object.empty() &&
                    other.object != door.object && other.second_object.empty();
   if (end) std::swap(other.object, other.second_object);
+}
+
+// "Both doors in the east wall, the former to the south": an end of the wall that was said before.
+bool is_end_of_known_wall(Reading& reading, const PlaceNoun& door, const Meaning& spot) {
+  if (spot.number("wall") != 0 || !spot.is("type", "place")) return false;
+  for (plan::Requirement& wish : reading.found.requirements) {
+    const bool known = wish.kind == plan::RequirementKind::opening && wish.subject == door.name &&
+                       !wish.object.empty() && wish.second_object.empty();
+    if (!known || wish.object == spot.text("name")) continue;
+    wish.second_object = spot.text("name");
+    wish.span = joined(wish.span, door.span);
+    wish.text = reading.words(wish.span);
+    return true;
+  }
+  return false;
 }
 
 // "The entrance at the left end of the south wall": one wish. False when no place is one of a door.
@@ -342,13 +385,28 @@ bool mention_placed(Reading& reading, const Meaning& statement) {
   return any;
 }
 
+// What pronouns mean where nothing is beside itself: "ice cream and frozen food opposite them".
+Parts resolved_beside(Reading& reading, const Parts& nouns, const Parts& things) {
+  std::vector<Parts>& recent = reading.memory->recent;
+  const std::vector<Parts> all = recent;
+  const std::vector<std::string> own = zones_of(things);
+  const auto is_own = [&](const MeaningPtr& thing) {
+    return std::ranges::find(own, thing->text("zone")) != own.end();
+  };
+  while (recent.size() > 1 && !own.empty() && std::ranges::all_of(recent.back(), is_own))
+    recent.pop_back();
+  Parts objects = resolved(reading, nouns);
+  recent = all;
+  return objects;
+}
+
 bool add_place(Reading& reading, const Meaning& place, const Parts& things, bool denied) {
   const std::string& relation = place.text("relation");
   if (!names_far(relation, denied)) {
     for (const MeaningPtr& object : place.parts("objects"))
       if (is_thing(*object)) mention(reading, *object);
   }
-  const Parts objects = resolved(reading, place.parts("objects"));
+  const Parts objects = resolved_beside(reading, place.parts("objects"), things);
   if (objects.empty()) return false;
   for (const MeaningPtr& object : objects)
     note_object(reading, object);
@@ -393,8 +451,15 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   }
   bool any = mention_placed(reading, statement);
   if (things.front()->is("type", "opening") && !denied) {
-    for (const MeaningPtr& door : things)
-      any = add_door(reading, noun_of(*door), statement.parts("at")) || any;
+    for (const MeaningPtr& door : things) {
+      const Parts& at = statement.parts("at");
+      const bool end = statement.parts("things").front()->is("type", "pronoun") &&
+                       at.size() == 1 && at.front()->parts("objects").size() == 1 &&
+                       is_end_of_known_wall(
+                           reading, noun_of(*door), *at.front()->parts("objects").front());
+      any = end || add_door(reading, noun_of(*door), at) || any;
+    }
+    if (things.size() > 1) reading.memory->recent.push_back(things);
     return any;
   }
   for (const MeaningPtr& place : statement.parts("at")) {
