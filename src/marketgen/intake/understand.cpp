@@ -255,6 +255,24 @@ void resolve_directions(Understanding& found, plan::Wall entrance) {
   }
 }
 
+// Where nobody sits at a till, what is said of tills is said of the machines: "tills by the door,
+// only self-checkouts".
+void tills_are_machines(Understanding& found) {
+  using Kind = plan::RequirementKind;
+  const bool machines = found.find(Kind::fixture_count, "self_checkout") != nullptr ||
+                        found.find(Kind::zone_present, "self_checkout") != nullptr;
+  const bool lanes = found.find(Kind::fixture_count, "checkout_lane") != nullptr;
+  if (!machines || lanes || found.find(Kind::zone_absent, "checkout") == nullptr) return;
+  std::erase_if(found.requirements, [](const plan::Requirement& wish) {
+    return wish.kind == Kind::zone_present && wish.subject == "checkout";
+  });
+  for (plan::Requirement& wish : found.requirements) {
+    if (wish.kind != Kind::relation) continue;
+    for (std::string* name : {&wish.subject, &wish.object, &wish.second_object})
+      if (*name == "checkout") *name = "self_checkout";
+  }
+}
+
 }  // namespace
 
 const plan::Requirement* Understanding::find(plan::RequirementKind kind) const {
@@ -288,6 +306,7 @@ Understanding understand(std::string_view prompt,
   }
   settle_ratios(found);
   resolve_directions(found, entrance);
+  tills_are_machines(found);
   settle_conflicts(found, prompt);
   return found;
 }

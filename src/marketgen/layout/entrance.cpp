@@ -10,7 +10,8 @@
 namespace marketgen::layout {
 namespace {
 
-constexpr int reach_along_wall_mm = 6000;  // baskets farther off are not found
+constexpr int reach_along_wall_mm = 6000;   // baskets farther off are not found
+constexpr int further_along_wall_mm = 24000;  // the second bay and more, in a row with the first
 constexpr int step_mm = 250;
 constexpr int wall_gap_mm = 20;
 
@@ -40,6 +41,7 @@ struct Stand {
 std::optional<Stand> place_beside(const Build& build,
                                   const Doorway& door,
                                   const ModuleSpec& spec,
+                                  int reach_mm,
                                   bool low_side_first) {
   const Span approach = along(door.approach, door.wall);
   const int width = spec.widths_mm.front();
@@ -50,7 +52,7 @@ std::optional<Stand> place_beside(const Build& build,
   for (const bool low : {low_side_first, !low_side_first}) {
     const Side toward_door = lies_along_x(door.wall) ? (low ? Side::east : Side::west)
                                                      : (low ? Side::north : Side::south);
-    for (int away = 0; away <= reach_along_wall_mm; away += step_mm) {
+    for (int away = 0; away <= reach_mm; away += step_mm) {
       const int from = low ? approach.from - away - length : approach.to + away;
       const Stand stand{cut_along(strip, door.wall, {from, from + length}),
                         endwise ? toward_door : opposite(door.wall)};
@@ -94,7 +96,8 @@ void place_beside_door(Build& build, const Post& post, bool low_side_first) {
   const ZoneBuild* owner = nearest_zone(build, post.door.threshold);
   if (owner == nullptr) return;
   const ModuleSpec spec = module_spec(build.design, *owner->zone, post.kind);
-  const std::optional<Stand> stand = place_beside(build, post.door, spec, low_side_first);
+  const int reach = post.number == 1 ? reach_along_wall_mm : further_along_wall_mm;
+  const std::optional<Stand> stand = place_beside(build, post.door, spec, reach, low_side_first);
   if (!stand) return;
   Fixture unit = lone_unit(spec, *owner, stand->rect, post.number);
   unit.yaw_deg = yaw_facing(stand->front);
