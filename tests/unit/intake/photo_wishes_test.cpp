@@ -241,6 +241,36 @@ TEST(PhotoWishes, WhatWasReadIsAFileOfTheStore) {
   EXPECT_EQ(file->photos[0].find("floor")->value, "wood");
 }
 
+// What a language model read of photos that the bank is not sure of.
+intake::Brief brief_seen(const std::string& prompt, std::vector<photo::AttributeReading> seen) {
+  intake::Brief brief =
+      brief_with(prompt, {photo_of("a.jpg", {reading_of("lamps", "panel", not_sure)})});
+  brief.seen = {photo_of("a.jpg", std::move(seen))};
+  return brief;
+}
+
+TEST(PhotoWishes, WhatAModelReadHasItsNameInTheProvenance) {
+  const auto planned = photographed_plan(brief_seen(
+      "a supermarket", {reading_of("lamps", "pendant", 0.7), reading_of("levels", "4")}));
+  EXPECT_EQ(planned.plan.look.lamps, catalog::LampFitting::pendant);
+  const plan::Provenance* lamps = provenance_at(planned.plan, "/look/lamps");
+  ASSERT_NE(lamps, nullptr);
+  EXPECT_EQ(lamps->source, plan::Source::llm);
+  EXPECT_DOUBLE_EQ(lamps->confidence, 0.7);
+}
+
+TEST(PhotoWishes, FlagsWordsAndStylesWinOverAModelAsOverTheBank) {
+  const auto styled =
+      photographed_plan(brief_seen("an industrial supermarket", {reading_of("lamps", "pendant")}));
+  EXPECT_EQ(styled.plan.look.lamps, catalog::LampFitting::line);
+  ASSERT_NE(conflict_about(styled, "lamps"), nullptr);
+  EXPECT_EQ(conflict_about(styled, "lamps")->dropped, "a.jpg: lamps pendant");
+  intake::Brief flagged = brief_seen("a shop", {reading_of("shop", "organic-eu")});
+  EXPECT_EQ(photographed_plan(flagged).plan.profile, "organic-eu");
+  flagged.profile = "supermarket-us";
+  EXPECT_EQ(photographed_plan(flagged).plan.profile, "supermarket-us");
+}
+
 TEST(PhotoWishes, ALineSaysWhatWasRead) {
   const auto photo = photo_of("a.jpg",
                               {reading_of("floor", "wood", 0.83),
