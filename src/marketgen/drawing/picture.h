@@ -23,13 +23,4 @@ std::array<int, 256> masked_histogram(const cv::Mat& value, const cv::Mat& mask)
 // Makes a picture whose longer side is longer so large. How many of its pixels are one now.
 double shrink(cv::Mat& picture, int longest_side_px);
 
-// A picture as it is shown to a language model.
-struct ShrunkPng {
-  std::string bytes;
-  int width = 0, height = 0;
-};
-// Of a PNG or JPEG: as it was seen, on white, its longer side no longer than that; nothing else of
-// the file goes along (camera, place, date). Errors: those of decoded_picture.
-Result<ShrunkPng> shrunk_png(std::string_view bytes, const std::string& where, int longest_side_px);
-
 }  // namespace marketgen::drawing

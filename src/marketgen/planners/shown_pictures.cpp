@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "drawing/picture.h"
+#include "drawing/shrunk_png.h"
 #include "io/file.h"
 
 namespace marketgen::planners {

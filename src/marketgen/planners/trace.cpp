@@ -114,7 +114,7 @@ void Trace::add(std::string agent,
 // Its bytes are kept once, however often it is shown.
 std::string Trace::file_of(const ShownPicture& picture) {
   const auto known = std::ranges::find(shown_, picture.file);
-  const std::string name = fmt::format("shown-{}.png", known - shown_.begin() + 1);
+  std::string name = fmt::format("shown-{}.png", known - shown_.begin() + 1);
   if (known == shown_.end()) {
     shown_.push_back(picture.file);
     pictures_.push_back({folder + name, picture.png});

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "drawing/shrunk_png.h"
 #include "io/jpeg.h"
 #include "io/png.h"
 #include "support/exif_bytes.h"
