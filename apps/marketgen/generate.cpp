@@ -269,9 +269,8 @@ Run add_generate(CLI::App& app) {
       "gets, or one drawing of zones with names on them (repeatable); a language model that plans "
       "is shown them, too");
   command->add_option("--size", flags->size, "size of the room, e.g. 24x15m");
-  command->add_option("--profile",
-                      flags->profile,
-                      "kind of shop, e.g. supermarket-eu, discounter-eu, convenience-us");
+  command->add_option(
+      "--profile", flags->profile, "kind of shop, e.g. supermarket-eu, discounter, convenience-us");
   command->add_option("--style", flags->style, "look, e.g. scandinavian, industrial, warm-deli");
   command->add_option(
       "--skin", flags->skin, "a style's materials, colours and light; the layout stays as it is");

@@ -162,7 +162,7 @@ void add_stores(nb::module_& module) {
       });
   module.def("cache_folder", [] { return io::cache_folder().string(); });
   module.def("open_store", &open);
-  nb::class_<planners::PlannerAccess>(module, "PlannerAccess");
+  const nb::class_<planners::PlannerAccess> access(module, "PlannerAccess");
   module.def("planner_access", &planner_access);
   module.def("generate", &generate);
 }

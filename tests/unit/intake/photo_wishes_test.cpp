@@ -102,7 +102,7 @@ TEST(PhotoWishes, WhatIsNotSureIsNotUsed) {
   const auto planned = photographed_plan("a supermarket",
                                          {reading_of("lamps", "pendant", not_sure),
                                           reading_of("levels", "4", not_sure),
-                                          reading_of("shop", "discounter-eu", not_sure)});
+                                          reading_of("shop", "discounter", not_sure)});
   EXPECT_NE(planned.plan.look.lamps, catalog::LampFitting::pendant);
   EXPECT_EQ(planned.plan.profile, "supermarket-eu");
   for (const plan::Provenance& entry : planned.plan.provenance)
@@ -135,7 +135,7 @@ TEST(PhotoWishes, AStyleThatWasAskedForWins) {
 
 TEST(PhotoWishes, FlagsWin) {
   intake::Brief brief =
-      brief_with("a shop", {photo_of("a.jpg", {reading_of("shop", "discounter-eu")})});
+      brief_with("a shop", {photo_of("a.jpg", {reading_of("shop", "discounter")})});
   brief.profile = "supermarket-us";
   brief.skin = "industrial";
   brief.photos[0].attributes.push_back(reading_of("light", "cool"));
@@ -149,12 +149,12 @@ TEST(PhotoWishes, FlagsWin) {
 
 TEST(PhotoWishes, TheKindOfShopGivesTheProfile) {
   const auto planned =
-      photographed_plan("a shop with a bakery", {reading_of("shop", "discounter-eu")});
-  EXPECT_EQ(planned.plan.profile, "discounter-eu");
+      photographed_plan("a shop with a bakery", {reading_of("shop", "discounter")});
+  EXPECT_EQ(planned.plan.profile, "discounter");
   EXPECT_EQ(provenance_at(planned.plan, "/profile")->source, plan::Source::photo);
   const auto worded =
-      photographed_plan("an organic supermarket", {reading_of("shop", "discounter-eu")});
-  EXPECT_NE(worded.plan.profile, "discounter-eu");
+      photographed_plan("an organic supermarket", {reading_of("shop", "discounter")});
+  EXPECT_NE(worded.plan.profile, "discounter");
 }
 
 TEST(PhotoWishes, LevelsAreThoseOfAllGondolasThatWordsLeaveOpen) {
