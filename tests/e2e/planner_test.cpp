@@ -76,10 +76,12 @@ TEST_F(PlannerFlag, AReplayNeedsNeitherServerNorKey) {
             contents_of(scratch_.path() / "two/agents/trace.json"));
 }
 
-// A model that reads a photo and then talks nonsense: the offline planner plans with what it read.
-TEST_F(PlannerFlag, PhotosAreShownToTheModelAndRecordedWithoutTheirPixels) {
-  const std::string photo =
-      std::string(MARKETGEN_SOURCE_DIR) + "/tests/shop_photos/0001-1.jpg";  // not sure of its light
+// Of tests/shop_photos/0001-1.jpg the bank is sure of panels and not of the light.
+const std::string lamps_photo = std::string(MARKETGEN_SOURCE_DIR) + "/tests/shop_photos/0001-1.jpg";
+
+// A model that reads that photo and then talks nonsense: the offline planner plans with what it
+// read.
+json only_reading_photos() {
   const json answer = {
       {"photos",
        {{{"picture", 1},
@@ -88,11 +90,15 @@ TEST_F(PlannerFlag, PhotosAreShownToTheModelAndRecordedWithoutTheirPixels) {
            {{"attribute", "lamps"}, {"value", "line"}, {"confidence", 0.9}, {"material", ""}}}}}}}};
   json reader = saying(answer.dump());
   reader["for"] = "You look at photos";
-  MockServer server(json::array({reader, saying("Lovely shop!")}));
+  return json::array({reader, saying("Lovely shop!")});
+}
+
+TEST_F(PlannerFlag, PhotosAreShownToTheModelAndRecordedWithoutTheirPixels) {
+  MockServer server(only_reading_photos());
   const Ran live = generate({"-o",
                              "one",
                              "--image",
-                             photo,
+                             lamps_photo,
                              "--planner",
                              "openai:m",
                              "--planner-url",
@@ -113,11 +119,33 @@ TEST_F(PlannerFlag, PhotosAreShownToTheModelAndRecordedWithoutTheirPixels) {
   EXPECT_EQ(marketgen_run({"check", "one"}, scratch_.path()).status, 0);
   EXPECT_LT(all_text_in(scratch_.path() / "talk").size(), 200'000U);
 
-  const Ran again = generate({"-o", "two", "--image", photo, "--planner", "replay:talk"});
+  const Ran again = generate({"-o", "two", "--image", lamps_photo, "--planner", "replay:talk"});
   ASSERT_EQ(again.status, 0) << again.err;
   for (const char* file : {"plan.json", "photos.json", "agents/trace.json"})
     EXPECT_EQ(contents_of(scratch_.path() / "one" / file),
               contents_of(scratch_.path() / "two" / file));
+}
+
+// The shop has no room for six tills, so it is planned again with less.
+TEST_F(PlannerFlag, WhatWasSeenStaysWhenAWishIsGivenUp) {
+  MockServer server(only_reading_photos());
+  const Ran ran = marketgen_run({"generate",
+                                 "a tiny shop with dairy and six checkouts",
+                                 "--size=8x6m",
+                                 "--no-previews",
+                                 "-o",
+                                 "shop",
+                                 "--image",
+                                 lamps_photo,
+                                 "--planner",
+                                 "openai:m",
+                                 "--planner-url",
+                                 server.url()},
+                                scratch_.path());
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.err.find("concede"), std::string::npos) << ran.err;
+  const json plan = json::parse(contents_of(scratch_.path() / "shop/plan.json"));
+  EXPECT_EQ(plan["look"]["light_kelvin"], 5500);
 }
 
 TEST_F(PlannerFlag, ErrorsSayWhatToDoAndLeaveNothing) {
