@@ -66,8 +66,11 @@ Result<int> check(const CheckFlags& flags) {
   }
   for (const std::string& repair : output.repairs)
     say("mend  {}\n", repair);
-  for (const layout::Violation& v : output.rules)
+  for (const layout::Violation& v : output.rules) {
     say("{:<5} {:<20} {}: {}\n", name_of(v.severity), v.code, v.where, v.message);
+    if (const std::string_view remedy = audit::remedy_of(v.code); !remedy.empty())
+      say("      {:<20} {}\n", "what mends it", remedy);
+  }
   for (const audit::RequirementResult& r : output.requirements) {
     if (!r.met) say("wish  not met              \"{}\": {}\n", r.text, r.why);
   }

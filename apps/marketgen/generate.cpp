@@ -191,6 +191,10 @@ Result<void> generate_one(const GenerateFlags& flags,
   GenerateOutput output{
       options.folder.string(), std::move(created.manifest), std::move(created.report), {}};
   output.pictures = pictures_of(options.folder, output.manifest);
+  if (const auto& record = output.report.planner) {
+    for (const std::string& warning : record->warnings)
+      fmt::print(stderr, "warning: {}\n", shown(warning));
+  }
   if (!output.report.understood)
     fmt::print(
         stderr,
@@ -262,11 +266,11 @@ Run add_generate(CLI::App& app) {
       "--image",
       flags->images,
       "PNG or JPEG: a photo of a shop, whose materials, light and shelves the store "
-      "gets, or one drawing of zones with names on them (repeatable)");
+      "gets, or one drawing of zones with names on them (repeatable); a language model that plans "
+      "is shown them, too");
   command->add_option("--size", flags->size, "size of the room, e.g. 24x15m");
-  command->add_option("--profile",
-                      flags->profile,
-                      "kind of shop, e.g. supermarket-eu, discounter-eu, convenience-us");
+  command->add_option(
+      "--profile", flags->profile, "kind of shop, e.g. supermarket-eu, discounter, convenience-us");
   command->add_option("--style", flags->style, "look, e.g. scandinavian, industrial, warm-deli");
   command->add_option(
       "--skin", flags->skin, "a style's materials, colours and light; the layout stays as it is");

@@ -14,6 +14,7 @@
 #include "io/png.h"
 #include "layout/layout_picture.h"
 #include "plan/patch.h"
+#include "planners/make_planner.h"
 #include "render/cameras/camera.h"
 #include "scene/query.h"
 #include "store/edit.h"
@@ -35,6 +36,17 @@ StoreHandle open(const std::string& folder, const std::vector<std::string>& cata
   return opened(folder, value_or_raise(assets::usable_catalog({catalogs.begin(), catalogs.end()})));
 }
 
+// How a language model is reached, and what it may cost.
+planners::PlannerAccess planner_access(
+    const std::string& url,
+    const std::string& record,
+    std::int64_t max_tokens,
+    double max_seconds,
+    const std::optional<double>& max_usd,
+    const std::optional<std::array<double, 2>>& usd_per_million) {
+  return {url, record, {max_tokens, max_seconds, max_usd, usd_per_million}};
+}
+
 // The keyword arguments of marketgen.generate().
 StoreHandle generate(const std::string& prompt,
                      const std::string& folder,
@@ -46,6 +58,8 @@ StoreHandle generate(const std::string& prompt,
                      const std::optional<std::string>& floor_plan,
                      const std::optional<std::string>& floor_plan_scale,
                      const std::vector<std::string>& images,
+                     const std::string& planner,
+                     const planners::PlannerAccess& access,
                      const std::vector<std::string>& catalogs,
                      bool previews,
                      bool strict,
@@ -56,7 +70,8 @@ StoreHandle generate(const std::string& prompt,
   options.previews = previews;
   options.strict = strict;
   options.brief.prompt = prompt;
-  options.brief.planner = "offline";
+  options.brief.planner = planner;
+  options.planner = access;
   options.brief.profile = profile;
   options.brief.style = style;
   options.brief.floor_plan = floor_plan;
@@ -147,6 +162,8 @@ void add_stores(nb::module_& module) {
       });
   module.def("cache_folder", [] { return io::cache_folder().string(); });
   module.def("open_store", &open);
+  const nb::class_<planners::PlannerAccess> access(module, "PlannerAccess");
+  module.def("planner_access", &planner_access);
   module.def("generate", &generate);
 }
 

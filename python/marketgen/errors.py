@@ -32,7 +32,7 @@ class IsolationWarning(UserWarning):
 _SWITCHES = ("resume", "strict", "previews")
 _WITH_VALUE = ("camera", "control-mode", "denoise", "mode", "planner", "profile", "quality", "style")
 _OTHER_NAMES = {"act-limit-s": "act_limit_s", "truth": "policy"}
-_FLAG = re.compile(r"(?<![\w-])--([a-z][a-z0-9-]*)(?: ([a-z][a-z0-9.]*))?")
+_FLAG = re.compile(r"(?<![\w-])--([a-z][a-z0-9-]*)(?: ([a-z][a-z0-9.]*(?::[a-z0-9.-]*[a-z0-9])?))?")
 _QUOTED = re.compile(r'("[^"]*")')  # commands for the shell, and what somebody wrote: as they are
 
 

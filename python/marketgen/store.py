@@ -185,6 +185,13 @@ def generate(
     floor_plan: PathLike | None = None,
     floor_plan_scale: str | None = None,
     image: PathLike | Sequence[PathLike] | None = None,
+    planner: str = "offline",
+    planner_url: str | None = None,
+    record: PathLike | None = None,
+    max_tokens: int = 200_000,
+    max_seconds: float = 300,
+    max_usd: float | None = None,
+    usd_per_million: tuple[float, float] | None = None,
     catalogs: Sequence[PathLike] = (),
     previews: bool = False,
     strict: bool = False,
@@ -194,20 +201,26 @@ def generate(
 
     prompt    what it should be, in words; "" with `plan`, and if you like with `floor_plan` or `image`
     size      of the room, "24x15m"
-    profile   kind of shop: "supermarket-eu", "discounter-eu", "convenience-us", ...
+    profile   kind of shop: "supermarket-eu", "discounter", "convenience-us", ...
     style     look: "scandinavian", "industrial", ...
     plan      a market-plan/1 file instead of a prompt
     floor_plan        SVG, DXF, PNG or JPEG of the room: outline, doors and columns (docs/drawings.md)
     floor_plan_scale  its scale where the file says none: "1 unit = 10 mm", "1 px = 2 cm", "1:100"
     image     PNG or JPEG, or a list of them: photos of shops, whose materials, light and shelves the store gets (docs/photos.md), and
               one drawing of zones at most, with names on them; they stand where it has them (docs/drawings.md)
+    planner   who plans: "offline", or a language model, "openai:gpt-4o-mini" or "replay:FOLDER", which is shown the pictures, too
+              (docs/prompts.md); store.report["planner"] says whose plan the store has, and what it cost
+    planner_url       base URL of another server of that kind
+    record            folder to keep the exchange with the model in
+    max_tokens, max_seconds, max_usd  limits of what the model may cost; max_usd needs usd_per_million
+    usd_per_million   price of a million tokens read, and written: (0.15, 0.6)
     catalogs  product files of your own; each product stands in the store, or a warning says why not
     previews  draw its pictures, too (seconds)
     strict    raise layout.violation when a hard rule is broken
     progress  called as progress(done, total, text) in this thread: so much of the stage `text` is done; what it raises ends
               the work, and is raised here
 
-    A UserWarning says what of a floor plan, drawing or photo was doubtful or left out. A StoreWarning says that nothing of the prompt was understood, or which of your products stand nowhere.
+    A UserWarning says what of a floor plan, drawing or photo was doubtful or left out, and where a language model reads photos otherwise. A StoreWarning says that nothing of the prompt was understood, or which of your products stand nowhere.
     Equal arguments make equal bytes. Nothing is left behind when it fails or is interrupted.
     """
     rows = arguments.paths("catalogs", catalogs)
@@ -222,12 +235,23 @@ def generate(
         None if floor_plan is None else arguments.a_path("floor_plan", floor_plan),
         None if floor_plan_scale is None else arguments.a_text("floor_plan_scale", floor_plan_scale),
         [] if image is None else arguments.path_or_paths("image", image),
+        arguments.a_text("planner", planner),
+        _core.planner_access(
+            "" if planner_url is None else arguments.a_text("planner_url", planner_url),
+            "" if record is None else arguments.a_path("record", record),
+            arguments.a_whole("max_tokens", max_tokens, 0, 10**12),
+            arguments.a_number("max_seconds", max_seconds, 0, 1e9),
+            None if max_usd is None else arguments.a_number("max_usd", max_usd, 0, 1e9),
+            None if usd_per_million is None else arguments.numbers("usd_per_million", usd_per_million, 2),
+        ),
         rows,
         arguments.a_truth("previews", previews),
         arguments.a_truth("strict", strict),
         arguments.a_progress(progress),
     )
     store = Store(handle, rows)
+    for warning in store.report.get("planner", {}).get("warnings", []):
+        warnings.warn(warning, UserWarning, stacklevel=2)
     for product in store.report.get("unstocked", []):
         warnings.warn(f"{product['sku']} stands nowhere in the store: {product['why']}", StoreWarning, stacklevel=2)
     if not store.report.get("understood", True):

@@ -76,6 +76,78 @@ TEST_F(PlannerFlag, AReplayNeedsNeitherServerNorKey) {
             contents_of(scratch_.path() / "two/agents/trace.json"));
 }
 
+// Of tests/shop_photos/0001-1.jpg the bank is sure of panels and not of the light.
+const std::string lamps_photo = std::string(MARKETGEN_SOURCE_DIR) + "/tests/shop_photos/0001-1.jpg";
+
+// A model that reads that photo and then talks nonsense: the offline planner plans with what it
+// read.
+json only_reading_photos() {
+  const json answer = {
+      {"photos",
+       {{{"picture", 1},
+         {"attributes",
+          {{{"attribute", "light"}, {"value", "cool"}, {"confidence", 0.9}, {"material", ""}},
+           {{"attribute", "lamps"}, {"value", "line"}, {"confidence", 0.9}, {"material", ""}}}}}}}};
+  json reader = saying(answer.dump());
+  reader["for"] = "You look at photos";
+  return json::array({reader, saying("Lovely shop!")});
+}
+
+TEST_F(PlannerFlag, PhotosAreShownToTheModelAndRecordedWithoutTheirPixels) {
+  MockServer server(only_reading_photos());
+  const Ran live = generate({"-o",
+                             "one",
+                             "--image",
+                             lamps_photo,
+                             "--planner",
+                             "openai:m",
+                             "--planner-url",
+                             server.url(),
+                             "--record",
+                             "talk"});
+  ASSERT_EQ(live.status, 0) << live.err;
+  EXPECT_NE(live.err.find("warning: photos: lamps: panel"), std::string::npos) << live.err;
+  EXPECT_NE(server.requests().at(0)["body"].get<std::string>().find("data:image/png;base64,iVBOR"),
+            std::string::npos);
+  server.stop();
+  const json plan = json::parse(contents_of(scratch_.path() / "one/plan.json"));
+  EXPECT_EQ(plan["look"]["light_kelvin"], 5500);
+  const json photos = json::parse(contents_of(scratch_.path() / "one/photos.json"));
+  EXPECT_EQ(photos["seen"][0]["attributes"][0]["value"], "cool");
+  EXPECT_EQ(report_of("one")["planner"]["warnings"].size(), 1U);
+  EXPECT_TRUE(contents_of(scratch_.path() / "one/agents/shown-1.png").starts_with("\x89PNG"));
+  EXPECT_EQ(marketgen_run({"check", "one"}, scratch_.path()).status, 0);
+  EXPECT_LT(all_text_in(scratch_.path() / "talk").size(), 200'000U);
+
+  const Ran again = generate({"-o", "two", "--image", lamps_photo, "--planner", "replay:talk"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  for (const char* file : {"plan.json", "photos.json", "agents/trace.json"})
+    EXPECT_EQ(contents_of(scratch_.path() / "one" / file),
+              contents_of(scratch_.path() / "two" / file));
+}
+
+// The shop has no room for six tills, so it is planned again with less.
+TEST_F(PlannerFlag, WhatWasSeenStaysWhenAWishIsGivenUp) {
+  MockServer server(only_reading_photos());
+  const Ran ran = marketgen_run({"generate",
+                                 "a tiny shop with dairy and six checkouts",
+                                 "--size=8x6m",
+                                 "--no-previews",
+                                 "-o",
+                                 "shop",
+                                 "--image",
+                                 lamps_photo,
+                                 "--planner",
+                                 "openai:m",
+                                 "--planner-url",
+                                 server.url()},
+                                scratch_.path());
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.err.find("concede"), std::string::npos) << ran.err;
+  const json plan = json::parse(contents_of(scratch_.path() / "shop/plan.json"));
+  EXPECT_EQ(plan["look"]["light_kelvin"], 5500);
+}
+
 TEST_F(PlannerFlag, ErrorsSayWhatToDoAndLeaveNothing) {
   struct Case {
     std::vector<std::string> flags;

@@ -174,6 +174,8 @@ class JudgeTest(unittest.TestCase):
         self.both("profile", {"profile": "supermarket-eu"}, {"profile": "dark-store"})
         self.store["openings"], self.store["fixtures"] = [], self.store["fixtures"][:-1]
         self.both("profile", {"profile": "dark-store"}, {"profile": "forecourt"})
+        self.store["profile"] = "discounter"
+        self.both("profile", {"profile": "discounter-eu"}, {"profile": "supermarket-eu"})
 
     def test_style(self):
         self.store["look"] = {"floor": "concrete-dark", "wall": "concrete-board", "ceiling": "concrete-raw", "fixture": "metal-black",

@@ -33,6 +33,17 @@ GENERATE = [
     ("floor_plan_scale", 3),
     ("image", 5),
     ("image", [5]),
+    ("planner", 5),
+    ("planner", "opnai:m"),
+    ("planner", "http:m"),  # without an address
+    ("planner_url", 7),
+    ("record", 5),
+    ("max_tokens", -1),
+    ("max_tokens", 1.5),
+    ("max_seconds", "long"),
+    ("max_usd", "cheap"),
+    ("max_usd", 1.0),  # without prices
+    ("usd_per_million", (1,)),
     ("catalogs", "mine.csv"),
     ("catalogs", [3]),
     ("previews", "yes"),

@@ -8,6 +8,7 @@ and shows up among the skipped tests with that reason.
 """
 
 import functools
+import json
 import os
 import pathlib
 import re
@@ -48,6 +49,16 @@ def slug(heading):
 
 def anchors(page):
     return {slug(line.lstrip("#")) for line in FENCE.sub("", text_of(page)).splitlines() if line.startswith("#")}
+
+
+# ---- Lists ----
+
+
+def test_every_kind_of_shop_is_listed():
+    rows = json.loads(text_of(ROOT / "data/profiles.json"))
+    listed = re.findall(r"^\| `([a-z-]+)` \| (.+?) \|", text_of(ROOT / "docs/prompts.md").split("## Kinds of shop")[1].split("\n## ")[0], re.M)
+    assert listed == [(row["id"], row["name"]) for row in rows]
+    assert "discounter" in dict(listed)  # by this name alone, as nothing of it is of one country
 
 
 # ---- Links and paths ----

@@ -57,10 +57,10 @@ CLASSES = {
 SHOPS = {
     "convenience-us": ((9, 15), (8, 12)), "convenience-cn": ((8, 14), (7, 10)),
     "supermarket-eu": ((18, 27), (13, 18)), "supermarket-us": ((20, 30), (15, 20)), "organic-eu": ((16, 25), (13, 18)),
-    "discounter-eu": ((22, 30), (15, 20)), "hypermarket-eu": ((34, 42), (24, 30)),
+    "discounter": ((22, 30), (15, 20)), "hypermarket-eu": ((34, 42), (24, 30)),
 }
 # How often each is drawn.
-SHOP_DRAWS = ["convenience-us", "convenience-cn", "supermarket-eu", "supermarket-us", "organic-eu", "discounter-eu", "discounter-eu",
+SHOP_DRAWS = ["convenience-us", "convenience-cn", "supermarket-eu", "supermarket-us", "organic-eu", "discounter", "discounter",
               "hypermarket-eu"]
 MIN_SHELVES = 0.02  # share of the picture
 KELVIN = [(2700, 3300), (3500, 4300), (5000, 6500)]

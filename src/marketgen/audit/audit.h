@@ -3,6 +3,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/fields.h"
@@ -79,5 +80,9 @@ struct Audit {
 Result<Audit> audit_store(const scene::Scene& scene,
                           const catalog::Catalog& catalog,
                           const std::vector<plan::Requirement>& requirements);
+
+// With which patches a person or a model mends a broken rule of the scene: "set_look: a light_lux
+// of 300 and more". Empty for rules of the layout, whose repairs are tried by themselves.
+std::string_view remedy_of(std::string_view code);
 
 }  // namespace marketgen::audit

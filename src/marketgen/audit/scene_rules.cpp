@@ -151,12 +151,17 @@ std::vector<layout::Violation> check_SHELF_UNREACHABLE(const SceneFacts& facts,
 
 const std::vector<SceneRule>& scene_rules() {
   static const std::vector<SceneRule> rules = {
-#define SCENE_RULE(code, severity, limit, source) \
-  {#code, layout::Severity::severity, limit, source, check_##code},
+#define SCENE_RULE(code, severity, limit, source, remedy) \
+  {#code, layout::Severity::severity, limit, source, remedy, check_##code},
 #include "audit/scene_rules.inc"
 #undef SCENE_RULE
   };
   return rules;
+}
+
+std::string_view remedy_of(std::string_view code) {
+  const auto rule = std::ranges::find(scene_rules(), code, &SceneRule::code);
+  return rule != scene_rules().end() ? rule->remedy : std::string_view();
 }
 
 std::vector<layout::Violation> check_scene(const SceneFacts& facts) {

@@ -29,6 +29,7 @@ struct SceneRule {
   layout::Severity severity;
   double limit;
   std::string_view source;
+  std::string_view remedy;  // "set_look: a light_lux of 300 and more"
   std::vector<layout::Violation> (*check)(const SceneFacts& facts, const SceneRule& rule);
 };
 const std::vector<SceneRule>& scene_rules();
@@ -40,7 +41,7 @@ layout::Violation violation_of(const SceneRule& rule,
                                std::string message);
 
 // The check of each rule: of goods in scene_rules.cpp, of the room in room_rules.cpp.
-#define SCENE_RULE(code, severity, limit, source) \
+#define SCENE_RULE(code, severity, limit, source, remedy) \
   std::vector<layout::Violation> check_##code(const SceneFacts& facts, const SceneRule& rule);
 #include "audit/scene_rules.inc"
 #undef SCENE_RULE

@@ -36,6 +36,8 @@ struct Brief {
   double shell_confidence = 1;
   std::optional<DrawnZones> zones;  // read from the pictures (intake/drawn_shell.h); not saved
   std::vector<photo::PhotoReading> photos;  // read from them, too; not saved
+  // Of the same photos, as a language model read them (intake/settled_look.h); not saved.
+  std::vector<photo::PhotoReading> seen;
 
   static constexpr auto fields =
       field_list(field("prompt", &Brief::prompt, "the words", at_most_bytes(20000)),
@@ -76,6 +78,7 @@ struct PlannerRecord {
   std::int64_t tokens_in = 0, tokens_out = 0;
   double seconds = 0;
   std::optional<double> usd;
+  std::vector<std::string> warnings;
 
   static constexpr auto fields =
       field_list(field("planner", &PlannerRecord::planner, "which language model"),
@@ -85,7 +88,11 @@ struct PlannerRecord {
                  field("tokens_in", &PlannerRecord::tokens_in, "tokens that it read"),
                  field("tokens_out", &PlannerRecord::tokens_out, "tokens that it wrote"),
                  field("seconds", &PlannerRecord::seconds, "wall time of its work"),
-                 field("usd", &PlannerRecord::usd, "US dollars; absent without prices"));
+                 field("usd", &PlannerRecord::usd, "US dollars; absent without prices"),
+                 field("warnings",
+                       &PlannerRecord::warnings,
+                       "pictures that it did not see, and what it read of them otherwise than the "
+                       "bank of renderings"));
 };
 
 // A file that a planner leaves in the store's folder.
@@ -102,6 +109,8 @@ struct Planned {
   bool floor_is_open = false;           // nobody said how large the floor is
   std::vector<std::string> trace;       // what the planner decided, for a person
   std::optional<PlannerRecord> record;  // of a language model
+  // What it read of the photos: the brief has it (Brief::seen) when it is planned again.
+  std::vector<photo::PhotoReading> seen;
   std::vector<PlannerFile> files;
 };
 

@@ -10,6 +10,7 @@
 
 #include "intake/fixture_wishes.h"
 #include "intake/materials.h"
+#include "intake/settled_look.h"
 #include "plan/style_look.h"
 
 namespace marketgen::intake {
@@ -87,7 +88,8 @@ class PhotoReader {
         catalog_(catalog),
         found_(found),
         wishes_(found.photographed),
-        readings_(photo::together(brief.photos)),
+        look_(settled_look(brief.photos, brief.seen)),
+        readings_(look_.readings),
         skin_(skin_of()),
         style_(style_of()) {}
 
@@ -113,9 +115,11 @@ class PhotoReader {
 
   // The photo that shows it most surely.
   std::string file_of(const AttributeReading& reading) const {
-    const photo::PhotoReading* best = &brief_.photos.front();
+    const bool seen = look_.source_of(reading.attribute) == plan::Source::llm;
+    const std::vector<photo::PhotoReading>& photos = seen ? brief_.seen : brief_.photos;
+    const photo::PhotoReading* best = &photos.front();
     double most = -1;
-    for (const photo::PhotoReading& photo : brief_.photos) {
+    for (const photo::PhotoReading& photo : photos) {
       const AttributeReading* own = photo.find(reading.attribute);
       if (own == nullptr || own->value != reading.value || own->confidence <= most) continue;
       best = &photo;
@@ -131,7 +135,8 @@ class PhotoReader {
               T value,
               const std::optional<Said>& said) {
     if (!said) {
-      wish = Photographed<T>{std::move(value), reading.confidence};
+      wish =
+          Photographed<T>{std::move(value), reading.confidence, look_.source_of(reading.attribute)};
     } else if (!said->same) {
       found_.conflicts.push_back(
           {reading.attribute,
@@ -292,7 +297,8 @@ class PhotoReader {
   const catalog::Catalog& catalog_;
   Understanding& found_;
   PhotoWishes& wishes_;
-  std::vector<AttributeReading> readings_;
+  const SettledLook look_;
+  const std::vector<AttributeReading>& readings_;
   std::optional<SaidStyle> skin_, style_;
 };
 
@@ -300,7 +306,7 @@ class PhotoReader {
 
 void apply_photos(const Brief& brief, const catalog::Catalog& catalog, Understanding& found) {
   found.photographed = {};
-  if (!brief.photos.empty()) PhotoReader(brief, catalog, found).run();
+  if (!brief.photos.empty() || !brief.seen.empty()) PhotoReader(brief, catalog, found).run();
 }
 
 std::string not_sure_of(const photo::PhotoReading& photo) {

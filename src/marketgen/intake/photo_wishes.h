@@ -9,10 +9,10 @@
 
 namespace marketgen::intake {
 
-// Sets Understanding::photographed from the brief's photos: what is sure and neither said by a flag
-// nor by the words. A style that was asked for says materials, lamps and light. Where flag, words
-// or style say something else than a sure photo, that is a Conflict.
-// Precondition: flags were applied (intake/conflicts.h).
+// Sets Understanding::photographed from the brief's photos, by both of their readers
+// (intake/settled_look.h): what is sure and neither said by a flag nor by the words. A style that
+// was asked for says materials, lamps and light. Where flag, words or style say something else than
+// a sure photo, that is a Conflict. Precondition: flags were applied (intake/conflicts.h).
 void apply_photos(const Brief& brief, const catalog::Catalog& catalog, Understanding& found);
 
 // "floor wood 0.83, lamps panel 0.90 (not sure: wall, levels)"

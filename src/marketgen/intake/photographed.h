@@ -4,14 +4,17 @@
 #include <string>
 
 #include "catalog/rows.h"
+#include "plan/plan.h"
 
 namespace marketgen::intake {
 
-// A value that photos show, and how sure that is.
+// A value that photos show, how sure that is, and who read it: the bank of renderings (photo) or a
+// language model (llm).
 template <class T>
 struct Photographed {
   T value;
   double confidence = 0;
+  plan::Source source = plan::Source::photo;
 };
 
 // What photos show surely and neither flags nor words say (intake/photo_wishes.h).

@@ -87,6 +87,7 @@ Result<Planned> plan_from_brief(const Brief& brief,
   if (const auto& photos = drawn.brief.photos; !photos.empty()) {
     PhotosFile file;
     file.photos = photos;
+    if (!planned.seen.empty()) file.seen = planned.seen;
     planned.files.push_back({"photos.json", io::write_json(file)});
   }
   MARKETGEN_CHECK(plan::validate_plan(planned.plan, "plan", catalog));

@@ -12,7 +12,7 @@ namespace {
 struct UsualStyle {
   std::string_view profile, style;
 };
-constexpr UsualStyle usual_styles[] = {{"discounter-eu", "discount"},
+constexpr UsualStyle usual_styles[] = {{"discounter", "discount"},
                                        {"organic-eu", "organic"},
                                        {"supermarket-us", "classic"},
                                        {"convenience-cn", "modern"}};

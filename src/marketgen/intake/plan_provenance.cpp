@@ -92,7 +92,7 @@ class ProvenanceWriter {
 
   template <class T>
   void add_shown(const std::string& path, const std::optional<Photographed<T>>& shown) {
-    if (shown) add_entry(path, plan::Source::photo, shown->confidence);
+    if (shown) add_entry(path, shown->source, shown->confidence);
   }
 
   void add_photographed() {

@@ -2,7 +2,8 @@
 //
 // One JSON file an exchange, called <hash of method, URL, headers and body>-<n>.json: n counts
 // equal requests. Secret headers are neither written nor hashed, so that a record made with a key
-// answers one who has none.
+// answers one who has none. Pictures in a request (long base64) are hashed and not written: their
+// place says how long they were and their hash.
 #pragma once
 #include <filesystem>
 #include <map>

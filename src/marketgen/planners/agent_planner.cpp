@@ -1,20 +1,88 @@
 #include "planners/agent_planner.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "intake/photo_wishes.h"
+#include "intake/settled_look.h"
+#include "io/file.h"
+#include "photo/bank.h"
+#include "planners/photo_reader.h"
 #include "planners/plan_score.h"
 #include "planners/refiner.h"
 #include "planners/semantic_agent.h"
+#include "planners/shown_pictures.h"
 #include "planners/spatial_agent.h"
 #include "planners/trace.h"
 
 namespace marketgen::planners {
 namespace {
 
+constexpr const char* photo_reader_name = "photo reader";
 constexpr const char* agents_kept = "agents";
 constexpr const char* offline_kept = "offline planner";
+
+// What a model made of the pictures of a brief.
+struct Look {
+  ShownPictures shown;
+  std::vector<photo::PhotoReading> seen;  // of the photos; empty where it read none
+  std::vector<std::string> warnings;
+};
+
+Result<std::vector<photo::PhotoReading>> ask_for_look(const llm::LanguageModel& model,
+                                                      const std::vector<ShownPicture>& photos,
+                                                      const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const photo::Bank bank, photo::load_bank(data));
+  return seen_by(model, photos, bank, catalog);
+}
+
+// What both readers read of a photo, for a person.
+std::string read_of(const intake::Brief& brief, const photo::PhotoReading& seen) {
+  const auto bank = std::ranges::find(brief.photos, seen.file, &photo::PhotoReading::file);
+  return fmt::format("the model reads {}; the bank of renderings {}",
+                     intake::words_of(seen),
+                     bank != brief.photos.end() ? intake::words_of(*bank) : "nothing");
+}
+
+// Asks for the photos' look. A model that fails leaves what the bank read.
+Look look_at_pictures(const llm::LanguageModel& model,
+                      const intake::Brief& brief,
+                      const catalog::Catalog& catalog,
+                      Trace& trace) {
+  Look look;
+  look.shown = shown_pictures(brief);
+  look.warnings = look.shown.left_out;
+  const std::vector<ShownPicture> photos = photos_of(look.shown.pictures);
+  if (photos.empty()) return look;
+  Result<std::vector<photo::PhotoReading>> seen = ask_for_look(model, photos, catalog);
+  if (!seen.ok()) {
+    std::string why =
+        fmt::format("the photo reader failed, what the bank of renderings read holds: {}",
+                    to_string(seen.error()));
+    trace.add(photo_reader_name, why, photos, {});
+    look.warnings.push_back(std::move(why));
+    return look;
+  }
+  look.seen = std::move(*seen);
+  std::vector<std::string> disagreements =
+      intake::settled_look(brief.photos, look.seen).disagreements;
+  std::vector<std::string> read;
+  for (const photo::PhotoReading& photo : look.seen)
+    read.push_back(read_of(brief, photo));
+  trace.add(photo_reader_name,
+            disagreements.empty()
+                ? "it and the bank of renderings are nowhere sure of different things"
+                : fmt::format("{}", fmt::join(disagreements, "; ")),
+            photos,
+            read);
+  for (std::string& one : disagreements)
+    look.warnings.push_back("photos: " + std::move(one));
+  return look;
+}
 
 // One planning: the offline plan, the agents' plan, and which of them the store gets.
 class Planning {
@@ -23,20 +91,27 @@ class Planning {
            const intake::Planned& offline,
            const intake::Brief& brief,
            const catalog::Catalog& catalog,
-           Seed layout_seed)
-      : model_(model), assignment_{brief, offline, catalog}, layout_seed_(layout_seed) {}
+           const std::vector<ShownPicture>& pictures,
+           Seed layout_seed,
+           Trace& trace)
+      : model_(model),
+        assignment_{brief, offline, catalog, pictures},
+        layout_seed_(layout_seed),
+        trace_(trace) {}
 
   // The agents' plan where it is no worse; nothing, and why() says why, otherwise.
   std::optional<plan::Plan> run() {
     const Result<JudgedPlan> offline = judged(assignment_.offline.plan);
     note(offline_kept, "planned from the words it understood", offline);
     const Result<plan::Plan> floor = plan_floor(model_, assignment_);
-    if (!floor.ok()) return failed("spatial agent", floor.error());
+    if (!floor.ok()) return failed("spatial agent", floor.error(), assignment_.pictures);
     trace_.add("spatial agent",
                fmt::format("{} zones on {} x {} mm",
                            floor->zones.size(),
                            floor->shell.width_mm,
-                           floor->shell.depth_mm));
+                           floor->shell.depth_mm),
+               assignment_.pictures,
+               {});
     std::vector<std::string> failures;
     const Result<JudgedPlan> furnished =
         judged(furnish_zones(model_, *floor, assignment_, failures));
@@ -48,7 +123,6 @@ class Planning {
   }
 
   const std::string& why() const { return why_; }
-  const Trace& trace() const { return trace_; }
 
  private:
   Result<JudgedPlan> judged(const plan::Plan& plan) const {
@@ -79,9 +153,11 @@ class Planning {
     if (!drawn.ok()) trace_.add(agent, to_string(drawn.error()));
   }
 
-  std::optional<plan::Plan> failed(const char* agent, const Error& error) {
+  std::optional<plan::Plan> failed(const char* agent,
+                                   const Error& error,
+                                   const std::vector<ShownPicture>& pictures = {}) {
     why_ = fmt::format("the {} failed: {}", agent, to_string(error));
-    trace_.add(agent, why_);
+    trace_.add(agent, why_, pictures, {});
     return std::nullopt;
   }
 
@@ -103,7 +179,7 @@ class Planning {
   const llm::LanguageModel& model_;
   Assignment assignment_;
   Seed layout_seed_;
-  Trace trace_;
+  Trace& trace_;
   std::string why_;
 };
 
@@ -136,13 +212,23 @@ Result<intake::Planned> AgentPlanner::plan(const intake::Brief& brief,
   MARKETGEN_TRY(intake::Planned planned, offline_.plan(brief, catalog, seed, concessions));
   if (concessions != intake::Concessions{}) return planned;
   const Budget budget(model_, limits_);
-  Planning planning(budget.model(), planned, brief, catalog, layout_seed_);
+  Trace trace;
+  Look look = look_at_pictures(budget.model(), brief, catalog, trace);
+  intake::Brief seen = brief;
+  if (!look.seen.empty()) {
+    seen.seen = std::move(look.seen);
+    MARKETGEN_TRY(planned, offline_.plan(seen, catalog, seed, concessions));
+  }
+  Planning planning(
+      budget.model(), planned, seen, catalog, look.shown.pictures, layout_seed_, trace);
   std::optional<plan::Plan> plan = planning.run();
   intake::PlannerRecord record = record_of(model_.name, budget.spent());
   record.kept = plan ? agents_kept : offline_kept;
   record.why = planning.why();
-  planned.files = planning.trace().files(record);
+  record.warnings = std::move(look.warnings);
+  planned.files = trace.files(record);
   planned.record = std::move(record);
+  planned.seen = std::move(seen.seen);
   if (plan) planned.plan = std::move(*plan);
   return planned;
 }

@@ -1,7 +1,8 @@
-// Planning by agents on a language model, after section 3.2 of the MarketGen paper: one for the
-// floor, one for each zone, one that mends.
+// Planning by agents on a language model, after section 3.2 of the MarketGen paper: one that
+// looks at photos, one for the floor, one for each zone, one that mends.
 //
-//   spatial agent    words -> size, openings, BSP tree, zones, relations
+//   photo reader     photos -> what they look like, beside what the bank of renderings reads
+//   spatial agent    words, pictures -> size, openings, BSP tree, zones, relations
 //   semantic agent   each zone, in parallel -> its fixtures and goods
 //   refiner          what rules and wishes find wrong, and the picture -> patches, in rounds
 //

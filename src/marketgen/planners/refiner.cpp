@@ -47,6 +47,8 @@ std::string faults_text(const JudgedPlan& plan) {
                        rule.message,
                        rule.value,
                        rule.limit);
+    if (const std::string_view remedy = audit::remedy_of(rule.code); !remedy.empty())
+      out += fmt::format("     what mends it: {}\n", remedy);
   }
   for (const audit::RequirementResult& wish : plan.requirements) {
     if (!wish.met) out += fmt::format("  wish \"{}\": {}\n", wish.text, wish.why);

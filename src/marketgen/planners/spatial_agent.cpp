@@ -68,25 +68,48 @@ std::string wishes_text(const intake::Planned& offline) {
   return out.empty() ? "  none\n" : out;
 }
 
+// Whether a drawing decided this part of the offline plan.
+bool is_drawn(const plan::Plan& plan, std::string_view path) {
+  return std::ranges::any_of(plan.provenance, [&](const plan::Provenance& entry) {
+    return entry.path.starts_with(path) && entry.source == plan::Source::drawing;
+  });
+}
+
+// What is the drawing's, and the names that relations need.
+std::string drawn_text(const plan::Plan& offline) {
+  if (!is_drawn(offline, "/nodes")) return {};
+  std::string out =
+      "The floor stays as drawn, whatever nodes, zones and openings you answer: repeat them "
+      "briefly. Its zones:\n";
+  for (const plan::Zone& zone : offline.zones)
+    out += fmt::format("  {} ({})\n", zone.id, zone.type);
+  return out;
+}
+
 std::string floor_question(const Assignment& assignment) {
   const plan::Plan& offline = assignment.offline.plan;
-  return fmt::format(
-      "Zone types:\n{}Profiles: {}\nStyles: {}\nWalls: {}\nOpenings: {}\nRelations: {}\n"
-      "Rules that must hold:\n{}\nThe customer:\n{}\nWishes that will be checked on the finished "
-      "store:\n{}Without other wishes the room is {} mm east-west and {} mm north-south, profile "
-      "{}.",
-      zone_types_text(assignment.catalog),
-      listed(assignment.catalog.profiles, &catalog::ProfileRow::id),
-      listed(assignment.catalog.styles, &catalog::StyleRow::id),
-      listed_names(names_of(plan::Wall{})),
-      listed_names(names_of(plan::OpeningKind{})),
-      listed_names(names_of(plan::RelationKind{})),
-      rules_text(),
-      quoted_wishes(assignment.brief),
-      wishes_text(assignment.offline),
-      offline.shell.width_mm,
-      offline.shell.depth_mm,
-      offline.profile);
+  const std::string pictures = words_about(assignment.pictures);
+  const std::string seen = pictures.empty() ? "" : pictures + "\n" + drawn_text(offline);
+  return seen +
+         fmt::format(
+             "Zone types:\n{}Profiles: {}\nStyles: {}\nWalls: {}\nOpenings: {}\nRelations: {}\n"
+             "Rules that must hold:\n{}\nThe customer:\n{}\nWishes that will be checked on the "
+             "finished "
+             "store:\n{}Without other wishes the room is {} mm east-west and {} mm north-south, "
+             "profile "
+             "{}.",
+             zone_types_text(assignment.catalog),
+             listed(assignment.catalog.profiles, &catalog::ProfileRow::id),
+             listed(assignment.catalog.styles, &catalog::StyleRow::id),
+             listed_names(names_of(plan::Wall{})),
+             listed_names(names_of(plan::OpeningKind{})),
+             listed_names(names_of(plan::RelationKind{})),
+             rules_text(),
+             quoted_wishes(assignment.brief),
+             wishes_text(assignment.offline),
+             offline.shell.width_mm,
+             offline.shell.depth_mm,
+             offline.profile);
 }
 
 // Whether words or flags decided this part of the offline plan.
@@ -111,7 +134,7 @@ Result<void> take_room(plan::Plan& plan,
   plan.shell = offline.shell;
   if (!is_said(offline, "/shell/width_mm")) plan.shell.width_mm = proposal.width_mm;
   if (!is_said(offline, "/shell/depth_mm")) plan.shell.depth_mm = proposal.depth_mm;
-  plan.shell.openings = proposal.openings;
+  if (!is_drawn(offline, "/shell/openings")) plan.shell.openings = proposal.openings;
   plan.look = offline.look;
   if (!is_said(offline, "/look")) {
     MARKETGEN_TRY(const catalog::StyleRow* style,
@@ -123,7 +146,9 @@ Result<void> take_room(plan::Plan& plan,
     constexpr std::array kept = {"/name", "/profile", "/look", "/shell/"};
     const bool goes_on = std::ranges::any_of(
         kept, [&](std::string_view path) { return entry.path.starts_with(path); });
-    if (goes_on && !entry.path.starts_with("/shell/openings")) plan.provenance.push_back(entry);
+    const bool door = entry.path.starts_with("/shell/openings");
+    if (goes_on && (!door || entry.source == plan::Source::drawing))
+      plan.provenance.push_back(entry);
   }
   return {};
 }
@@ -185,6 +210,30 @@ void take_relations(plan::Plan& plan, const FloorProposal& proposal, const Assig
   add_source(plan, "/relations");
 }
 
+// The zones and how the floor is cut: the drawing's where there is one.
+Result<void> take_floor(plan::Plan& plan,
+                        const FloorProposal& proposal,
+                        const Assignment& assignment) {
+  const plan::Plan& offline = assignment.offline.plan;
+  if (is_drawn(offline, "/nodes")) {
+    plan.nodes = offline.nodes;
+    plan.zones = offline.zones;
+    for (const plan::Provenance& entry : offline.provenance) {
+      if (entry.path.starts_with("/nodes") || entry.path.starts_with("/zones"))
+        plan.provenance.push_back(entry);
+    }
+    return {};
+  }
+  plan.nodes = proposal.nodes;
+  for (const FloorProposal::ProposedZone& proposed : proposal.zones) {
+    MARKETGEN_TRY(plan::Zone zone, zone_of(proposed, assignment));
+    plan.zones.push_back(std::move(zone));
+  }
+  for (const char* path : {"/nodes", "/zones"})
+    add_source(plan, path);
+  return {};
+}
+
 }  // namespace
 
 std::string quoted_wishes(const intake::Brief& brief) {
@@ -199,14 +248,9 @@ std::string quoted_wishes(const intake::Brief& brief) {
 Result<plan::Plan> plan_of(const FloorProposal& proposal, const Assignment& assignment) {
   plan::Plan plan;
   MARKETGEN_CHECK(take_room(plan, proposal, assignment));
-  plan.nodes = proposal.nodes;
-  for (const FloorProposal::ProposedZone& proposed : proposal.zones) {
-    MARKETGEN_TRY(plan::Zone zone, zone_of(proposed, assignment));
-    plan.zones.push_back(std::move(zone));
-  }
+  MARKETGEN_CHECK(take_floor(plan, proposal, assignment));
   take_relations(plan, proposal, assignment);
-  for (const char* path : {"/shell/openings", "/nodes", "/zones"})
-    add_source(plan, path);
+  if (!is_drawn(plan, "/shell/openings")) add_source(plan, "/shell/openings");
   MARKETGEN_CHECK(plan::validate_plan(plan, "answer", assignment.catalog));
   return plan;
 }
@@ -214,7 +258,9 @@ Result<plan::Plan> plan_of(const FloorProposal& proposal, const Assignment& assi
 Result<plan::Plan> plan_floor(const llm::LanguageModel& model, const Assignment& assignment) {
   llm::ChatRequest request;
   request.system = floor_instructions;
-  request.turns = {{llm::ChatRole::user, floor_question(assignment), {}}};
+  if (!assignment.pictures.empty()) request.system += pictures_are_data;
+  request.turns = {
+      {llm::ChatRole::user, floor_question(assignment), png_bytes_of(assignment.pictures)}};
   request.max_tokens = max_floor_tokens;
   plan::Plan plan;
   const std::function<Result<void>(const FloorProposal&)> check =

@@ -1,4 +1,4 @@
-// The agent for the floor: from words to openings, a BSP tree, zones and relations.
+// The agent for the floor: from words and pictures to openings, a BSP tree, zones and relations.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,6 +9,7 @@
 #include "intake/brief.h"
 #include "llm/structured_answer.h"
 #include "plan/plan.h"
+#include "planners/shown_pictures.h"
 
 namespace marketgen::planners {
 
@@ -68,16 +69,19 @@ struct FloorProposal {
             at_most_bytes(1200)));
 };
 
-// What both agents are told: the words, and the offline planner's plan of them.
+// What agents are told: the words, the offline planner's plan of them, and the pictures, which the
+// spatial agent sees.
 struct Assignment {
   const intake::Brief& brief;
   const intake::Planned& offline;
   const catalog::Catalog& catalog;
+  const std::vector<ShownPicture>& pictures;
 };
 
 // A whole plan: its floor is the model's, each zone has its type's usual fixtures and goods until a
 // semantic agent says otherwise. Size, name, profile and look stay as the offline planner has them
-// where words or flags said so; whatever is the model's has the source `llm`. An answer that makes
+// where flags, words or photos said so, and so does the whole floor of a drawing of zones, with the
+// doors of any drawing; whatever is the model's has the source `llm`. An answer that makes
 // no valid plan goes back once with what is wrong. Errors: llm.bad_answer; those of LanguageModel.
 Result<plan::Plan> plan_floor(const llm::LanguageModel& model, const Assignment& assignment);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/text.h"
@@ -30,9 +31,19 @@ struct TraceDocument {
 constexpr std::string_view page_head =
     R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>Agents</title><style>
 body{font:15px/1.5 system-ui,sans-serif;max-width:1060px;margin:2rem auto;padding:0 1rem;color:#1c2321;background:#fbfcfb}
-h2{font-size:1.1rem;margin:2rem 0 .3rem}img{max-width:100%;border:1px solid #d9dedc;border-radius:6px}li{color:#5c6663}
-@media(prefers-color-scheme:dark){body{color:#e8ecea;background:#161a19}img{background:#fff}li{color:#9aa5a1}}</style>
+h2{font-size:1.1rem;margin:2rem 0 .3rem}img{max-width:100%;border:1px solid #d9dedc;border-radius:6px}li,figcaption{color:#5c6663}
+figure{display:inline-block;max-width:320px;margin:.5rem 1rem .5rem 0;vertical-align:top}
+@media(prefers-color-scheme:dark){body{color:#e8ecea;background:#161a19}img{background:#fff}li,figcaption{color:#9aa5a1}}</style>
 )";
+
+std::string figure_of(const TracedPicture& picture) {
+  return fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption>{}{}{}</figcaption></figure>",
+                     picture.file,
+                     escaped_markup(picture.of),
+                     escaped_markup(picture.of),
+                     picture.read.empty() ? "" : ": ",
+                     escaped_markup(picture.read));
+}
 
 std::string section_of(const TraceStep& step, std::size_t number) {
   std::string out = fmt::format("<section><h2>{}. {}</h2><p>{}</p>",
@@ -48,6 +59,8 @@ std::string section_of(const TraceStep& step, std::size_t number) {
   }
   if (!step.picture.empty())
     out += fmt::format("<img src=\"{0}\" alt=\"the floor after step {1}\">", step.picture, number);
+  for (const TracedPicture& picture : step.shown.value_or(std::vector<TracedPicture>{}))
+    out += figure_of(picture);
   return out + "</section>\n";
 }
 
@@ -85,6 +98,28 @@ Result<void> Trace::add(std::string agent,
   step.picture = fmt::format("step-{}.png", steps_.size());
   pictures_.push_back({folder + step.picture, std::move(png)});
   return {};
+}
+
+void Trace::add(std::string agent,
+                std::string what,
+                const std::vector<ShownPicture>& pictures,
+                const std::vector<std::string>& read) {
+  add(std::move(agent), std::move(what));
+  if (pictures.empty()) return;
+  std::vector<TracedPicture>& shown = steps_.back().shown.emplace();
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    shown.push_back({file_of(pictures[i]), pictures[i].file, i < read.size() ? read[i] : ""});
+}
+
+// Its bytes are kept once, however often it is shown.
+std::string Trace::file_of(const ShownPicture& picture) {
+  const auto known = std::ranges::find(shown_, picture.file);
+  std::string name = fmt::format("shown-{}.png", known - shown_.begin() + 1);
+  if (known == shown_.end()) {
+    shown_.push_back(picture.file);
+    pictures_.push_back({folder + name, picture.png});
+  }
+  return name;
 }
 
 std::vector<intake::PlannerFile> Trace::files(const intake::PlannerRecord& record) const {

@@ -48,8 +48,9 @@ struct Built {
   std::vector<scene::Unstocked> unstocked;
 };
 
-// The plan of the options' file, or of their brief with what had to be conceded.
+// The plan of the options' file, or of the brief with what had to be conceded.
 Result<intake::Planned> plan_of(const CreateOptions& options,
+                                const intake::Brief& brief,
                                 const catalog::Catalog& catalog,
                                 const intake::Planner* planner,
                                 const intake::Concessions& concessions) {
@@ -58,10 +59,9 @@ Result<intake::Planned> plan_of(const CreateOptions& options,
     MARKETGEN_TRY(planned, read_planned(*options.plan_file, catalog));
   } else {
     const Seed seed = Seed(options.seed).child("plan");
-    MARKETGEN_TRY(planned,
-                  intake::plan_from_brief(options.brief, catalog, *planner, seed, concessions));
+    MARKETGEN_TRY(planned, intake::plan_from_brief(brief, catalog, *planner, seed, concessions));
   }
-  MARKETGEN_CHECK(put_on_skin(planned.plan, options.brief, catalog));
+  MARKETGEN_CHECK(put_on_skin(planned.plan, brief, catalog));
   return planned;
 }
 
@@ -82,11 +82,13 @@ Result<Designed> design(const CreateOptions& options,
     MARKETGEN_TRY(planner,
                   planners::make_planner(options.brief.planner, options.planner, layout_seed));
   }
+  intake::Brief brief = options.brief;
   const PlanAgain plan = [&](const intake::Concessions& concessions) {
-    return plan_of(options, catalog, planner.get(), concessions);
+    return plan_of(options, brief, catalog, planner.get(), concessions);
   };
   Designed designed;
   MARKETGEN_TRY(designed.planned, stages.run("plan", [&] { return plan({}); }));
+  brief.seen = designed.planned.seen;
   if (options.strict) MARKETGEN_CHECK(require_understood(designed.planned));
   MARKETGEN_TRY(designed.repaired, stages.run("repair", [&] {
     return layout::repair_plan(designed.planned.plan, catalog, layout_seed);

@@ -268,10 +268,12 @@ Result<Designed> design_store(const intake::Brief& brief,
   const Seed layout_seed = seed.child("layout");
   MARKETGEN_TRY(const std::unique_ptr<intake::Planner> planner,
                 planners::make_planner(brief.planner, {}, layout_seed));
+  intake::Brief asked = brief;
   const PlanAgain plan = [&](const intake::Concessions& concessions) {
-    return intake::plan_from_brief(brief, catalog, *planner, seed.child("plan"), concessions);
+    return intake::plan_from_brief(asked, catalog, *planner, seed.child("plan"), concessions);
   };
   MARKETGEN_TRY(intake::Planned planned, plan({}));
+  asked.seen = planned.seen;
   MARKETGEN_TRY(Designed first, lay_out(std::move(planned), catalog, layout_seed));
   return concede(std::move(first), plan, catalog, layout_seed);
 }

@@ -119,7 +119,7 @@ std::vector<WishCase> cases() {
       {wish(Kind::style, "", "scandinavian"), true},
       {wish(Kind::style, "", "industrial"), false},
       {wish(Kind::profile, "", "supermarket-eu"), true},
-      {wish(Kind::profile, "", "discounter-eu"), false},
+      {wish(Kind::profile, "", "discounter"), false},
       {wish(Kind::material, "floor", "terrazzo-white"), false},
       {wish(Kind::color, "fixture", "#f2f2f0"), true},
       {wish(Kind::color, "fixture", "#ff0000"), false},

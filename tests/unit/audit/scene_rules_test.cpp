@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 #include "audit/audit.h"
 #include "audited_shop.h"
@@ -105,6 +106,28 @@ TEST(SceneRules, ViolationsSayWhereAndHowMuch) {
 TEST(SceneRules, EveryRuleHasASource) {
   for (const audit::SceneRule& rule : audit::scene_rules())
     EXPECT_FALSE(rule.source.empty()) << rule.code;
+}
+
+// "patch: how; patch: how", with patches that there are, or "none: why".
+TEST(SceneRules, EveryRuleSaysWithWhichPatchesItIsMended) {
+  std::set<std::string> known = {"none"};
+#define PLAN_PATCH(name, Type, what) known.insert(#name);
+#include "plan/patches.inc"
+#undef PLAN_PATCH
+  for (const audit::SceneRule& rule : audit::scene_rules()) {
+    const std::string remedy(rule.remedy);
+    EXPECT_TRUE(known.contains(remedy.substr(0, remedy.find(':')))) << rule.code << ": " << remedy;
+    EXPECT_EQ(audit::remedy_of(rule.code), remedy);
+    for (std::size_t at = remedy.find(": "); at != std::string::npos;
+         at = remedy.find(": ", at + 1)) {
+      const std::size_t begin = remedy.rfind("; ", at);
+      const std::string patch = begin == std::string::npos
+                                    ? remedy.substr(0, at)
+                                    : remedy.substr(begin + 2, at - begin - 2);
+      EXPECT_TRUE(known.contains(patch)) << rule.code << ": " << patch;
+    }
+  }
+  EXPECT_EQ(audit::remedy_of("AISLE_TOO_NARROW"), "");
 }
 
 TEST(Audit, LayoutsViolationsComeAlong) {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "drawing/shrunk_png.h"
 #include "io/jpeg.h"
 #include "io/png.h"
 #include "support/exif_bytes.h"
@@ -56,6 +57,29 @@ TEST(Picture, OthersStandAsTheyAre) {
   EXPECT_EQ(corners_of(decoded_picture(io::encode_jpeg(quarters()).value(), "a").value()), "RGBW");
   EXPECT_EQ(corners_of(decoded_picture(io::encode_png(quarters()).value(), "b").value()), "RGBW");
   EXPECT_EQ(decoded_picture("", "c").error().code, "image.bad_file");
+}
+
+TEST(Picture, ShrunkItStandsUprightAndHasNothingElseOfItsFile) {
+  const std::string jpeg = with_orientation(io::encode_jpeg(quarters()).value(), 6, true);
+  const auto png = shrunk_png(jpeg, "photo", 32);
+  ASSERT_TRUE(png.ok()) << to_string(png.error());
+  EXPECT_EQ(png->width, 24);
+  EXPECT_EQ(png->height, 32);
+  EXPECT_EQ(png->bytes.find("Exif"), std::string::npos);
+  const auto image = io::decode_png(png->bytes, "shrunk");
+  ASSERT_TRUE(image.ok());
+  EXPECT_EQ(corners_of(*image), "BRWG");
+}
+
+TEST(Picture, SmallOnesKeepTheirSizeAndWhatIsSeeThroughIsWhite) {
+  Image image(10, 8, 4);  // all zeros
+  const auto png = shrunk_png(io::encode_png(image).value(), "drawing", 1024);
+  ASSERT_TRUE(png.ok());
+  EXPECT_EQ(png->width, 10);
+  const Image white = io::decode_png(png->bytes, "shrunk").value();
+  EXPECT_EQ(white.channels, 3);
+  EXPECT_EQ(white.at(5, 5)[0], 255);
+  EXPECT_EQ(shrunk_png("no picture", "x", 1024).error().code, "image.bad_file");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "intake/offline_planner.h"
 #include "intake_fixture.h"
 #include "plan/bsp.h"
-#include "zone_map_fixture.h"
+#include "support/painted_map.h"
 
 namespace marketgen {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "zone_map_fixture.h"
+#include "support/painted_map.h"
 
 namespace marketgen {
 namespace {

@@ -102,7 +102,7 @@ TEST(PhotoWishes, WhatIsNotSureIsNotUsed) {
   const auto planned = photographed_plan("a supermarket",
                                          {reading_of("lamps", "pendant", not_sure),
                                           reading_of("levels", "4", not_sure),
-                                          reading_of("shop", "discounter-eu", not_sure)});
+                                          reading_of("shop", "discounter", not_sure)});
   EXPECT_NE(planned.plan.look.lamps, catalog::LampFitting::pendant);
   EXPECT_EQ(planned.plan.profile, "supermarket-eu");
   for (const plan::Provenance& entry : planned.plan.provenance)
@@ -135,7 +135,7 @@ TEST(PhotoWishes, AStyleThatWasAskedForWins) {
 
 TEST(PhotoWishes, FlagsWin) {
   intake::Brief brief =
-      brief_with("a shop", {photo_of("a.jpg", {reading_of("shop", "discounter-eu")})});
+      brief_with("a shop", {photo_of("a.jpg", {reading_of("shop", "discounter")})});
   brief.profile = "supermarket-us";
   brief.skin = "industrial";
   brief.photos[0].attributes.push_back(reading_of("light", "cool"));
@@ -149,12 +149,12 @@ TEST(PhotoWishes, FlagsWin) {
 
 TEST(PhotoWishes, TheKindOfShopGivesTheProfile) {
   const auto planned =
-      photographed_plan("a shop with a bakery", {reading_of("shop", "discounter-eu")});
-  EXPECT_EQ(planned.plan.profile, "discounter-eu");
+      photographed_plan("a shop with a bakery", {reading_of("shop", "discounter")});
+  EXPECT_EQ(planned.plan.profile, "discounter");
   EXPECT_EQ(provenance_at(planned.plan, "/profile")->source, plan::Source::photo);
   const auto worded =
-      photographed_plan("an organic supermarket", {reading_of("shop", "discounter-eu")});
-  EXPECT_NE(worded.plan.profile, "discounter-eu");
+      photographed_plan("an organic supermarket", {reading_of("shop", "discounter")});
+  EXPECT_NE(worded.plan.profile, "discounter");
 }
 
 TEST(PhotoWishes, LevelsAreThoseOfAllGondolasThatWordsLeaveOpen) {
@@ -239,6 +239,36 @@ TEST(PhotoWishes, WhatWasReadIsAFileOfTheStore) {
   ASSERT_TRUE(file.ok());
   ASSERT_EQ(file->photos.size(), 1U);
   EXPECT_EQ(file->photos[0].find("floor")->value, "wood");
+}
+
+// What a language model read of photos that the bank is not sure of.
+intake::Brief brief_seen(const std::string& prompt, std::vector<photo::AttributeReading> seen) {
+  intake::Brief brief =
+      brief_with(prompt, {photo_of("a.jpg", {reading_of("lamps", "panel", not_sure)})});
+  brief.seen = {photo_of("a.jpg", std::move(seen))};
+  return brief;
+}
+
+TEST(PhotoWishes, WhatAModelReadHasItsNameInTheProvenance) {
+  const auto planned = photographed_plan(brief_seen(
+      "a supermarket", {reading_of("lamps", "pendant", 0.7), reading_of("levels", "4")}));
+  EXPECT_EQ(planned.plan.look.lamps, catalog::LampFitting::pendant);
+  const plan::Provenance* lamps = provenance_at(planned.plan, "/look/lamps");
+  ASSERT_NE(lamps, nullptr);
+  EXPECT_EQ(lamps->source, plan::Source::llm);
+  EXPECT_DOUBLE_EQ(lamps->confidence, 0.7);
+}
+
+TEST(PhotoWishes, FlagsWordsAndStylesWinOverAModelAsOverTheBank) {
+  const auto styled =
+      photographed_plan(brief_seen("an industrial supermarket", {reading_of("lamps", "pendant")}));
+  EXPECT_EQ(styled.plan.look.lamps, catalog::LampFitting::line);
+  ASSERT_NE(conflict_about(styled, "lamps"), nullptr);
+  EXPECT_EQ(conflict_about(styled, "lamps")->dropped, "a.jpg: lamps pendant");
+  intake::Brief flagged = brief_seen("a shop", {reading_of("shop", "organic-eu")});
+  EXPECT_EQ(photographed_plan(flagged).plan.profile, "organic-eu");
+  flagged.profile = "supermarket-us";
+  EXPECT_EQ(photographed_plan(flagged).plan.profile, "supermarket-us");
 }
 
 TEST(PhotoWishes, ALineSaysWhatWasRead) {

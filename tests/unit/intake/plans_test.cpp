@@ -298,13 +298,13 @@ TEST(Plans, FlagsBeatTheText) {
   intake::Brief brief;
   brief.prompt = "a 24 x 15 m industrial supermarket";
   brief.size_mm = {{20000, 12000}};
-  brief.profile = "discounter-eu";
+  brief.profile = "discounter";
   brief.style = "premium";
   const auto planner = intake::offline_planner();
   const auto made = intake::plan_from_brief(brief, committed_catalog(), **planner, Seed(1));
   ASSERT_TRUE(made.ok());
   EXPECT_EQ(made->plan.shell.width_mm, 20000);
-  EXPECT_EQ(made->plan.profile, "discounter-eu");
+  EXPECT_EQ(made->plan.profile, "discounter");
   EXPECT_EQ(made->plan.look.wall, "wood-panel");
   EXPECT_EQ(made->conflicts.size(), 3U);
   for (const intake::Conflict& conflict : made->conflicts)

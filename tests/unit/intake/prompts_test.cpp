@@ -134,7 +134,7 @@ const std::vector<PromptCase> cases = {
      {}},
     // ---- Look, style, stock, name ----
     {"industrial style", {"style industrial"}, {}},
-    {"a Scandinavian discount store", {"style scandinavian", "profile discounter-eu"}, {}},
+    {"a Scandinavian discount store", {"style scandinavian", "profile discounter"}, {}},
     {"organic market with an oak floor", {"profile organic-eu", "material floor wood-oak"}, {}},
     {"red brick walls and a black ceiling",
      {"material wall brick-red", "material ceiling ceiling-black"},

@@ -75,6 +75,29 @@ TEST(HttpTape, EqualRequestsAreToldApartByTheirNumber) {
   EXPECT_EQ(again.send(request).error().code, "net.not_recorded");
 }
 
+TEST(HttpTape, PicturesOfARequestAreToldApartAndNotKept) {
+  const ScratchFolder scratch;
+  MockServer server(json::array({{{"body", "a wood floor"}}, {{"body", "tiles"}}}));
+  const auto asked_about = [&](char pixel) {
+    const std::string picture = net::base64_of(std::string(300'000, pixel));
+    return question(server,
+                    R"({"url": "data:image/png;base64,)" + picture + R"(", "text": "What?"})");
+  };
+  const net::HttpClient live = recorder(scratch.path());
+  const net::HttpRequest one = asked_about('a'), other = asked_about('b');
+  ASSERT_EQ(live.send(one)->body, "a wood floor");
+  ASSERT_EQ(live.send(other)->body, "tiles");
+  server.stop();
+  const std::string kept = all_text_in(scratch.path());
+  EXPECT_LT(kept.size(), 10'000U);
+  EXPECT_NE(kept.find("What?"), std::string::npos);
+  EXPECT_NE(kept.find("[400000 characters of base64, "), std::string::npos) << kept;
+  const net::HttpClient again = player(scratch.path());
+  EXPECT_EQ(again.send(other)->body, "tiles");
+  EXPECT_EQ(again.send(one)->body, "a wood floor");
+  EXPECT_EQ(again.send(asked_about('c')).error().code, "net.not_recorded");
+}
+
 TEST(HttpTape, WhatWasNotRecordedIsAnErrorAndOpensNoSocket) {
   const ScratchFolder scratch;
   const MockServer server(json::array({{{"body", "x"}}}));
