@@ -4,6 +4,7 @@
 // Brief and answer with the same Planned.
 #pragma once
 #include <map>
+#include <set>
 #include <memory>
 #include <optional>
 #include <string>
@@ -126,6 +127,7 @@ struct Concessions {
   // Of a zone's own fixtures, by its type; of those beside them, by "type/kind"; of runs, with
   // "/runs" behind that; of equipment at the doors, by its kind.
   std::map<std::string, int> max_count;
+  std::set<std::string> without;  // ids of zones that found no floor; tills stay
 
   friend bool operator==(const Concessions&, const Concessions&) = default;
 };

@@ -297,6 +297,11 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
   keep_tills(found, program);
   if (program.drawn) settle_zones(program, found);
   if (concessions.plain) give_up_all_but_plain(program, found);
+  for (std::size_t i = program.zones.size(); i-- > 0;) {
+    const bool lost = concessions.without.contains(program.zones[i].id);
+    if (lost && !is_kept(program, program.zones[i]) && program.zones.size() > min_zones)
+      give_up_zone(i, program, found, no_room, planned.trace);
+  }
   while (program.zones.size() > std::max(min_zones, concessions.max_zones))
     give_up_zone(program, found, no_room, planned.trace);
   const Seed floors = concessions.draw == 0

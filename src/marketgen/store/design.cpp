@@ -13,6 +13,7 @@ namespace marketgen::store {
 namespace {
 
 constexpr int max_rounds = 10;
+constexpr int max_lax_rounds = 4;  // then the plainest floor there is
 constexpr int most_growth = 2;        // of a floor of no said size
 constexpr int plain_after_draws = 2;  // of the smallest program
 constexpr std::size_t min_zones = 2;  // a till, and something to buy
@@ -86,18 +87,19 @@ class Bargain {
     }
   }
 
-  // Counts of goods and equipment alone stand in the way: they are given up, and nothing else.
-  // False when something else does.
-  bool give_up_counts(const Designed& now) {
-    for (const layout::Violation& fault : now.layout.violations) {
-      const bool counted = fault.code == "COUNT_SHORT" && !is_about_tills(fault, now.planned.plan);
-      if (fault.severity == layout::Severity::hard && !counted) return false;
-    }
-    for (const layout::Violation& fault : now.layout.violations) {
-      if (fault.severity != layout::Severity::hard) continue;
-      short_of_[what_of(fault, now.planned.plan)] = 1;
-      cap_count(fault, now.planned);
-    }
+  // Counts of goods and equipment, zones without any, and places alone stand in the way: these are
+  // given up, and nothing else. False when something else does.
+  bool give_up_wishes(const Designed& now) {
+    const plan::Plan& plan = now.planned.plan;
+    const auto is_wish = [&](const layout::Violation& fault) {
+      if (fault.code == "RELATION_BROKEN") return true;
+      const bool kind = fault.code == "COUNT_SHORT" || fault.code == "ZONE_EMPTY";
+      return kind && !fault.where.empty() && !is_about_tills(fault, plan);
+    };
+    for (const layout::Violation& fault : now.layout.violations)
+      if (fault.severity == layout::Severity::hard && !is_wish(fault)) return false;
+    for (const layout::Violation& fault : now.layout.violations)
+      if (fault.severity == layout::Severity::hard) give_up(fault, now.planned);
     return true;
   }
 
@@ -124,6 +126,18 @@ class Bargain {
   const std::vector<intake::Conflict>& given_up() const { return given_up_; }
 
  private:
+  void give_up(const layout::Violation& fault, const intake::Planned& planned) {
+    if (fault.code == "COUNT_SHORT") {
+      short_of_[what_of(fault, planned.plan)] = 1;
+      return cap_count(fault, planned);
+    }
+    if (fault.code == "ZONE_EMPTY")
+      concessions_.without.insert(fault.where.substr(0, fault.where.find('/')));
+    else
+      concessions_.relations_may_fail = true;
+    note(fault, planned);
+  }
+
   // Where nobody said how large the floor is, what finds no room gets a larger one first.
   bool grows(const Designed& now) {
     const bool short_of_room =
@@ -232,18 +246,19 @@ Result<Designed> concede(Designed first,
   Designed best = first, now = std::move(first);
   Bargain bargain;
   std::int64_t work_left = layout::max_repair_work / 2;  // for all rounds together
-  bool lax = false;                                      // counts and places were given up
+  int lax_rounds = 0;                                    // in which counts and places were given up
   for (int round = 0; round < max_rounds && hard_faults(best.layout) > 0; ++round) {
     MARKETGEN_CHECK(check_interrupt());
     bargain.concede(now);
-    const bool last = work_left <= 0 && lax;
-    if (work_left <= 0 && !bargain.give_up_counts(now)) {
-      if (lax)
+    bool last = false;
+    if (work_left <= 0 && (lax_rounds >= max_lax_rounds || !bargain.give_up_wishes(now))) {
+      last = lax_rounds > 0;
+      if (last)
         bargain.concede_all();
       else
         bargain.concede_wishes(now);
     }
-    if (work_left <= 0) lax = true;
+    if (work_left <= 0) ++lax_rounds;
     intake::Concessions concessions = bargain.concessions();
     concessions.plans_before = round + 1;
     MARKETGEN_TRY(intake::Planned planned, plan_again(concessions));
