@@ -15,6 +15,7 @@ constexpr double wished_zone_chance = 0.35;  // moves of zones whose place was a
 constexpr double first_temperature = 6;  // in penalty points; falls to nothing over a start's moves
 constexpr double taste_points = 2.5;
 constexpr double corner_tills_below_m2 = 190;
+constexpr double walls_only_below_m2 = 45;
 constexpr int corner_tills_below_depth_mm = 10500;
 
 class Search {
@@ -199,9 +200,12 @@ class Search {
     std::ranges::sort(draft.tills, {}, rank);
   }
 
-  // Some zone must fill the middle.
+  // Some zone must fill the middle, but of a floor that has room for walls only.
   void keep_core(FloorDraft& draft) const {
     if (!draft.band(Band::core).empty()) return;
+    const bool west = !draft.band(Band::west).empty(), east = !draft.band(Band::east).empty();
+    const bool at_side = draft.corner_tills ? (draft.tills_east ? west : east) : west || east;
+    if (at_side && program_.area_m2() < walls_only_below_m2) return;
     for (const Band from : {Band::west, Band::east, Band::north, Band::front}) {
       if (draft.band(from).empty()) continue;
       draft.band(Band::core).push_back(draft.band(from).back());

@@ -356,7 +356,10 @@ class FloorBuilder {
     const Band side = draft_.tills_east ? Band::east : Band::west;
     const int column = std::max(tills_width(front), band_depth(side, lower));
     const int body = width - column - entrance_gap;
-    need(body, 2600);
+    // Shelves along a wall alone are served from the entrance's aisle.
+    const Band far = draft_.tills_east ? Band::west : Band::east;
+    const bool wall_only = draft_.band(Band::core).empty() && draft_.band(Band::front).empty();
+    need(body, wall_only ? band_depth(far, lower) : 2600);
     set_doors(body + entrance_gap / 2, width - exit_from_end(column));
     Slice row = cut_slice(plan::Axis::x);
     row.add(corner_body(body, lower), body, 0);

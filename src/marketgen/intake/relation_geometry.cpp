@@ -79,6 +79,30 @@ double center_strain(Metres a, const RectMm& floor) {
   return off(u) * 1e-3 * floor.width() + off(v) * 1e-3 * floor.depth();
 }
 
+// "On the left" is said of what lies in that third of the floor.
+double side_strain(Metres a, const RectMm& floor, plan::Wall wall) {
+  constexpr double third = 0.3;
+  const bool x = wall == plan::Wall::west || wall == plan::Wall::east;
+  const bool low = wall == plan::Wall::west || wall == plan::Wall::south;
+  const double length = 1e-3 * (x ? floor.width() : floor.depth());
+  const double from_low = x ? a.x - 1e-3 * floor.x0 : a.y - 1e-3 * floor.y0;
+  return std::max(0.0, (low ? from_low : length - from_low) - third * length);
+}
+
+// "Along the back wall" is said of what has its longer side there: in a corner, fixtures stand
+// along that.
+double along_strain(const std::vector<plan::NamedPlace>& as, const RectMm& floor, plan::Wall wall) {
+  const bool runs_east = wall == plan::Wall::north || wall == plan::Wall::south;
+  double strain = HUGE_VAL;
+  for (const plan::NamedPlace& a : as) {
+    const bool at_side = runs_east ? a.rect.x0 <= floor.x0 || a.rect.x1 >= floor.x1
+                                   : a.rect.y0 <= floor.y0 || a.rect.y1 >= floor.y1;
+    const int away = (a.rect.depth() - a.rect.width()) * (runs_east ? 1 : -1);
+    strain = std::min(strain, at_side ? std::max(0, away) * 1e-3 : 0);
+  }
+  return strain == HUGE_VAL ? 0 : strain;
+}
+
 // The way into the shop, or to someone's left or right who comes in.
 Metres way_of(plan::RelationKind kind, const plan::NamedFloor& floor) {
   const PointMm in =
@@ -180,13 +204,19 @@ double strain_m(const plan::Requirement& wish,
       return aside_strain(
           a, b, way_of(wish.relation, floor), bs.front().kind == plan::PlaceKind::opening);
     case plan::RelationKind::at:
-      return wish.object == "center" ? center_strain(a, floor.bounds) : 0;
+      if (wish.object == "center") return center_strain(a, floor.bounds);
+      if (const auto wall = value_named<plan::Wall>(wish.object))
+        return side_strain(a, floor.bounds, *wall);
+      return 0;
+    case plan::RelationKind::along:
+      if (const auto wall = value_named<plan::Wall>(wish.object))
+        return along_strain(as, floor.bounds, *wall);
+      return 0;
     case plan::RelationKind::between: {
       const std::vector<plan::NamedPlace> cs = plan::places_named(floor, wish.second_object);
       return cs.empty() ? 0 : between_strain(a, b, common_middle(cs));
     }
     case plan::RelationKind::far:
-    case plan::RelationKind::along:
       break;
   }
   return 0;

@@ -93,8 +93,9 @@ class Bargain {
     const plan::Plan& plan = now.planned.plan;
     const auto is_wish = [&](const layout::Violation& fault) {
       if (fault.code == "RELATION_BROKEN") return true;
-      const bool kind = fault.code == "COUNT_SHORT" || fault.code == "ZONE_EMPTY";
-      return kind && !fault.where.empty() && !is_about_tills(fault, plan);
+      const bool some = fault.code == "COUNT_SHORT" && fault.value >= 1;
+      const bool none = fault.code == "COUNT_SHORT" || fault.code == "ZONE_EMPTY";
+      return !fault.where.empty() && (some || (none && !is_about_tills(fault, plan)));
     };
     for (const layout::Violation& fault : now.layout.violations)
       if (fault.severity == layout::Severity::hard && !is_wish(fault)) return false;
