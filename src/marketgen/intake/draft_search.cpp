@@ -16,6 +16,8 @@ constexpr double first_temperature = 6;  // in penalty points; falls to nothing 
 constexpr double taste_points = 2.5;
 constexpr double corner_tills_below_m2 = 190;
 constexpr double walls_only_below_m2 = 45;
+constexpr double corner_tills_chance = 0.6;  // in small shops that are deep enough for either
+constexpr int front_tills_from_depth_mm = 8000;
 constexpr int corner_tills_below_depth_mm = 10500;
 
 class Search {
@@ -92,8 +94,10 @@ class Search {
     const bool front_runs_east = entrance_wall_of(understanding_) == plan::Wall::south ||
                                  entrance_wall_of(understanding_) == plan::Wall::north;
     const int depth = front_runs_east ? program_.depth_mm : program_.width_mm;
-    draft.corner_tills =
+    const bool shallow = depth < front_tills_from_depth_mm;
+    const bool small =
         program_.area_m2() < corner_tills_below_m2 || depth < corner_tills_below_depth_mm;
+    draft.corner_tills = shallow || (small && draw.chance(corner_tills_chance));
     draft.tills_east = draw.chance(0.5);
     draft.stacked_core = draw.chance(0.35);
     draft.deep_west = draw.chance(0.3);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "layout/floor_comb.h"
@@ -164,12 +165,39 @@ void fill_floor(Build& build) {
   }
 }
 
+namespace {
+
+// Parts of a ground along its longer side, the largest first: what stands beside one end of it, as
+// trolleys at the door, does not shut the rest.
+std::vector<GroundBuild> parts_of(const GroundBuild& ground) {
+  constexpr std::array<std::array<double, 2>, 5> shares{
+      {{0, 1}, {0, 0.67}, {0.33, 1}, {0, 0.5}, {0.5, 1}}};
+  const RectMm& whole = ground.ground.rect;
+  const Side side = whole.width() >= whole.depth() ? Side::south : Side::west;
+  const Span length = along(whole, side);
+  std::vector<GroundBuild> parts;
+  for (const auto& [from, to] : shares) {
+    GroundBuild& part = parts.emplace_back(ground);
+    const auto at = [&](double share) {
+      return length.from + static_cast<int>(share * length.length());
+    };
+    part.ground.rect = cut_along(whole, side, {at(from), at(to)});
+  }
+  return parts;
+}
+
+}  // namespace
+
 void fill_empty_zones(Build& build) {
-  for (GroundBuild& ground : build.grounds) {
+  for (const GroundBuild& ground : build.grounds) {
     ZoneBuild& zone = build.zones[ground.zone];
-    if (!is_shelving(zone) || zone.stands || zone.main_modules + zone.other_modules > 0) continue;
-    const FloorTask task = make_task(build, ground, zone, build.design.min_aisle_mm());
-    build_comb(task, choose_comb(task, main_spec(task)));
+    if (!is_shelving(zone) || zone.stands) continue;
+    for (GroundBuild& part : parts_of(ground)) {
+      if (zone.main_modules + zone.other_modules > 0) break;
+      FloorTask task = make_task(build, part, zone, build.design.min_aisle_mm());
+      task.share_gaps = false;
+      build_comb(task, choose_comb(task, main_spec(task)));
+    }
   }
 }
 

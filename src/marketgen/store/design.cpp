@@ -13,6 +13,7 @@ namespace marketgen::store {
 namespace {
 
 constexpr int max_rounds = 10;
+constexpr int max_other_floors = 2;  // before a zone is left out
 constexpr int max_lax_rounds = 4;  // then the plainest floor there is
 constexpr int most_growth = 2;        // of a floor of no said size
 constexpr int plain_after_draws = 2;  // of the smallest program
@@ -79,10 +80,15 @@ class Bargain {
     }
     if (no_till && concessions_.till_counter) crowded = true;
     if (no_till) concessions_.till_counter = true;
-    if (crowded) leave_out_zones(now.planned.plan.zones.size());
+    if (crowded && other_floors_ < max_other_floors) {  // another one may have room for all of it
+      ++other_floors_;
+      ++concessions_.draw;
+    } else if (crowded) {
+      leave_out_zones(now.planned.plan.zones.size());
+    }
     if (concessions_ == before) {  // another floor of the same, then one that is as plain as can be
       ++concessions_.draw;
-      concessions_.plain = concessions_.draw > plain_after_draws;
+      concessions_.plain = concessions_.draw > plain_after_draws + other_floors_;
       concessions_.till_counter = concessions_.till_counter || concessions_.plain;
     }
   }
@@ -199,6 +205,7 @@ class Bargain {
   std::vector<intake::Conflict> given_up_;
   std::map<std::string, int> short_of_;  // how often there were too few of it
   int crowded_rounds_ = 0;
+  int other_floors_ = 0;
 };
 
 Result<Designed> lay_out(intake::Planned planned,
