@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "drawing/picture.h"
+#include "drawing/zone_chart.h"
 #include "geometry/image.h"
 
 namespace marketgen::drawing {
@@ -163,7 +164,8 @@ ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double asp
   const auto& c = walls.inner;
   const double width = (cv::norm(c[1] - c[0]) + cv::norm(c[2] - c[3])) / 2;
   const double depth = (cv::norm(c[3] - c[0]) + cv::norm(c[2] - c[1])) / 2;
-  const double ratio = aspect > 0 ? aspect : aspect_of(c, flat.size());
+  const double seen_aspect = aspect_of(c, flat.size());
+  const double ratio = aspect > 0 ? aspect : seen_aspect;
   const double longer_seen = std::max(width, depth);
   const double longer = std::clamp(longer_seen, 700.0, 1100.0);
   const double w = ratio >= 1 ? longer : longer * ratio, d = ratio >= 1 ? longer / ratio : longer;
@@ -191,6 +193,7 @@ ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double asp
   picture.rectangle = true;
   picture.floor = {left, top, w, d};
   picture.longer_side = longer;
+  picture.seen_aspect = seen_aspect;
   picture.px_of_file = longer_seen / longer;
   const cv::Mat map = map_to(left, top);
   cv::warpPerspective(flat,
@@ -216,6 +219,7 @@ ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double asp
 Result<ZonePicture> picture_of(cv::Mat bgr, const std::string& where, double aspect) {
   const double px = shrink(bgr, longest_side_px);
   const cv::Mat flat = flattened(bgr);
+  if (is_pie_chart(flat)) return chart("pie chart", where);
   const cv::Mat ink = dark_ink(flat);
   if (const auto walls = four_walls(ink)) {
     ZonePicture picture = straightened(flat, *walls, aspect);
