@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "intake/core_columns.h"
+#include "intake/drawn_runs.h"
 #include "intake/plan_look.h"
 #include "intake/zone_sizes.h"
 
@@ -48,8 +49,10 @@ class ZoneWriter {
  private:
   static double rounded(double m2) { return std::max(0.5, std::floor(m2 * 10 + 0.5) / 10); }
 
-  // Runs lead away from the front wall, or lie along it where the zone has room for that.
-  bool runs_along_y(const RectMm& rect) const {
+  // Runs lie as they are drawn; else they lead away from the front wall, or lie along it where the
+  // zone has room for that.
+  bool runs_along_y(const ProgramZone& zone, const RectMm& rect) const {
+    if (zone.drawn_runs) return !zone.drawn_runs->along_x;
     const bool runs_east = front_runs_east(sources_.candidate);
     const int along_front = runs_east ? rect.width() : rect.depth();
     const bool turned = program_.across && along_front >= min_cell_mm;
@@ -58,6 +61,11 @@ class ZoneWriter {
 
   static bool is_gondola(const ProgramZone& zone) {
     return zone.kind != nullptr && zone.kind->generator == "gondola";
+  }
+
+  int run_aisle_mm(const ProgramZone& zone, const RectMm& rect) const {
+    const int usual = sources_.candidate.drafted.run_aisle_mm;
+    return zone.drawn_runs ? drawn_aisle_mm(zone, rect, usual, *program_.profile) : usual;
   }
 
   plan::FixtureSpec fixture_of(const ProgramZone& zone, const RectMm& rect) const {
@@ -69,10 +77,11 @@ class ZoneWriter {
       spec.depth_mm = lane_length_mm(*zone.kind, program_);
     }
     if (zone.kind->role != catalog::FixtureRole::shelving) return spec;
-    if (zone.stance == Stance::central) {
-      spec.axis = runs_along_y(rect) ? plan::RunAxis::y : plan::RunAxis::x;
-      spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
-    } else if (least_aisle_holds(zone))
+    if (zone.drawn_runs || zone.stance == Stance::central)
+      spec.axis = runs_along_y(zone, rect) ? plan::RunAxis::y : plan::RunAxis::x;
+    if (zone.stance == Stance::central)
+      spec.aisle_mm = run_aisle_mm(zone, rect);
+    else if (least_aisle_holds(zone))
       spec.aisle_mm = program_.aisle_mm;
     spec.color = shelf_color(found_);
     choose_runs(spec, zone.main);
@@ -140,7 +149,7 @@ class ZoneWriter {
                                 kind.height_range_mm[0],
                                 kind.height_range_mm[1]);
     spec.levels = *spec.height_mm >= six_levels_from_mm ? 6 : 5;
-    const int run = runs_along_y(rect) ? rect.depth() : rect.width();
+    const int run = runs_along_y(zone, rect) ? rect.depth() : rect.width();
     spec.endcaps =
         run >= endcaps_both_from_mm
             ? plan::Endcaps::both
