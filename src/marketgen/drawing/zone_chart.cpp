@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "drawing/picture.h"
 #include "drawing/zone_classes.h"
 
 namespace marketgen::drawing {
@@ -65,17 +66,49 @@ bool is_number(const std::string& words) {
   return !words.empty() && words.find_first_not_of("0123456789.,%- ") == std::string::npos;
 }
 
+// So many as an axis has, each as far from the next.
+bool are_ticks(std::vector<int> places) {
+  constexpr std::size_t least = 4;
+  constexpr double even = 0.15;
+  if (places.size() < least) return false;
+  std::ranges::sort(places);
+  const double step = 1.0 * (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+    if (std::abs(places[i + 1] - places[i] - step) > even * step) return false;
+  return step > 0;
+}
+
+cv::Point middle_of(const WrittenLine& line) {
+  return (line.box.tl() + line.box.br()) / 2;
+}
+
 // Numbers one below the other left of the frame, or side by side below it.
 bool has_axis(const std::vector<WrittenLine>& lines, const cv::Rect& floor) {
-  constexpr int least = 3;
-  int left = 0, below = 0;
+  std::vector<int> left, below;
   for (const WrittenLine& line : lines) {
     if (!is_number(line.words)) continue;
-    const cv::Point at = (line.box.tl() + line.box.br()) / 2;
-    left += at.x < floor.x && at.y > floor.y - 20 && at.y < floor.y + floor.height + 20 ? 1 : 0;
-    below += at.y > floor.y + floor.height ? 1 : 0;
+    const cv::Point at = middle_of(line);
+    if (at.x < floor.x) left.push_back(at.y);
+    if (at.y > floor.y + floor.height) below.push_back(at.x);
   }
-  return std::max(left, below) >= least;
+  return are_ticks(std::move(left)) || are_ticks(std::move(below));
+}
+
+bool has_legend(const std::vector<WrittenLine>& lines, const cv::Rect& floor) {
+  return std::ranges::any_of(lines, [&](const WrittenLine& line) {
+    return middle_of(line).x > floor.x + floor.width && !line.words.empty() &&
+           !is_number(line.words);
+  });
+}
+
+// Somebody wrote on one of them what it is.
+bool are_named(const std::vector<cv::Rect>& bars, const std::vector<WrittenLine>& lines) {
+  constexpr double sure = 0.6;
+  return std::ranges::any_of(lines, [&](const WrittenLine& line) {
+    const bool on_bar = std::ranges::any_of(
+        bars, [&](const cv::Rect& bar) { return bar.contains(middle_of(line)); });
+    return on_bar && line.confidence > sure && !line.words.empty() && !is_number(line.words);
+  });
 }
 
 struct Bar {
@@ -118,7 +151,10 @@ bool are_apart(std::vector<cv::Rect> bars, int side) {
 
 }  // namespace
 
-bool is_pie_chart(const cv::Mat& bgr) {
+bool is_pie_chart(const cv::Mat& picture) {
+  constexpr int large_enough_px = 500;
+  cv::Mat bgr = picture;
+  shrink(bgr, large_enough_px);
   constexpr std::size_t least_points = 60;
   constexpr int least_slices = 3;
   const double side = std::max(bgr.cols, bgr.rows);
@@ -135,8 +171,7 @@ bool is_pie_chart(const cv::Mat& bgr) {
 
 bool is_bar_chart(const Segments& segments,
                   const cv::Rect& floor,
-                  const std::vector<WrittenLine>& lines,
-                  bool has_doors) {
+                  const std::vector<WrittenLine>& lines) {
   constexpr std::size_t least_bars = 3;
   constexpr double full = 0.85;  // of its box
   if (!segments.coloured || segments.hatched) return false;
@@ -147,18 +182,13 @@ bool is_bar_chart(const Segments& segments,
     if (parts[i].pixels < full * parts[i].box.area()) return false;
     bars.push_back(parts[i].box);
   }
-  if (bars.size() < least_bars || !(has_axis(lines, floor) || !has_doors)) return false;
-  const bool named = std::ranges::any_of(bars, [&](const cv::Rect& bar) {
-    return std::ranges::any_of(lines, [&](const WrittenLine& line) {
-      return bar.contains((line.box.tl() + line.box.br()) / 2) && !line.words.empty() &&
-             !is_number(line.words);
-    });
-  });
-  if (named) return false;
+  if (bars.size() < least_bars || are_named(bars, lines)) return false;
+  const bool axis = has_axis(lines, floor);
+  if (!axis && has_legend(lines, floor)) return false;
   for (const int side : {0, 1}) {
-    const bool all =
-        std::ranges::all_of(bars, [&](const cv::Rect& bar) { return stands_on(bar, floor, side); });
-    if (all && are_apart(bars, side)) return true;
+    const bool all = std::ranges::all_of(
+        bars, [&](const cv::Rect& bar) { return stands_on(bar, floor, side); });
+    if (all && (axis || are_apart(bars, side))) return true;
   }
   return false;
 }

@@ -21,14 +21,13 @@ inline Error chart(const std::string& kind, const std::string& where) {
 }
 
 // All that is coloured is one ellipse, parts of different colours meet in its middle.
-bool is_pie_chart(const cv::Mat& bgr);
+bool is_pie_chart(const cv::Mat& picture);
 
-// Within a frame (`floor`, on the picture) three or more bars without words stand on one side of
-// it, apart from one another, with floor left over at their ends; beside it stand numbers as on an
-// axis, or it has no doors.
+// Within a frame without doors (`floor`, on the picture) three or more bars without words stand on
+// one side of it, with floor left over at their ends; beside it stand numbers as on an axis, or the
+// bars stand apart from one another and no legend names them.
 bool is_bar_chart(const Segments& segments,
                   const cv::Rect& floor,
-                  const std::vector<WrittenLine>& lines,
-                  bool has_doors);
+                  const std::vector<WrittenLine>& lines);
 
 }  // namespace marketgen::drawing

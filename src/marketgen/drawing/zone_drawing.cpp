@@ -382,8 +382,8 @@ Result<ZoneDrawing> drawing_of(ZonePicture picture,
     lines = std::move(*read);
   else
     drawing.warnings.push_back(to_string(read.error()));
-  if (picture.rectangle && is_bar_chart(segments, picture.floor, lines, !picture.gaps.empty()))
-    return chart("bar chart", where);
+  const bool frame = picture.rectangle && picture.gaps.empty();
+  if (frame && is_bar_chart(segments, picture.floor, lines)) return chart("bar chart", where);
   if (const std::string other = other_proportions(picture, options); !other.empty())
     drawing.warnings.push_back(other);
   MARKETGEN_TRY(const KnownSize size, size_of(picture, options, lines, where));

@@ -19,8 +19,8 @@ struct Hatching {
   cv::Mat kind;  // CV_32S: index of a direction and distance, or unlabelled
   int kinds = 0;
 };
-// Of the strokes within `area`.
-Hatching hatching_in(const cv::Mat& strokes, const cv::Mat& area, double longer_side);
+// Of the strokes within `where`.
+Hatching hatching_in(const cv::Mat& strokes, const cv::Mat& where, double longer_side);
 
 // Of ink the letters: what is left without strokes of hatching, whole or cut short by the patch
 // that a name stands on.

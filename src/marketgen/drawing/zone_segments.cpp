@@ -217,11 +217,17 @@ Segments parts_of(
 cv::Mat told_by_direction(const cv::Mat& label, int classes, const cv::Mat& lines, double side) {
   cv::Mat told(label.size(), CV_32S, cv::Scalar(unlabelled));
   int base = 0;
+  const int rim = odd(0.04 * side);  // what windows around a pixel see
   for (int i = 0; i < classes; ++i) {
     const cv::Mat area = label == i;
-    const Hatching hatching = hatching_in(lines & area, area, side);
+    cv::Rect box = cv::boundingRect(area);
+    if (box.empty()) continue;
+    box = cv::Rect(box.x - rim, box.y - rim, box.width + 2 * rim, box.height + 2 * rim) &
+          cv::Rect(0, 0, label.cols, label.rows);
+    const Hatching hatching = hatching_in(lines(box) & area(box), area(box), side);
+    cv::Mat part = told(box);
     for (int k = 0; k < hatching.kinds; ++k)
-      told.setTo(base + k, hatching.kind == k);
+      part.setTo(base + k, hatching.kind == k);
     base += hatching.kinds;
   }
   return told;
