@@ -72,7 +72,8 @@ bool are_ticks(std::vector<int> places) {
   constexpr double even = 0.15;
   if (places.size() < least) return false;
   std::ranges::sort(places);
-  const double step = 1.0 * (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+  const double step =
+      1.0 * (places.back() - places.front()) / static_cast<double>(places.size() - 1);
   for (std::size_t i = 0; i + 1 < places.size(); ++i)
     if (std::abs(places[i + 1] - places[i] - step) > even * step) return false;
   return step > 0;
@@ -186,8 +187,8 @@ bool is_bar_chart(const Segments& segments,
   const bool axis = has_axis(lines, floor);
   if (!axis && has_legend(lines, floor)) return false;
   for (const int side : {0, 1}) {
-    const bool all = std::ranges::all_of(
-        bars, [&](const cv::Rect& bar) { return stands_on(bar, floor, side); });
+    const bool all =
+        std::ranges::all_of(bars, [&](const cv::Rect& bar) { return stands_on(bar, floor, side); });
     if (all && (axis || are_apart(bars, side))) return true;
   }
   return false;

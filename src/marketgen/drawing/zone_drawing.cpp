@@ -98,6 +98,8 @@ struct KnownSize {
   bool guessed = false;
 };
 
+constexpr double longest_shop_mm = 200'000;
+
 // "20 m" above or below the plan is its width, beside it its depth.
 std::optional<double> written_scale(const ZonePicture& picture,
                                     const std::vector<WrittenLine>& lines) {
@@ -109,7 +111,9 @@ std::optional<double> written_scale(const ZonePicture& picture,
     const bool over_x =
         at.x > f.x && at.x<f.x + f.width, over_y = at.y> f.y && at.y < f.y + f.height;
     if (over_x == over_y) continue;
-    return *mm / (over_x ? f.width : f.height);
+    const double mm_per_px = *mm / (over_x ? f.width : f.height);
+    // "18.7 m" may be read as 187 m.
+    if (mm_per_px * std::max(f.width, f.height) <= longest_shop_mm) return mm_per_px;
   }
   return std::nullopt;
 }

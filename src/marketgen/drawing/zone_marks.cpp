@@ -8,9 +8,7 @@
 #include "drawing/zone_picture.h"
 
 namespace marketgen::drawing {
-namespace {
-
-cv::Mat unmended_marks(const cv::Mat& bgr, double side) {
+cv::Mat grey_marks(const cv::Mat& bgr, double side) {
   constexpr double darker = 0.86, grey_share = 0.4, smeared = 1.15;
   std::array<cv::Mat, 3> channels;
   cv::split(bgr, channels.data());
@@ -28,7 +26,6 @@ cv::Mat unmended_marks(const cv::Mat& bgr, double side) {
   return dark_ink(bgr) | ((even < around) & grey);
 }
 
-// Lines that a picture shows in pieces made whole.
 cv::Mat mended(const cv::Mat& marks) {
   constexpr int gap = 7;
   cv::Mat whole = marks, lengthwise;
@@ -37,12 +34,6 @@ cv::Mat mended(const cv::Mat& marks) {
     whole = whole | lengthwise;
   }
   return whole;
-}
-
-}  // namespace
-
-cv::Mat grey_marks(const cv::Mat& bgr, double longer_side) {
-  return mended(unmended_marks(bgr, longer_side));
 }
 
 }  // namespace marketgen::drawing

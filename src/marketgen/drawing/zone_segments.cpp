@@ -123,7 +123,7 @@ cv::Mat without_letters(const cv::Mat& lines, double side) {
 
 // Lines that may divide areas of one colour.
 cv::Mat long_lines(const cv::Mat& bgr, const cv::Mat& floor, double side) {
-  cv::Mat lines = without_letters(grey_marks(bgr, side), side) & floor;
+  cv::Mat lines = without_letters(mended(grey_marks(bgr, side)), side) & floor;
   cv::dilate(lines, lines, square(odd(0.006 * side)));
   return lines;
 }

@@ -67,6 +67,24 @@ bool has_sides(const cv::Mat& marks, const Body& body) {
   return true;
 }
 
+// Ink is all over it, or there is next to none between its sides: a row of letters is neither.
+bool is_full_or_hollow(const cv::Mat& raw, const Body& body) {
+  constexpr int along = 60, across = 5;
+  constexpr double hollow = 0.2, full = 0.96;
+  const cv::Point2d normal(-body.way.y, body.way.x);
+  int inked = 0;
+  for (int i = 0; i < along; ++i) {
+    for (int k = 0; k < across; ++k) {
+      const double u = 0.9 * body.half * (2 * (i + 0.5) / along - 1);
+      const double v = 0.25 * body.width * (2 * (k + 0.5) / across - 1);
+      const cv::Point2d at = body.centre + body.way * u + normal * v;
+      inked += marked_near(raw, at, 0) ? 1 : 0;
+    }
+  }
+  const double share = 1.0 * inked / (along * across);
+  return share < hollow || share > full;
+}
+
 // Off the nearer of the two directions of the walls.
 double off_walls(cv::Point2d way, double turned) {
   const double angle = std::atan2(way.y, way.x) - turned;
@@ -111,6 +129,7 @@ bool is_thin(const Body& body) {
 // A straight stroke along the walls, or a narrow box.
 std::optional<Piece> piece_of(const std::vector<cv::Point>& points,
                               const cv::Mat& marks,
+                              const cv::Mat& raw,
                               double side,
                               double turned) {
   const Body body = body_of(points);
@@ -121,7 +140,8 @@ std::optional<Piece> piece_of(const std::vector<cv::Point>& points,
       length < slender_cut * body.width || off_walls(body.way, turned) > off_axis)
     return std::nullopt;
   const bool thin = is_thin(body);
-  if (thin ? !whole : !has_sides(marks, body)) return std::nullopt;
+  const bool box = has_sides(marks, body) && is_full_or_hollow(raw, body);
+  if (thin ? !whole : !box) return std::nullopt;
   return Piece{body, !thin, whole};
 }
 
@@ -140,10 +160,8 @@ cv::Mat lines_beside(const cv::Mat& labels, const cv::Mat& stats, double side) {
   return lines;
 }
 
-std::vector<Piece> pieces_in(const cv::Mat& marks,
-                             const cv::Mat& floor,
-                             double side,
-                             double turned) {
+std::vector<Piece> pieces_in(
+    const cv::Mat& marks, const cv::Mat& raw, const cv::Mat& floor, double side, double turned) {
   cv::Mat labels, stats, centres;
   const int count = cv::connectedComponentsWithStats(marks, labels, stats, centres, 8, CV_32S);
   const cv::Mat lines = lines_beside(labels, stats, side);
@@ -155,7 +173,7 @@ std::vector<Piece> pieces_in(const cv::Mat& marks,
                        stats.at<int>(i, cv::CC_STAT_HEIGHT));
     if (std::max(box.width, box.height) < shortest_cut * side) continue;
     if (std::min(box.width, box.height) > 0.85 * std::max(box.width, box.height)) continue;
-    const auto piece = piece_of(points_of(labels, i, box), marks, side, turned);
+    const auto piece = piece_of(points_of(labels, i, box), marks, raw, side, turned);
     if (!piece || !floor.at<std::uint8_t>(piece->body.centre)) continue;
     const int px = cvRound(reach * side);
     const bool divides = !piece->box && ends_at_line(lines, floor, piece->body, -1, px) &&
@@ -196,14 +214,31 @@ bool has_other_half(std::size_t one,
                     const std::vector<ShelfStroke>& strokes,
                     const std::vector<Lane>& lanes,
                     double side) {
-  constexpr double farthest = 0.2;  // as long as a word
+  constexpr double nearest = 0.022, farthest = 0.2;  // from letter to letter; as long as a word
   const Lane& a = lanes[one];
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     const Lane& b = lanes[i];
     const double apart = std::max(a.from, b.from) - std::min(a.to, b.to);
     if (i != one && strokes[i].along_x == strokes[one].along_x &&
         std::abs(a.at - b.at) < 0.25 * a.width && std::abs(a.width - b.width) < 0.25 * a.width &&
-        apart > 0 && apart < farthest * side)
+        apart > nearest * side && apart < farthest * side)
+      return true;
+  }
+  return false;
+}
+
+// Words stand in rows, too, but not so close to others of just their length.
+bool has_twin_beside(std::size_t one,
+                     const std::vector<ShelfStroke>& strokes,
+                     const std::vector<Lane>& lanes,
+                     double side) {
+  constexpr double farthest = 0.2, alike = 0.15;
+  const Lane& a = lanes[one];
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    const Lane& b = lanes[i];
+    const double apart = std::abs(a.at - b.at);
+    if (strokes[i].along_x == strokes[one].along_x && beside(a, b) && apart > 0.5 * a.width &&
+        apart < farthest * side && std::abs(a.length() - b.length()) < alike * a.length())
       return true;
   }
   return false;
@@ -235,7 +270,9 @@ std::vector<bool> are_shelves(const std::vector<ShelfStroke>& strokes,
     shelf[i] = peer;
   }
   for (std::size_t i = 0; i < strokes.size(); ++i)
-    if (!pieces[i].whole) shelf[i] = has_other_half(i, strokes, lanes, side);
+    if (!pieces[i].whole)
+      shelf[i] =
+          has_other_half(i, strokes, lanes, side) && has_twin_beside(i, strokes, lanes, side);
   for (std::size_t i = 0; i < strokes.size(); ++i)
     for (std::size_t k = 0; k < strokes.size(); ++k)
       if (hatch[k] &&
@@ -314,8 +351,8 @@ std::vector<ShelfStroke> shelf_strokes(const cv::Mat& bgr,
                                        const cv::Mat& floor,
                                        double longer_side,
                                        double turned) {
-  const cv::Mat marks = grey_marks(bgr, longer_side);
-  std::vector<Piece> pieces = pieces_in(marks, floor, longer_side, turned);
+  const cv::Mat raw = grey_marks(bgr, longer_side), marks = mended(raw);
+  std::vector<Piece> pieces = pieces_in(marks, raw, floor, longer_side, turned);
   const cv::Mat density = stroke_density(marks, longer_side);
   std::erase_if(pieces, [&](const Piece& piece) {
     return !piece.box && density.at<float>(piece.body.centre) > hatched_from;
