@@ -6,6 +6,7 @@
 
 #include "drawing/zone_picture.h"
 #include "drawing/zone_segments.h"
+#include "drawing/zone_shelves.h"
 #include "geometry/image.h"
 #include "io/png.h"
 
@@ -31,5 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const drawing::Segments found =
       drawing::segments_of(picture->bgr, picture->ink, floor, picture->longer_side);
   if (found.label.size() != picture->bgr.size()) std::abort();
+  const auto shelves = drawing::shelf_strokes(picture->bgr, floor, picture->longer_side, 0);
+  const auto runs = drawing::runs_on(found, shelves, picture->longer_side, 0);
+  if (runs.size() != found.parts.size()) std::abort();
   return 0;
 }

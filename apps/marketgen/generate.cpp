@@ -126,6 +126,18 @@ void print_planner(const std::optional<intake::PlannerRecord>& record) {
       record->usd ? fmt::format(", {:.4f} US dollars", *record->usd) : "");
 }
 
+void print_drawing(const std::optional<intake::DrawnFit>& drawing) {
+  if (!drawing) return;
+  int runs = 0, drawn_runs = 0;
+  for (const intake::DrawnZoneFit& zone : drawing->zones) {
+    drawn_runs += zone.drawn_runs.value_or(0);
+    if (zone.drawn_runs) runs += std::min(zone.runs.value_or(0), *zone.drawn_runs);
+  }
+  const std::string shelves =
+      drawn_runs > 0 ? fmt::format(", {} of {} runs of shelves", runs, drawn_runs) : "";
+  say("drawing     zones agree on {:.0f} % of the floor (IoU){}\n", 100 * drawing->iou, shelves);
+}
+
 void print_summary(const GenerateOutput& output) {
   const scene::SceneCounts& counts = output.manifest.counts;
   const auto number = [](std::uint64_t n) { return with_thousands(static_cast<std::int64_t>(n)); };
@@ -144,6 +156,7 @@ void print_summary(const GenerateOutput& output) {
       m.OOB,
       m.NAV);
   print_planner(output.report.planner);
+  print_drawing(output.report.drawing);
   print_requirements(output.report);
   print_rules(output.report);
   for (const scene::Unstocked& own : output.report.unstocked)

@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """Drawings of shops' zones with known truth: PNG and JPEG pictures, and what is in them.
 
-    .venv/bin/python tests/zone_drawings/make_zone_drawings.py FOLDER [--seed 1] [--count 100] [--small]
+    .venv/bin/python tests/zone_drawings/make_zone_drawings.py FOLDER [--seed 1] [--count 100] [--small] [--what shelves|black]
 
 FOLDER/truth.json lists for each drawing its file, style, whether it is photographed, the dimensions written on it (0: none), and in
 millimetres, in the frame of the shop (south-west corner, y north), width, depth, doors [x0, y0, x1, y1] and zones {words, x, y, w, d};
 a zone without words and colour is bare floor. Needs a font with Chinese letters: Debian's fonts-wqy-microhei. The same seed and fonts
 make the same files. --small: small JPEG pictures, for the tests' own set.
+
+--what shelves: the same drawings with shelves in their zones, as strokes, bars or narrow boxes side by side; a zone has "runs" [how many,
+"x" or "y"] in the truth where it has some. --what black: hatched in black in directions and distances that differ from zone to zone,
+hatched so in one colour, and zones of one or two colours with lines between them.
 """
 
 import argparse
@@ -20,6 +24,9 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFilter, ImageFont
 
 STYLES = ["flat", "marker", "hatched", "pencil", "legend"]
+BLACK_STYLES = ["black", "one pen", "lined"]
+SHELF_FORMS = ["line", "bar", "box", "cells", "grey"]
+NO_SHELVES = {"Checkout", "收银", "Storage", "仓库"}
 ENGLISH = ["Produce", "Fruit & Veg", "Dairy", "Bakery", "Frozen", "Meat", "Drinks", "Snacks", "Checkout", "Fish", "Deli", "Wine",
            "Beverages", "Household", "Health & Beauty", "Grocery", "Pet food", "Storage"]
 CHINESE = ["蔬果", "乳品", "烘焙", "冷冻", "肉类", "饮料", "零食", "收银", "水产", "熟食", "日用品", "酒水", "粮油", "仓库"]
@@ -54,6 +61,23 @@ def divide(rng, w, d, wanted):
         else:
             break
     return parts
+
+
+def neighbours(a, b):
+    """Two rectangles with a border in common."""
+    over_x = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])
+    over_y = min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
+    return (over_x == 0 and over_y > 0) or (over_y == 0 and over_x > 0)
+
+
+def told_apart(rng, zones, kinds):
+    """Of each zone an index below `kinds` that no neighbour has, as far as there are enough."""
+    chosen = []
+    for i, zone in enumerate(zones):
+        near = {chosen[k] for k in range(i) if neighbours(zone, zones[k])}
+        free = [k for k in range(kinds) if k not in near] or list(range(kinds))
+        chosen.append(rng.choice(free))
+    return chosen
 
 
 def doors_of(rng, w, d):
@@ -92,6 +116,13 @@ class Sheet:
         order = list(range(len(COLOURS)))
         rng.shuffle(order)
         self.colour = order
+        self.runs = [None] * len(self.zones)
+        if style == "lined":
+            self.colour = [order[rng.randrange(2)] for _ in self.zones]
+        # Directions and distances of the hatching (share of the sheet's width); 90 degrees is upright.
+        self.hatching = [(a, g) for g in (0.010, 0.021) for a in (0, 45, 90, 135)]
+        if style in ("black", "one pen"):
+            self.hatching = [self.hatching[k] for k in told_apart(rng, self.zones, rng.choice([4, 4, 8]))]
 
     def at(self, x, y):
         return (self.left + x * self.px, self.top + (self.d - y) * self.px)
@@ -118,6 +149,8 @@ class Sheet:
         rng, colour = self.rng, COLOURS[self.colour[index]]
         if self.style in ("flat", "legend"):
             self.draw.rectangle(box, fill=colour)
+        elif self.style == "lined":
+            self.draw.rectangle(box, fill=COLOURS[self.colour[index]], outline=(30, 30, 30), width=2)
         elif self.style == "marker":
             inset = rng.uniform(2, 7)
             pen = max(5, self.size[0] // 90)
@@ -128,8 +161,13 @@ class Sheet:
                 self.wobbly((ends[0] + pen / 2, y), (ends[1] - pen / 2, y), shade, pen, 0.3)
                 y += pen * rng.uniform(0.75, 1.15)
         else:
-            pen, gap = PENS[self.colour[index]], rng.uniform(0.009, 0.014) * self.size[0]
-            angle = math.radians(rng.choice([30, 45, 60, 90, 120, 135, 150]))
+            if self.style == "hatched":
+                pen, gap = PENS[self.colour[index]], rng.uniform(0.009, 0.014) * self.size[0]
+                angle = math.radians(rng.choice([30, 45, 60, 90, 120, 135, 150]))
+            else:
+                pen = (30, 30, 30) if self.style == "black" else PENS[self.colour[0]]
+                degrees, gap = self.hatching[index]
+                angle, gap = math.radians(degrees + rng.uniform(-4, 4)), gap * self.size[0]
             mask = Image.new("L", self.size, 0)
             ink = ImageDraw.Draw(mask)
             cx, cy, far = (x0 + x1) / 2, (y0 + y1) / 2, max(self.size)
@@ -170,8 +208,8 @@ class Sheet:
         for index, ((x, y, w, d), name) in enumerate(zip(self.zones, self.names)):
             if not name or self.style == "legend":
                 continue
-            cx, cy = self.at(x + w / 2, y + d / 2)
-            if self.style == "hatched":  # written on a patch left free
+            cx, cy = self.name_at.get(index, self.at(x + w / 2, y + d / 2))
+            if self.style in ("hatched", "black", "one pen"):  # written on a patch left free
                 half = min(w * self.px * 0.45, self.size[0] * 0.09), self.size[0] * 0.02
                 self.draw.rectangle((cx - half[0], cy - half[1], cx + half[0], cy + half[1]), fill=(252, 252, 250))
                 self.text((cx, cy), name, 2 * half[0], d * self.px)
@@ -203,7 +241,58 @@ class Sheet:
             x, y = self.at((x0 + x1) / 2, y0)
             self.draw.text((x, y + (self.wall * self.px + unit * 1.2) * (1 if y0 == 0 else -1)), name, font=self.font(unit), fill=(40, 40, 40), anchor="mm")
 
-    def make(self):
+    def shelf(self, box, along_x, form):
+        """One run of shelves: corners on the picture."""
+        x0, y0, x1, y1 = box
+        grey = (85, 85, 85) if self.style == "pencil" else (30, 30, 30)
+        thin = max(1, self.size[0] // 500)
+        if form == "line":
+            middle = ((x0, (y0 + y1) / 2), (x1, (y0 + y1) / 2)) if along_x else (((x0 + x1) / 2, y0), ((x0 + x1) / 2, y1))
+            self.wobbly(*middle, grey, thin + 1, 0.25)
+        elif form == "bar":
+            self.draw.rectangle(box, fill=grey)
+        elif form == "grey":
+            self.draw.rectangle(box, fill=(190, 190, 190), outline=grey, width=thin)
+        else:
+            self.draw.rectangle(box, outline=grey, width=thin)
+            for k in range(1, 5 if form == "cells" else 0):
+                x, y = x0 + (x1 - x0) * k / 5, y0 + (y1 - y0) * k / 5
+                self.draw.line([(x, y0), (x, y1)] if along_x else [(x0, y), (x1, y)], fill=grey, width=thin)
+
+    def shelves(self, rng):
+        """Runs side by side in zones that have room, with the name above them or on a patch over them."""
+        form, deep = rng.choice(SHELF_FORMS), rng.choice([900, 1000, 1200])
+        may_lie_over = rng.random() < 0.4 and self.style not in ("legend", "hatched", "marker")
+        for index, ((x, y, w, d), name) in enumerate(zip(self.zones, self.names)):
+            if not name or name in NO_SHELVES or rng.random() < 0.3:
+                continue
+            along_x = rng.random() < 0.5
+            half = min(w * self.px * 0.45, self.size[0] * 0.1), self.size[0] * 0.022
+            over = may_lie_over and (half[0] < 0.3 * w * self.px if along_x else half[1] < 0.3 * d * self.px)
+            band = 0 if over or self.style == "legend" else max(1500, 0.05 * max(self.w, self.d))
+            inset = rng.uniform(700, 1200)
+            x0, y0, x1, y1 = x + inset, y + inset, x + w - inset, y + d - inset - band
+            length, across = (x1 - x0, y1 - y0) if along_x else (y1 - y0, x1 - x0)
+            pitch = deep + rng.uniform(1500, 2600)
+            count = min(7, int((across - deep) / pitch) + 1)
+            if length < 2500 or count < 2:
+                continue
+            start = (across - deep - (count - 1) * pitch) / 2
+            for k in range(count):
+                low = start + k * pitch
+                ends = (x0, y0 + low, x1, y0 + low + deep) if along_x else (x0 + low, y0, x0 + low + deep, y1)
+                (xa, ya), (xb, yb) = self.at(ends[0], ends[3]), self.at(ends[2], ends[1])
+                self.shelf((xa, ya, xb, yb), along_x, form)
+            self.runs[index] = [count, "x" if along_x else "y"]
+            cx, cy = self.at(x + w / 2, y + d / 2)
+            if over:
+                ground = COLOURS[self.colour[index]] if self.style == "flat" else (252, 252, 250)
+                self.draw.rectangle((cx - half[0], cy - half[1], cx + half[0], cy + half[1]), fill=ground)
+            elif band:
+                self.name_at[index] = self.at(x + w / 2, y + d - band * 0.55)
+
+    def make(self, shelves_rng=None):
+        self.name_at = {}
         for index, (x, y, w, d) in enumerate(self.zones):
             (xa, ya), (xb, yb) = self.at(x, y + d), self.at(x + w, y)
             if self.style != "pencil" and index != self.bare:
@@ -216,6 +305,8 @@ class Sheet:
                 outer = (px == qx and px in (0, self.w)) or (py == qy and py in (0, self.d))
                 if not outer and (i in (1, 2)):
                     self.wobbly(corners[i], corners[(i + 1) % 4], tuple(c + 15 for c in ink), 2, 0.5)
+        if shelves_rng:
+            self.shelves(shelves_rng)
         self.labels()
         self.outside()
         if self.style == "legend":
@@ -270,15 +361,18 @@ def main():
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--count", type=int, default=100)
     arguments.add_argument("--small", action="store_true")
+    arguments.add_argument("--what", choices=["zones", "shelves", "black"], default="zones")
     options = arguments.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     truths = []
     for number in range(options.count):
         rng = random.Random(options.seed * 100003 + number)
-        style = STYLES[number % len(STYLES)]
-        photographed = number // len(STYLES) % 2 == 1
+        styles = BLACK_STYLES if options.what == "black" else STYLES
+        style = styles[number % len(styles)]
+        photographed = number // len(styles) % 2 == 1
         sheet = Sheet(rng, style, options.small)
-        image = seen(rng, sheet.make(), photographed)
+        shelves_rng = random.Random(options.seed * 100003 + number + 50000) if options.what == "shelves" else None
+        image = seen(rng, sheet.make(shelves_rng), photographed)
         name = f"{number:03}." + ("jpg" if photographed or rng.random() < 0.3 or options.small else "png")
         data = io.BytesIO()
         if name.endswith("jpg"):
@@ -289,7 +383,8 @@ def main():
         truths.append({
             "file": name, "style": style, "photographed": photographed, "width": sheet.w, "depth": sheet.d,
             "dimensions": [sheet.w, 0] if sheet.dimensions else [0, 0], "doors": [list(door) for door in sheet.doors],
-            "zones": [{"words": n, "x": x, "y": y, "w": w, "d": d} for (x, y, w, d), n in zip(sheet.zones, sheet.names)]})
+            "zones": [{"words": n, "x": x, "y": y, "w": w, "d": d} | ({"runs": r} if r else {})
+                      for (x, y, w, d), n, r in zip(sheet.zones, sheet.names, sheet.runs)]})
     (options.folder / "truth.json").write_text(json.dumps(truths, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
 
 

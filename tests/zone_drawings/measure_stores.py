@@ -72,9 +72,24 @@ def agreement(truth, plan):
     return shared / either
 
 
+def count_runs(truth, plan, shelves):
+    """Of drawn zones with shelves: how many have a plan's zone with as many runs (or the same axis), each of which pairs by overlap."""
+    boxes = rectangles(plan)
+    width, depth = truth["width"], truth["depth"]
+    for z in truth["zones"]:
+        if "runs" not in z:
+            continue
+        drawn = squares((z["x"] / width, z["y"] / depth, (z["x"] + z["w"]) / width, (z["y"] + z["d"]) / depth))
+        best = max(boxes, key=lambda name: len(squares(boxes[name]) & drawn))
+        fixture = next(zone["fixture"] for zone in plan["zones"] if zone["id"] == best)
+        shelves["drawn"] += 1
+        shelves["axis"] += fixture.get("axis") == z["runs"][1]
+        shelves["count"] += fixture.get("axis") == z["runs"][1] and fixture.get("runs") == z["runs"][0]
+
+
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    rows = []
+    rows, shelves = [], {"drawn": 0, "count": 0, "axis": 0}
     for truth in json.loads((folder / "truth.json").read_text()):
         with tempfile.TemporaryDirectory() as scratch:
             shop = pathlib.Path(scratch) / "shop"
@@ -89,7 +104,9 @@ def main():
                 rows.append((truth, 0.0, 0, 1.0, 0.0))
                 continue
             report = json.loads(made.stdout)["report"]
-            iou = agreement(truth, json.loads((shop / "plan.json").read_text()))
+            plan = json.loads((shop / "plan.json").read_text())
+            iou = agreement(truth, plan)
+            count_runs(truth, plan, shelves)
         hard = sum(rule["severity"] == "hard" for rule in report["rules"])
         planning = sum(s["seconds"] for s in report["timing_s"] if s["stage"] == "plan")
         rows.append((truth, iou, hard, report["metrics"]["NAV"], planning))
@@ -101,6 +118,8 @@ def main():
         f"drawn {statistics.median(with_tills) if with_tills else 0:.3f}; hard rules broken {sum(row[2] for row in rows)}; "
         f"NAV worst {min(row[3] for row in rows):.4f}"
     )
+    if shelves["drawn"]:
+        print(f"of {shelves['drawn']} zones with shelves {shelves['count']} have as many runs, {shelves['axis']} their direction")
 
 
 main()

@@ -12,8 +12,11 @@
 #include "drawing/curves.h"
 #include "drawing/recognise.h"
 #include "drawing/shell_of.h"
+#include "drawing/zone_chart.h"
+#include "drawing/zone_hatching.h"
 #include "drawing/zone_picture.h"
 #include "drawing/zone_segments.h"
+#include "drawing/zone_shelves.h"
 #include "drawing/zone_words.h"
 #include "geometry/image.h"
 #include "io/file.h"
@@ -95,6 +98,8 @@ struct KnownSize {
   bool guessed = false;
 };
 
+constexpr double longest_shop_mm = 200'000;
+
 // "20 m" above or below the plan is its width, beside it its depth.
 std::optional<double> written_scale(const ZonePicture& picture,
                                     const std::vector<WrittenLine>& lines) {
@@ -106,7 +111,9 @@ std::optional<double> written_scale(const ZonePicture& picture,
     const bool over_x =
         at.x > f.x && at.x<f.x + f.width, over_y = at.y> f.y && at.y < f.y + f.height;
     if (over_x == over_y) continue;
-    return *mm / (over_x ? f.width : f.height);
+    const double mm_per_px = *mm / (over_x ? f.width : f.height);
+    // "18.7 m" may be read as 187 m.
+    if (mm_per_px * std::max(f.width, f.height) <= longest_shop_mm) return mm_per_px;
   }
   return std::nullopt;
 }
@@ -132,6 +139,25 @@ Result<KnownSize> size_of(const ZonePicture& picture,
                "a picture does not say how large a pixel is on the floor: write the width of the "
                "shop along it (\"20 m\"), say --floor-plan-scale \"1 px = 10 mm\", or the inner "
                "size of the shop in words or with --size"};
+}
+
+// What a person is told of a size whose sides are not as those of the drawing; else empty.
+std::string other_proportions(const ZonePicture& picture, const ReadOptions& options) {
+  constexpr double alike = 0.06;  // a photo shows sides up to 5 % off
+  const double width = options.width_mm / 1000, depth = options.depth_mm / 1000;
+  if (!picture.rectangle || width <= 0 || depth <= 0) return "";
+  const double said = width / depth, seen = picture.seen_aspect;
+  if (std::abs(std::log(said / seen)) < alike) return "";
+  const bool turned = std::abs(std::log(said * seen)) < alike;
+  return fmt::format(
+      "it is drawn {:.2f} times as wide as deep, but the size of {:g} x {:g} m is {:.2f} times as "
+      "wide as deep: all that is drawn is stretched; {}x{}m would keep its sides",
+      seen,
+      width,
+      depth,
+      said,
+      fmt::format("{:g}", turned ? depth : width),
+      turned ? fmt::format("{:g}", width) : fmt::format("{:.1f}", width / seen));
 }
 
 // What the word beside a door says it is for, as names of blocks do.
@@ -315,15 +341,44 @@ void add_areas(ZoneDrawing& drawing) {
     if (i >= 0) drawing.zones[i].area_m2 += cell_mm * cell_mm * 1e-6;
 }
 
-Result<ZoneDrawing> drawing_of(const ZonePicture& picture,
+// How far the longest wall is off the nearer of the picture's sides, as the picture has it, y down.
+double angle_of_walls(const Found& found) {
+  Vec2 longest{1, 0};
+  double most = 0;
+  for (std::size_t i = 0; i < found.outline.size(); ++i) {
+    const Vec2 way = found.outline[(i + 1) % found.outline.size()] - found.outline[i];
+    const double length = std::hypot(way.x, way.y);
+    if (length > most) longest = way;
+    most = std::max(most, length);
+  }
+  const double angle = std::atan2(-longest.y, longest.x), right = std::numbers::pi / 2;
+  return angle - std::round(angle / right) * right;
+}
+
+// Zones and words are read as if there were none.
+ZonePicture without_shelves(ZonePicture picture, const std::vector<ShelfStroke>& shelves) {
+  const cv::Mat places = places_of(shelves, picture.bgr.size());
+  picture.bgr = without_places(picture.bgr, places);
+  picture.ink &= ~places;
+  return picture;
+}
+
+Result<ZoneDrawing> drawing_of(ZonePicture picture,
                                const std::string& where,
                                const ReadOptions& options) {
   MARKETGEN_TRY(Found found, found_in(picture, where));
   ZoneDrawing drawing;
   const cv::Mat floor = mask_of(found, picture.bgr);
+  const double walls_turned = angle_of_walls(found);
+  const std::vector<ShelfStroke> shelves =
+      shelf_strokes(picture.bgr, floor, picture.longer_side, walls_turned);
+  picture = without_shelves(std::move(picture), shelves);
   const Segments segments = segments_of(picture.bgr, picture.ink, floor, picture.longer_side);
   if (segments.parts.size() < 2) return no_zones(where);
-  const cv::Mat letters = letter_ink(picture.bgr, picture.longer_side, segments.hatched);
+  const bool black_hatching = segments.hatched && !segments.coloured;
+  cv::Mat letters =
+      letter_ink(picture.bgr, picture.longer_side, segments.hatched && segments.coloured);
+  if (black_hatching) letters = letters_on_hatching(letters, picture.longer_side);
   const std::vector<cv::Rect> boxes =
       lines_of_writing(letters, borders_of(segments), picture.longer_side);
   std::vector<WrittenLine> lines;
@@ -331,6 +386,10 @@ Result<ZoneDrawing> drawing_of(const ZonePicture& picture,
     lines = std::move(*read);
   else
     drawing.warnings.push_back(to_string(read.error()));
+  const bool frame = picture.rectangle && picture.gaps.empty();
+  if (frame && is_bar_chart(segments, picture.floor, lines)) return chart("bar chart", where);
+  if (const std::string other = other_proportions(picture, options); !other.empty())
+    drawing.warnings.push_back(other);
   MARKETGEN_TRY(const KnownSize size, size_of(picture, options, lines, where));
   name_openings(found, picture, lines);
   const Found in_mm = scaled_by(found, size.mm_per_px);
@@ -344,6 +403,9 @@ Result<ZoneDrawing> drawing_of(const ZonePicture& picture,
       drawing.floor.columns_confidence = by_pixels;
   drawing.zones = zones_of(picture, segments, lines);
   add_legend(drawing.zones, picture, segments, lines);
+  const auto runs = runs_on(segments, shelves, picture.longer_side, walls_turned);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    drawing.zones[i].runs = runs[i];
   const std::vector<int> zone_of = kept_zones(drawing.zones, segments);
   if (drawing.zones.empty()) return no_zones(where);
   const double turned = drawing.floor.turned_deg * std::numbers::pi / 180;
@@ -364,9 +426,9 @@ Result<ZoneDrawing> read_zone_drawing_bytes(std::string_view bytes,
                                             const ReadOptions& options) {
   const double aspect =
       options.width_mm > 0 && options.depth_mm > 0 ? options.width_mm / options.depth_mm : 0;
-  MARKETGEN_TRY(const ZonePicture picture, zone_picture(bytes, where, aspect));
+  MARKETGEN_TRY(ZonePicture picture, zone_picture(bytes, where, aspect));
   try {
-    return drawing_of(picture, where, options);
+    return drawing_of(std::move(picture), where, options);
   } catch (const cv::Exception& fault) {
     return Error{
         "drawing.bad_file", where, std::string("the picture cannot be looked at: ") + fault.what()};

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,12 +29,20 @@ struct ZoneMap {
   }
 };
 
+// Shelves that are drawn in a zone.
+struct DrawnRuns {
+  int count = 0;         // straight lines side by side
+  bool along_x = false;  // they lie east-west
+  double confidence = 0;
+};
+
 struct DrawnZone {
   std::string words;  // written on it, or beside its colour in the legend; UTF-8, may be empty
   bool from_legend = false;
   double words_confidence = 0;  // 0 to 1, of the reader of text
   std::array<std::uint8_t, 3> rgb{};
   double area_m2 = 0;
+  std::optional<DrawnRuns> runs{};  // absent: no shelves are drawn there
 };
 
 struct ZoneDrawing {
@@ -47,7 +56,7 @@ struct ZoneDrawing {
 // PNG or JPEG: drawn, scanned, or photographed up to about 30 degrees askew. Scale as of floor
 // plans (floor_plan.h), else from dimensions that are written along it ("20 m"), else guessed.
 // Errors: those of read_floor_plan; drawing.no_zones when nothing within the outline tells one part
-// of it from another.
+// of it from another; drawing.chart.
 Result<ZoneDrawing> read_zone_drawing(const std::filesystem::path& path,
                                       const ReadOptions& options);
 Result<ZoneDrawing> read_zone_drawing_bytes(std::string_view bytes,

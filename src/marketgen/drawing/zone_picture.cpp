@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "drawing/picture.h"
+#include "drawing/zone_chart.h"
 #include "geometry/image.h"
 
 namespace marketgen::drawing {
@@ -158,12 +159,33 @@ void add_gaps(ZonePicture& picture, const cv::Mat& dark, int side, double wall_p
   }
 }
 
+struct Margins {
+  double left = 20, top = 20, right = 20, bottom = 20;
+};
+
+// How much of the sheet to see beside a floor of that size.
+Margins margins_of(cv::Size picture, const cv::Mat& map_to_floor, double width, double depth) {
+  const float cols = static_cast<float>(picture.width), rows = static_cast<float>(picture.height);
+  std::vector<cv::Point2f> sheet{{0, 0}, {cols, 0}, {0, rows}, {cols, rows}}, seen;
+  cv::perspectiveTransform(sheet, seen, map_to_floor);
+  const double most = 0.6 * std::max(width, depth);
+  Margins m;
+  for (const cv::Point2f& p : seen) {
+    m.left = std::max(m.left, std::min(most, -double(p.x)));
+    m.top = std::max(m.top, std::min(most, -double(p.y)));
+    m.right = std::max(m.right, std::min(most, p.x - width));
+    m.bottom = std::max(m.bottom, std::min(most, p.y - depth));
+  }
+  return m;
+}
+
 // The floor seen from above, with what is drawn around it.
 ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double aspect) {
   const auto& c = walls.inner;
   const double width = (cv::norm(c[1] - c[0]) + cv::norm(c[2] - c[3])) / 2;
   const double depth = (cv::norm(c[3] - c[0]) + cv::norm(c[2] - c[1])) / 2;
-  const double ratio = aspect > 0 ? aspect : aspect_of(c, flat.size());
+  const double seen_aspect = aspect_of(c, flat.size());
+  const double ratio = aspect > 0 ? aspect : seen_aspect;
   const double longer_seen = std::max(width, depth);
   const double longer = std::clamp(longer_seen, 700.0, 1100.0);
   const double w = ratio >= 1 ? longer : longer * ratio, d = ratio >= 1 ? longer / ratio : longer;
@@ -175,22 +197,12 @@ ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double asp
                                       cv::Point2f(float(x), float(y + d))};
     return cv::getPerspectiveTransform(from, to);
   };
-  std::vector<cv::Point2f> sheet{
-      {0, 0}, {float(flat.cols), 0}, {0, float(flat.rows)}, {float(flat.cols), float(flat.rows)}},
-      seen;
-  cv::perspectiveTransform(sheet, seen, map_to(0, 0));
-  const double most = 0.6 * longer;
-  double left = 20, top = 20, right = 20, bottom = 20;
-  for (const cv::Point2f& p : seen) {
-    left = std::max(left, std::min(most, -double(p.x)));
-    top = std::max(top, std::min(most, -double(p.y)));
-    right = std::max(right, std::min(most, p.x - w));
-    bottom = std::max(bottom, std::min(most, p.y - d));
-  }
+  const auto [left, top, right, bottom] = margins_of(flat.size(), map_to(0, 0), w, d);
   ZonePicture picture;
   picture.rectangle = true;
   picture.floor = {left, top, w, d};
   picture.longer_side = longer;
+  picture.seen_aspect = seen_aspect;
   picture.px_of_file = longer_seen / longer;
   const cv::Mat map = map_to(left, top);
   cv::warpPerspective(flat,
@@ -216,6 +228,7 @@ ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double asp
 Result<ZonePicture> picture_of(cv::Mat bgr, const std::string& where, double aspect) {
   const double px = shrink(bgr, longest_side_px);
   const cv::Mat flat = flattened(bgr);
+  if (is_pie_chart(flat)) return chart("pie chart", where);
   const cv::Mat ink = dark_ink(flat);
   if (const auto walls = four_walls(ink)) {
     ZonePicture picture = straightened(flat, *walls, aspect);

@@ -24,6 +24,7 @@ struct ZonePicture {
   cv::Rect2d floor;
   bool rectangle = false;     // four straight walls were found, and the picture made square by them
   std::vector<Gap> gaps;      // in the walls of a rectangle
+  double seen_aspect = 0;     // width over depth of a rectangle, as the picture shows it
   double px_of_file = 1;      // pixels of the file in one of this picture
   double longer_side = 1000;  // of `floor`, pixels: what sizes on the picture are told by
 };
@@ -42,7 +43,7 @@ std::optional<FourWalls> four_walls(const cv::Mat& ink);
 double aspect_of(const std::array<cv::Point2d, 4>& corners, cv::Size picture);
 
 // `aspect`: width over depth where it is known, else 0. Errors: drawing.bad_file, image.bad_file,
-// input.too_large, drawing.no_outline.
+// input.too_large, drawing.no_outline, drawing.chart.
 Result<ZonePicture> zone_picture(std::string_view bytes, const std::string& where, double aspect);
 
 }  // namespace marketgen::drawing

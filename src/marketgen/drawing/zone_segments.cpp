@@ -3,31 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <opencv2/imgproc.hpp>
+
+#include "drawing/zone_classes.h"
+#include "drawing/zone_hatching.h"
+#include "drawing/zone_marks.h"
 
 namespace marketgen::drawing {
 namespace {
 
 constexpr float min_chroma = 9;  // less is paper
-constexpr int unlabelled = -1;
-constexpr double narrowest = 0.012;  // half a zone's width, of the floor's longer side
-
-cv::Mat chroma_of(const cv::Mat& ab) {
-  std::array<cv::Mat, 2> channels;
-  cv::split(ab, channels.data());
-  cv::Mat chroma;
-  cv::magnitude(channels[0], channels[1], chroma);
-  return chroma;
-}
-
-int odd(double px) {
-  return std::max(3, 2 * static_cast<int>(std::lround(px / 2)) + 1);
-}
-
-cv::Mat square(int side) {
-  return cv::Mat::ones(side, side, CV_8UC1);
-}
 
 // Mean colour around each pixel of what is coloured there: that of the pen, however far apart its
 // strokes are.
@@ -40,145 +27,6 @@ cv::Mat pen_colours(const cv::Mat& ab, const cv::Mat& coloured, int window) {
   cv::blur(weights, weights, {window, window});
   cv::divide(sum, weights + cv::Scalar::all(1e-3), sum);
   return sum;
-}
-
-// Colours that many pixels have: peaks of a histogram over a and b.
-std::vector<cv::Vec2d> main_colours(const cv::Mat& ab, const cv::Mat& mask, double apart) {
-  constexpr int size = 128, half = 64;  // bins of 2
-  cv::Mat histogram = cv::Mat::zeros(size, size, CV_32F);
-  int count = 0;
-  for (int y = 0; y < ab.rows; ++y) {
-    for (int x = 0; x < ab.cols; ++x) {
-      if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      const cv::Vec2f& p = ab.at<cv::Vec2f>(y, x);
-      const int a = std::clamp(cvRound(p[0] / 2) + half, 0, size - 1);
-      const int b = std::clamp(cvRound(p[1] / 2) + half, 0, size - 1);
-      histogram.at<float>(b, a) += 1;
-      ++count;
-    }
-  }
-  cv::GaussianBlur(histogram, histogram, {0, 0}, 1.7, 1.7, cv::BORDER_CONSTANT);
-  constexpr double min_share = 0.0012;  // of the coloured pixels, in one bin
-  constexpr std::size_t most = 24;
-  std::vector<cv::Vec2d> peaks;
-  while (peaks.size() < most) {
-    double high = 0;
-    cv::Point at;
-    cv::minMaxLoc(histogram, nullptr, &high, nullptr, &at);
-    if (high < min_share * count || count == 0) break;
-    peaks.emplace_back(2.0 * (at.x - half), 2.0 * (at.y - half));
-    cv::circle(histogram, at, static_cast<int>(std::lround(apart / 2)), 0, cv::FILLED);
-  }
-  return peaks;
-}
-
-// Peaks on the way from one colour to another at whose border both mix hold few pixels that lie
-// amid their like: `core` keeps only such.
-cv::Mat core_of(const cv::Mat& colours, const cv::Mat& coloured, int window) {
-  cv::Mat low, high, spread;
-  cv::erode(colours, low, square(window));
-  cv::dilate(colours, high, square(window));
-  spread = chroma_of(high - low);
-  return (spread < 12) & coloured;
-}
-
-int nearest_colour(const std::vector<cv::Vec2d>& colours, const cv::Vec2d& to, double within) {
-  int best = -1;
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    const double d = cv::norm(colours[i] - to);
-    if (d < within) {
-      within = d;
-      best = static_cast<int>(i);
-    }
-  }
-  return best;
-}
-
-// Every pixel of `where` that has no label takes that of the nearest that has one.
-void fill_from_nearest(cv::Mat& label, const cv::Mat& where) {
-  const cv::Mat free = label == unlabelled;
-  if (cv::countNonZero(~free) == 0) return;
-  cv::Mat depth, nearest;
-  cv::distanceTransform(free, depth, nearest, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
-  std::vector<int> of_seed(label.total() + 1, unlabelled);
-  for (int y = 0; y < label.rows; ++y)
-    for (int x = 0; x < label.cols; ++x)
-      if (free.at<std::uint8_t>(y, x) == 0) of_seed[nearest.at<int>(y, x)] = label.at<int>(y, x);
-  for (int y = 0; y < label.rows; ++y)
-    for (int x = 0; x < label.cols; ++x)
-      if (where.at<std::uint8_t>(y, x) != 0 && free.at<std::uint8_t>(y, x) != 0)
-        label.at<int>(y, x) = of_seed[nearest.at<int>(y, x)];
-}
-
-constexpr double min_inked = 0.06;  // share of coloured pixels around one
-
-cv::Mat share_around(const cv::Mat& mask, int window) {
-  cv::Mat share;
-  mask.convertTo(share, CV_32F, 1.0 / 255);
-  cv::blur(share, share, {window, window});
-  return share;
-}
-
-// The class with the most strokes around each pixel.
-cv::Mat strongest_class(const cv::Mat& colours,
-                        const cv::Mat& coloured,
-                        const std::vector<cv::Vec2d>& classes,
-                        int window) {
-  cv::Mat own(colours.size(), CV_32S, cv::Scalar(unlabelled));
-  for (int y = 0; y < colours.rows; ++y) {
-    for (int x = 0; x < colours.cols; ++x) {
-      if (coloured.at<std::uint8_t>(y, x) == 0) continue;
-      const cv::Vec2f& p = colours.at<cv::Vec2f>(y, x);
-      own.at<int>(y, x) = nearest_colour(classes, {p[0], p[1]}, 30);
-    }
-  }
-  cv::Mat best = cv::Mat(colours.size(), CV_32F, cv::Scalar(min_inked));
-  cv::Mat label(colours.size(), CV_32S, cv::Scalar(unlabelled));
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    const cv::Mat density = share_around(own == static_cast<int>(i), window);
-    const cv::Mat stronger = density > best;
-    density.copyTo(best, stronger);
-    label.setTo(static_cast<int>(i), stronger);
-  }
-  return label;
-}
-
-// How far a piece's innermost pixel is from what is not of it.
-std::vector<float> half_widths(const cv::Mat& mask, const cv::Mat& pieces, int count) {
-  cv::Mat framed, depth;
-  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::distanceTransform(framed, depth, cv::DIST_L2, 3);
-  std::vector<float> half(count);
-  for (int y = 0; y < pieces.rows; ++y) {
-    for (int x = 0; x < pieces.cols; ++x) {
-      float& most = half[pieces.at<int>(y, x)];
-      most = std::max(most, depth.at<float>(y + 1, x + 1));
-    }
-  }
-  return half;
-}
-
-// Connected parts of each value of `label`; those too small and those too narrow lose it.
-cv::Mat connected_parts(
-    const cv::Mat& label, int values, double min_px, double half_px, int& count) {
-  cv::Mat parts(label.size(), CV_32S, cv::Scalar(unlabelled));
-  count = 0;
-  for (int value = 0; value < values; ++value) {
-    const cv::Mat mask = label == value;
-    cv::Mat pieces, stats, centres;
-    const int found = cv::connectedComponentsWithStats(mask, pieces, stats, centres, 4, CV_32S);
-    std::vector<int> number(found, unlabelled);
-    const std::vector<float> half = half_widths(mask, pieces, found);
-    for (int i = 1; i < found; ++i)
-      if (stats.at<int>(i, cv::CC_STAT_AREA) >= min_px && half[i] >= half_px) number[i] = count++;
-    for (int y = 0; y < label.rows; ++y) {
-      for (int x = 0; x < label.cols; ++x) {
-        const int piece = pieces.at<int>(y, x);
-        if (piece > 0) parts.at<int>(y, x) = number[piece];
-      }
-    }
-  }
-  return parts;
 }
 
 Segments finished(cv::Mat label, int count, const cv::Mat& floor) {
@@ -256,6 +104,135 @@ cv::Mat ratio_colours(const cv::Mat& bgr, const cv::Mat& ab, const cv::Mat& use,
   return part;
 }
 
+// Letters are small and no line goes on for long in them.
+cv::Mat without_letters(const cv::Mat& lines, double side) {
+  cv::Mat labels, stats, centres, left = lines.clone();
+  const int count = cv::connectedComponentsWithStats(lines, labels, stats, centres, 8, CV_32S);
+  std::vector<bool> letter(count);
+  for (int i = 1; i < count; ++i) {
+    const int w = stats.at<int>(i, cv::CC_STAT_WIDTH), h = stats.at<int>(i, cv::CC_STAT_HEIGHT);
+    const double longer = std::max(w, h), shorter = std::min(w, h);
+    const bool stroke = longer > 0.02 * side && shorter < std::max(4.0, 0.2 * longer);
+    letter[i] = longer < 0.075 * side && !stroke;
+  }
+  for (int y = 0; y < lines.rows; ++y)
+    for (int x = 0; x < lines.cols; ++x)
+      if (letter[labels.at<int>(y, x)]) left.at<std::uint8_t>(y, x) = 0;
+  return left;
+}
+
+// Lines that may divide areas of one colour.
+cv::Mat long_lines(const cv::Mat& bgr, const cv::Mat& floor, double side) {
+  cv::Mat lines = without_letters(mended(grey_marks(bgr, side)), side) & floor;
+  cv::dilate(lines, lines, square(odd(0.006 * side)));
+  return lines;
+}
+
+// Everything drawn that is darker than what is around it.
+cv::Mat marks_on(const cv::Mat& bgr, const cv::Mat& ink, const cv::Mat& floor, double side) {
+  cv::Mat grey, faint;
+  cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
+  cv::GaussianBlur(grey, grey, {3, 3}, 0);
+  cv::adaptiveThreshold(
+      grey, faint, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, odd(0.03 * side), 14);
+  return (faint | ink) & floor;
+}
+
+// Floor that is wide enough to be meant bare, not a gap between strokes or the place of a name.
+cv::Mat wide_parts(const cv::Mat& bare, double side) {
+  const int wide = odd(0.065 * side);
+  cv::Mat framed;
+  cv::copyMakeBorder(bare, framed, wide, wide, wide, wide, cv::BORDER_CONSTANT, 0);
+  // Names on it and lines of walls make no holes in it.
+  cv::morphologyEx(framed, framed, cv::MORPH_CLOSE, square(odd(0.01 * side)));
+  cv::morphologyEx(framed, framed, cv::MORPH_OPEN, square(wide));
+  return framed(cv::Rect(wide, wide, bare.cols, bare.rows)) & bare;
+}
+
+// The only part that a part has borders with; -1 where there are several, or walls.
+std::vector<int> only_neighbours(const Segments& segments) {
+  constexpr int none = -2, several = -1;
+  std::vector<int> neighbour(segments.parts.size(), none);
+  const auto meet = [&](int i, int k) {
+    if (i < 0 || i == k) return;
+    neighbour[i] = k < 0 || (neighbour[i] != none && neighbour[i] != k) ? several : k;
+  };
+  const cv::Mat& label = segments.label;
+  for (int y = 0; y + 1 < label.rows; ++y) {
+    for (int x = 0; x + 1 < label.cols; ++x) {
+      const int here = label.at<int>(y, x);
+      for (const int other : {label.at<int>(y, x + 1), label.at<int>(y + 1, x)}) {
+        meet(here, other);
+        meet(other, here);
+      }
+    }
+  }
+  return neighbour;
+}
+
+// A small part within another one is where that one's name stands.
+void take_in_islands(Segments& segments, double most_px) {
+  const std::vector<int> around = only_neighbours(segments);
+  std::vector<int> pixels(segments.parts.size());
+  for (int y = 0; y < segments.label.rows; ++y)
+    for (int x = 0; x < segments.label.cols; ++x)
+      if (const int i = segments.label.at<int>(y, x); i >= 0) ++pixels[i];
+  std::vector<int> number;
+  std::vector<FloorPart> left;
+  std::vector<bool> island;
+  for (std::size_t i = 0; i < around.size(); ++i)
+    island.push_back(around[i] >= 0 && pixels[i] < most_px);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    number.push_back(island[i] ? -1 : static_cast<int>(left.size()));
+    if (!island[i]) left.push_back(segments.parts[i]);
+  }
+  for (int y = 0; y < segments.label.rows; ++y) {
+    for (int x = 0; x < segments.label.cols; ++x) {
+      int& i = segments.label.at<int>(y, x);
+      if (i >= 0) i = number[island[i] ? around[i] : i];
+    }
+  }
+  segments.parts = std::move(left);
+}
+
+// Connected parts of the classes 0 to `classes` - 1 in `label`, and of the bare floor.
+Segments parts_of(
+    cv::Mat label, int classes, const cv::Mat& bare, const cv::Mat& floor, double side) {
+  label.setTo(classes, bare);
+  const double min_px = 0.006 * cv::countNonZero(floor);
+  int count = 0;
+  cv::Mat parts = connected_parts(label, classes + 1, min_px, narrowest * side, count);
+  cv::Mat value_of(1, std::max(1, count), CV_32S, cv::Scalar(unlabelled));
+  for (int y = 0; y < parts.rows; ++y)
+    for (int x = 0; x < parts.cols; ++x)
+      if (parts.at<int>(y, x) >= 0) value_of.at<int>(parts.at<int>(y, x)) = label.at<int>(y, x);
+  Segments segments = finished(parts, count, floor);
+  for (int i = 0; i < count; ++i)
+    segments.parts[i].bare = value_of.at<int>(i) == classes;
+  take_in_islands(segments, 0.035 * cv::countNonZero(floor));
+  return segments;
+}
+
+// What one pen hatches in several directions becomes several classes.
+cv::Mat told_by_direction(const cv::Mat& label, int classes, const cv::Mat& lines, double side) {
+  cv::Mat told(label.size(), CV_32S, cv::Scalar(unlabelled));
+  int base = 0;
+  const int rim = odd(0.04 * side);  // what windows around a pixel see
+  for (int i = 0; i < classes; ++i) {
+    const cv::Mat area = label == i;
+    cv::Rect box = cv::boundingRect(area);
+    if (box.empty()) continue;
+    box = cv::Rect(box.x - rim, box.y - rim, box.width + 2 * rim, box.height + 2 * rim) &
+          cv::Rect(0, 0, label.cols, label.rows);
+    const Hatching hatching = hatching_in(lines(box) & area(box), area(box), side);
+    cv::Mat part = told(box);
+    for (int k = 0; k < hatching.kinds; ++k)
+      part.setTo(base + k, hatching.kind == k);
+    base += hatching.kinds;
+  }
+  return told;
+}
+
 Segments by_colour(const cv::Mat& bgr,
                    const cv::Mat& ab,
                    const cv::Mat& coloured,
@@ -283,57 +260,46 @@ Segments by_colour(const cv::Mat& bgr,
   const int window = odd((even ? 0.006 : 0.022) * side);
   cv::Mat label = strongest_class(colours, hatched ? inked : core & floor, classes, window);
   label.setTo(unlabelled, floor == 0);
-  // Floor that is wide enough to be meant bare, not a gap between strokes or the place of a name.
-  cv::Mat bare = (share_around(inked, window) < min_inked) & floor;
-  const int wide = odd(0.065 * side);
-  cv::Mat framed;
-  cv::copyMakeBorder(bare, framed, wide, wide, wide, wide, cv::BORDER_CONSTANT, 0);
-  // Names on it and lines of walls make no holes in it.
-  cv::morphologyEx(framed, framed, cv::MORPH_CLOSE, square(odd(0.01 * side)));
-  cv::morphologyEx(framed, framed, cv::MORPH_OPEN, square(wide));
-  bare = framed(cv::Rect(wide, wide, bare.cols, bare.rows)) & bare;
-  const int bare_value = static_cast<int>(classes.size());
-  label.setTo(bare_value, bare);
-  const double min_px = 0.006 * cv::countNonZero(floor);
-  int count = 0;
-  cv::Mat parts = connected_parts(label, bare_value + 1, min_px, narrowest * side, count);
-  cv::Mat value_of(1, std::max(1, count), CV_32S, cv::Scalar(unlabelled));
-  for (int y = 0; y < parts.rows; ++y)
-    for (int x = 0; x < parts.cols; ++x)
-      if (parts.at<int>(y, x) >= 0) value_of.at<int>(parts.at<int>(y, x)) = label.at<int>(y, x);
-  Segments segments = finished(parts, count, floor);
+  const cv::Mat bare = wide_parts((share_around(inked, window) < min_inked) & floor, side);
+  if (hatched)
+    label = told_by_direction(label,
+                              static_cast<int>(classes.size()),
+                              strokes_among(marks_on(bgr, ink, floor, side), side),
+                              side);
+  else
+    label.setTo(unlabelled, long_lines(bgr, floor, side));
+  double most = 0;
+  cv::minMaxLoc(label, nullptr, &most);
+  Segments segments = parts_of(label, static_cast<int>(most) + 1, bare, floor, side);
   segments.coloured = true;
-  for (int i = 0; i < count; ++i)
-    segments.parts[i].bare = value_of.at<int>(i) == bare_value;
-  add_colours(segments, bgr, hatched ? ab : colours, inked);
   segments.hatched = hatched;
+  add_colours(segments, bgr, hatched ? ab : colours, inked);
   return segments;
 }
 
-// Letters are small and no line goes on for long in them.
-cv::Mat without_letters(const cv::Mat& lines, double side) {
-  cv::Mat labels, stats, centres, left = lines.clone();
-  const int count = cv::connectedComponentsWithStats(lines, labels, stats, centres, 8, CV_32S);
-  std::vector<bool> letter(count);
-  for (int i = 1; i < count; ++i) {
-    const int w = stats.at<int>(i, cv::CC_STAT_WIDTH), h = stats.at<int>(i, cv::CC_STAT_HEIGHT);
-    const double longer = std::max(w, h), shorter = std::min(w, h);
-    const bool stroke = longer > 0.02 * side && shorter < std::max(4.0, 0.2 * longer);
-    letter[i] = longer < 0.075 * side && !stroke;
-  }
-  for (int y = 0; y < lines.rows; ++y)
-    for (int x = 0; x < lines.cols; ++x)
-      if (letter[labels.at<int>(y, x)]) left.at<std::uint8_t>(y, x) = 0;
-  return left;
+// Zones that are hatched with one pen in several directions; nothing where little is hatched.
+std::optional<Segments> by_hatching(const cv::Mat& bgr,
+                                    const cv::Mat& marks,
+                                    const cv::Mat& floor,
+                                    double side) {
+  constexpr double min_share = 0.3;
+  const cv::Mat lines = strokes_among(marks, side);
+  const cv::Mat area = hatched_area(lines, side) & floor;
+  if (cv::countNonZero(area) < min_share * cv::countNonZero(floor)) return std::nullopt;
+  const Hatching hatching = hatching_in(lines, area, side);
+  const cv::Mat bare = wide_parts(floor & ~area, side);
+  Segments segments = parts_of(hatching.kind, hatching.kinds, bare, floor, side);
+  segments.hatched = true;
+  add_colours(segments, bgr, cv::Mat::zeros(bgr.size(), CV_32FC2), lines);
+  return segments;
 }
 
-Segments by_lines(const cv::Mat& bgr, const cv::Mat& ink, const cv::Mat& floor, double side) {
-  cv::Mat grey, faint;
-  cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
-  cv::GaussianBlur(grey, grey, {3, 3}, 0);
-  cv::adaptiveThreshold(
-      grey, faint, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, odd(0.03 * side), 14);
-  cv::Mat lines = without_letters((faint | ink) & floor, side);
+Segments by_lines(const cv::Mat& bgr,
+                  const cv::Mat& marks,
+                  const cv::Mat& ink,
+                  const cv::Mat& floor,
+                  double side) {
+  cv::Mat lines = without_letters(marks, side);
   // Lines that stop short of one another meet.
   cv::dilate(lines,
              lines,
@@ -376,7 +342,9 @@ Segments segments_of(const cv::Mat& bgr,
   const double share =
       cv::countNonZero(dense & floor) / std::max(1.0, double(cv::countNonZero(floor)));
   if (share > min_share) return by_colour(bgr, ab, coloured & floor, ink, floor, longer_side);
-  return by_lines(bgr, ink, floor, longer_side);
+  const cv::Mat marks = marks_on(bgr, ink, floor, longer_side);
+  if (auto hatched = by_hatching(bgr, marks, floor, longer_side)) return *std::move(hatched);
+  return by_lines(bgr, marks, ink, floor, longer_side);
 }
 
 std::vector<Swatch> swatches_of(const cv::Mat& bgr, const cv::Rect& plan, double longer_side) {

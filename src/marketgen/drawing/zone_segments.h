@@ -17,7 +17,7 @@ struct Segments {
   static constexpr int outside = -1;
   cv::Mat label;  // CV_32S: index of the part, or outside
   std::vector<FloorPart> parts;
-  bool coloured = false, hatched = false;
+  bool coloured = false, hatched = false;  // neither: lines divide the floor
 };
 
 // Lab's a and b of every pixel, CV_32FC2; paper is 0, 0.

@@ -108,6 +108,7 @@ struct Planned {
   std::vector<Conflict> conflicts;
   bool understood = true;               // false: not one word of the prompt said anything
   bool floor_is_open = false;           // nobody said how large the floor is
+  std::optional<DrawnZones> drawn;      // what the brief's drawing has
   std::vector<std::string> trace;       // what the planner decided, for a person
   std::optional<PlannerRecord> record;  // of a language model
   // What it read of the photos: the brief has it (Brief::seen) when it is planned again.

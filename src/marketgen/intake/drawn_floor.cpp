@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "intake/drawn_tills.h"
 #include "intake/fit_slices.h"
 #include "intake/relation_geometry.h"
 #include "intake/zone_sizes.h"
@@ -19,7 +20,7 @@ constexpr double min_part = 0.15, max_part = 0.5;  // of a zone, for one that is
 // The drawing's map in terms of the program's zones, with floor for those that are not drawn.
 class ProgramMap {
  public:
-  ProgramMap(const StoreProgram& program, const Understanding& found)
+  ProgramMap(StoreProgram& program, const Understanding& found)
       : program_(program), found_(found), map_(program.drawn->map) {
     const std::vector<std::string> ids = program.drawn->ids();
     std::vector<std::int16_t> becomes;
@@ -48,7 +49,12 @@ class ProgramMap {
     if (program_.zones[zone].stance != Stance::front)
       return take_from(largest(), zone, {map_.columns, map_.rows});
     const PointMm door = door_at_tills();
-    take_from(giver_of_tills(zone, door), zone, door);
+    const catalog::FixtureKind* kind = program_.zones[zone].kind;
+    const bool asked = kind != nullptr && found_.find(Kind::fixture_count, kind->kind) != nullptr;
+    const auto found = place_for_tills(map_, program_, zone, door, asked);
+    if (!found) return take_from(largest(), zone, door);
+    if (program_.zones[zone].count) program_.zones[zone].count = found->lanes;
+    paint(found->squares, zone, [&](int at) { return at == found->giver; });
   }
 
   // Squares of the rectangle, of which those that `may` holds for become the zone's.
@@ -96,36 +102,6 @@ class ProgramMap {
     return plan::point_inside(floor, door, 0);
   }
 
-  int squares_of(double mm) const {
-    return static_cast<int>(std::ceil(mm * map_.columns / program_.width_mm));
-  }
-
-  // How much of the giver's longer side the tills need, in squares; none when they have no room.
-  std::optional<int> length_for_tills(std::size_t tills, const RectMm& giver) const {
-    const int deep = squares_of(usual_front_mm);
-    const int wide = squares_of(till_width_mm(program_.zones[tills], usual_front_mm));
-    const int shorter = std::min(giver.width(), giver.depth());
-    const int longer = std::max(giver.width(), giver.depth());
-    for (const auto& [across, along] : {std::pair{wide, deep}, std::pair{deep, wide}})
-      if (across <= shorter && along <= max_part * longer) return along;
-    return std::nullopt;
-  }
-
-  // Of the zones that have room for the tills the one nearest to the door; none: the largest one,
-  // with as many tills as find room.
-  std::size_t giver_of_tills(std::size_t tills, PointMm door) const {
-    std::optional<std::size_t> nearest;
-    const auto away = [&](std::size_t zone) {
-      return geometry::distance_mm(bounds_of(zone), geometry::point_rect(door));
-    };
-    for (std::size_t i = 0; i < program_.zones.size(); ++i) {
-      const bool gives = i != tills && program_.zones[i].stance != Stance::front &&
-                         length_for_tills(tills, bounds_of(i)).has_value();
-      if (gives && (!nearest || away(i) < away(*nearest))) nearest = i;
-    }
-    return nearest.value_or(largest());
-  }
-
   std::size_t largest() const {
     std::size_t found = 0;
     for (std::size_t i = 1; i < program_.zones.size(); ++i)
@@ -138,11 +114,10 @@ class ProgramMap {
   void take_from(std::size_t giver, std::size_t zone, PointMm near) {
     const RectMm box = bounds_of(giver);
     if (box.empty()) return;
-    const int longer = std::max(box.width(), box.depth());
-    double part = std::clamp(program_.zones[zone].target_m2 / area_m2(giver), min_part, max_part);
-    if (program_.zones[zone].stance == Stance::front)
-      part =
-          1.0 * length_for_tills(zone, box).value_or(static_cast<int>(max_part * longer)) / longer;
+    const bool tills = program_.zones[zone].stance == Stance::front;
+    const double part =
+        tills ? max_part
+              : std::clamp(program_.zones[zone].target_m2 / area_m2(giver), min_part, max_part);
     const PointMm center = box.center();
     RectMm end = box;
     if (box.width() >= box.depth()) {
@@ -155,7 +130,7 @@ class ProgramMap {
     paint(end, zone, [&](int at) { return at == static_cast<int>(giver); });
   }
 
-  const StoreProgram& program_;
+  StoreProgram& program_;
   const Understanding& found_;
   drawing::ZoneMap map_;
 };
@@ -166,7 +141,7 @@ bool is_drawn(const StoreProgram& program, const std::string& type) {
 
 }  // namespace
 
-DrawnFloor drawn_floor(const StoreProgram& program, const Understanding& found) {
+DrawnFloor drawn_floor(StoreProgram& program, const Understanding& found) {
   const ProgramMap drawn(program, found);
   FittedSlices fitted =
       fit_slices(drawn.map(), program.zones.size(), program.width_mm, program.depth_mm);

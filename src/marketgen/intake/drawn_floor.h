@@ -13,8 +13,9 @@ struct DrawnFloor {
 };
 
 // The program's zones where they are drawn. One that is not drawn takes a part of the floor of a
-// drawn one: tills of one near the exit, others of the largest. Precondition: the program is drawn.
-DrawnFloor drawn_floor(const StoreProgram& program, const Understanding& found);
+// drawn one: tills of bare floor or of a zone near the exit, as many as have room there where
+// nobody counts them; others of the largest. Precondition: the program is drawn.
+DrawnFloor drawn_floor(StoreProgram& program, const Understanding& found);
 
 // Words win over the drawing: zones that they refuse although they are drawn, and zones that they
 // name although they are not, become conflicts. Precondition: as for drawn_floor.

@@ -271,8 +271,13 @@ Result<void> read_pictures(Brief& brief,
   for (const std::string& file : pictures.drawings)
     MARKETGEN_CHECK(read_zones(file, brief, catalog, warnings));
   for (photo::PhotoReading& photo : pictures.doubtful) {
-    const bool drawn = !brief.zones && read_zones(photo.file, brief, catalog, warnings).ok();
-    if (!drawn) MARKETGEN_CHECK(take_photo(std::move(photo), brief));
+    if (brief.zones) {
+      MARKETGEN_CHECK(take_photo(std::move(photo), brief));
+      continue;
+    }
+    const Result<void> drawn = read_zones(photo.file, brief, catalog, warnings);
+    if (!drawn.ok() && drawn.error().code == "drawing.chart") return drawn.error();
+    if (!drawn.ok()) MARKETGEN_CHECK(take_photo(std::move(photo), brief));
   }
   sort_photos(brief);
   warn_of_doubts(brief, warnings);

@@ -105,6 +105,10 @@ DrawnZones named_by_words(const drawing::ZoneDrawing& drawing,
     drawn.types.push_back(type);
     drawn.warnings.push_back(written_on(i) + "; it is taken for " + type);
   }
+  drawn.runs.resize(drawn.types.size());
+  for (std::size_t i = 0; i < named.size(); ++i)
+    if (named[i] != nameless)
+      drawn.runs[static_cast<std::size_t>(named[i])] = drawing.zones[i].runs;
   std::vector<int> becomes = named;
   for (std::size_t i = 0; i < named.size(); ++i) {
     if (named[i] != nameless) continue;

@@ -1,5 +1,6 @@
 // The zones of a drawing, by the types that the words on it name.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct DrawnZones {
   std::vector<std::string> types;  // zone type, by index in the map
   drawing::ZoneMap map;
   std::vector<std::string> warnings;  // words that name no zone, for a person
+  // Shelves drawn in each zone, by index in `types`; no further than there are some.
+  std::vector<std::optional<drawing::DrawnRuns>> runs{};
 
   // As the planner numbers them: "bakery", and "bakery-2" for the second one.
   std::vector<std::string> ids() const;

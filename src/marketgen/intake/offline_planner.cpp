@@ -6,6 +6,7 @@
 #include "intake/conflicts.h"
 #include "intake/draft_search.h"
 #include "intake/drawn_floor.h"
+#include "intake/drawn_runs.h"
 #include "intake/drawn_shell.h"
 #include "intake/limits.h"
 #include "intake/photo_wishes.h"
@@ -313,7 +314,10 @@ Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                          floors,
                                          max_work >> std::min(concessions.plans_before, 4),
                                          planned.trace);
+  if (program.drawn) settle_runs(program, candidate, concessions, found);
   planned.plan = write_plan({brief, found, program, candidate, catalog});
+  while (program.drawn && lower_runs(program, planned.plan, catalog, found))
+    planned.plan = write_plan({brief, found, program, candidate, catalog});
   if (program.drawn) settle_relations(candidate, program, found, planned.plan);
   if (concessions.relations_may_fail) {
     for (plan::Relation& relation : planned.plan.relations)

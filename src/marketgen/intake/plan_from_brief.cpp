@@ -84,6 +84,7 @@ Result<Planned> plan_from_brief(const Brief& brief,
   MARKETGEN_TRY(const Drawn drawn, with_drawing(brief, catalog));
   MARKETGEN_TRY(Planned planned, planner.plan(drawn.brief, catalog, seed, concessions));
   planned.trace.insert(planned.trace.begin(), drawn.warnings.begin(), drawn.warnings.end());
+  planned.drawn = drawn.brief.zones;
   if (const auto& photos = drawn.brief.photos; !photos.empty()) {
     PhotosFile file;
     file.photos = photos;

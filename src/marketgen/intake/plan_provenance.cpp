@@ -70,6 +70,17 @@ class ProvenanceWriter {
     for (std::size_t i = 0; i < plan_.zones.size(); ++i)
       if (std::ranges::find(ids, plan_.zones[i].id) != ids.end())
         add_drawn("/zones/" + std::to_string(i));
+    for (const ProgramZone& zone : sources_.program.zones)
+      if (zone.drawn_runs) add_drawn_runs(zone);
+  }
+
+  void add_drawn_runs(const ProgramZone& zone) {
+    const auto at = std::ranges::find(plan_.zones, zone.id, &plan::Zone::id);
+    if (at == plan_.zones.end()) return;
+    const std::string fixture = "/zones/" + std::to_string(at - plan_.zones.begin()) + "/fixture/";
+    add_entry(fixture + "axis", plan::Source::drawing, zone.drawn_runs->confidence);
+    if (zone.main.runs)
+      add_entry(fixture + "runs", plan::Source::drawing, zone.drawn_runs->confidence);
   }
 
   // What a floor plan says, but for the size where somebody said another.

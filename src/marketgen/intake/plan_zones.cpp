@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "intake/core_columns.h"
+#include "intake/drawn_runs.h"
 #include "intake/plan_look.h"
 #include "intake/relation_geometry.h"
 #include "intake/zone_sizes.h"
@@ -53,9 +54,10 @@ class ZoneWriter {
  private:
   static double rounded(double m2) { return std::max(0.5, std::floor(m2 * 10 + 0.5) / 10); }
 
-  // Runs lead away from the front wall, or lie along it where the zone has room for that; where
-  // words say what they face, they lie across the way there.
+  // Runs lie as they are drawn; else across the way to what words say they face; else they lead away
+  // from the front wall, or lie along it where the zone has room for that.
   bool runs_along_y(const ProgramZone& zone, const RectMm& rect) const {
+    if (zone.drawn_runs) return !zone.drawn_runs->along_x;
     for (const plan::Requirement& wish : found_.requirements) {
       const bool of_zone = wish.subject == zone.type->type || wish.object == zone.type->type;
       if (wish.kind != Kind::relation || !of_zone) continue;
@@ -73,6 +75,11 @@ class ZoneWriter {
     return zone.kind != nullptr && zone.kind->generator == "gondola";
   }
 
+  int run_aisle_mm(const ProgramZone& zone, const RectMm& rect) const {
+    const int usual = sources_.candidate.drafted.run_aisle_mm;
+    return zone.drawn_runs ? drawn_aisle_mm(zone, rect, usual, *program_.profile) : usual;
+  }
+
   plan::FixtureSpec fixture_of(const ProgramZone& zone, const RectMm& rect) const {
     plan::FixtureSpec spec;
     spec.kind = zone.kind != nullptr ? zone.kind->kind : "";
@@ -82,10 +89,11 @@ class ZoneWriter {
       spec.depth_mm = lane_length_mm(*zone.kind, program_);
     }
     if (zone.kind->role != catalog::FixtureRole::shelving) return spec;
-    if (zone.stance == Stance::central) {
+    if (zone.drawn_runs || zone.stance == Stance::central)
       spec.axis = runs_along_y(zone, rect) ? plan::RunAxis::y : plan::RunAxis::x;
-      spec.aisle_mm = sources_.candidate.drafted.run_aisle_mm;
-    } else if (least_aisle_holds(zone))
+    if (zone.stance == Stance::central)
+      spec.aisle_mm = run_aisle_mm(zone, rect);
+    else if (least_aisle_holds(zone))
       spec.aisle_mm = program_.aisle_mm;
     spec.color = shelf_color(found_);
     choose_runs(spec, zone.main);

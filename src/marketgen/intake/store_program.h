@@ -34,6 +34,7 @@ struct ProgramZone {
   std::optional<int> rows;       // "two rows of frozen food"
   KindWish main;                 // what is said of its main fixtures
   std::vector<KindWish> beside;  // what else stands there, each with a count or with runs
+  std::optional<drawing::DrawnRuns> drawn_runs;  // shelves on a drawing (intake/drawn_runs.h)
 };
 
 struct StoreProgram {

@@ -169,6 +169,8 @@ StoreReport report_of(Built& built) {
   report.repairs = std::move(built.repaired.changes);
   report.unstocked = std::move(built.unstocked);
   report.planner = std::move(built.planned.record);
+  if (built.planned.drawn)
+    report.drawing = intake::drawn_fit(*built.planned.drawn, built.repaired.plan);
   return report;
 }
 

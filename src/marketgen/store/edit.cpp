@@ -134,6 +134,7 @@ StoreReport report_after(StoreReport before,
   before.rules = std::move(audit.rules);
   before.metrics = audit.metrics;
   before.unstocked = std::move(unstocked);
+  before.drawing.reset();  // that was measured on the plan before
   return before;
 }
 

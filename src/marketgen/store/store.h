@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 #include "intake/brief.h"
+#include "intake/drawn_fit.h"
 #include "layout/layout.h"
 #include "plan/patch.h"
 #include "plan/plan.h"
@@ -107,6 +108,7 @@ struct StoreReport {
   std::vector<StageTiming> timing_s;
   double peak_rss_mb = 0;
   std::optional<intake::PlannerRecord> planner;
+  std::optional<intake::DrawnFit> drawing;
 
   static constexpr auto fields = field_list(
       field("schema", &StoreReport::schema, "schema tag", constant("market-report/1")),
@@ -122,7 +124,10 @@ struct StoreReport {
       field("unstocked", &StoreReport::unstocked, "products of the user's own that stand nowhere"),
       field("timing_s", &StoreReport::timing_s, "wall time by stage"),
       field("peak_rss_mb", &StoreReport::peak_rss_mb, "most memory in use"),
-      field("planner", &StoreReport::planner, "how a language model planned; absent: none did"));
+      field("planner", &StoreReport::planner, "how a language model planned; absent: none did"),
+      field("drawing",
+            &StoreReport::drawing,
+            "how much of the drawing of zones the plan keeps; absent: there was none"));
 };
 
 struct CreateOptions {

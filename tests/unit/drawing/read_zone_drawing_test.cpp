@@ -98,6 +98,61 @@ TEST(ZoneSegments, HatchingInTwoColoursIsTwoParts) {
   EXPECT_NE(found.label.at<int>(200, 50), found.label.at<int>(200, 550));
 }
 
+// Four quarters of black hatching: two directions, one of them at two distances, and bare floor.
+cv::Mat black_quarters(const cv::Scalar& pen) {
+  cv::Mat bgr = paper();
+  const auto stripes = [&](const cv::Rect& where, cv::Point way, int gap) {
+    cv::Mat part = bgr(where);
+    const int far = where.width + where.height;
+    for (int at = -far; at < far; at += gap) {
+      const cv::Point from = way.y == 0 ? cv::Point(0, at) : cv::Point(at, 0);
+      cv::line(part, from, from + way * far, pen, 2, cv::LINE_AA);
+    }
+  };
+  stripes({0, 0, 300, 200}, {1, 1}, 14);
+  stripes({300, 0, 300, 200}, {0, 1}, 8);
+  stripes({0, 200, 300, 200}, {0, 1}, 17);
+  bgr(cv::Rect(100, 85, 100, 30)).setTo(cv::Scalar::all(250));  // the place of a name
+  return bgr;
+}
+
+TEST(ZoneSegments, BlackHatchingIsToldApartByDirectionAndDistance) {
+  const drawing::Segments found = segments(black_quarters(cv::Scalar::all(30)));
+  EXPECT_TRUE(found.hatched);
+  EXPECT_FALSE(found.coloured);
+  ASSERT_EQ(found.parts.size(), 4U);
+  const auto at = [&](int x, int y) { return found.label.at<int>(y, x); };
+  EXPECT_EQ((std::set<int>{at(50, 50), at(450, 100), at(150, 300), at(450, 300)}.size()), 4U);
+  EXPECT_TRUE(found.parts[at(450, 300)].bare);
+  EXPECT_EQ(at(150, 100), at(50, 50));
+  for (const int x : {20, 280})
+    EXPECT_EQ(at(x, 100), at(50, 50)) << x;
+}
+
+TEST(ZoneSegments, OnePenInTwoDirectionsIsTwoParts) {
+  cv::Mat bgr = paper();
+  hatch(bgr, 0, 300, cv::Scalar(205, 95, 30), 1);
+  hatch(bgr, 300, 600, cv::Scalar(205, 95, 30), -1);
+  const drawing::Segments found = segments(bgr);
+  ASSERT_EQ(found.parts.size(), 2U);
+  EXPECT_NE(found.label.at<int>(200, 50), found.label.at<int>(200, 550));
+  EXPECT_EQ(found.label.at<int>(20, 50), found.label.at<int>(380, 250));
+}
+
+TEST(ZoneSegments, ALineDividesAreasOfOneColour) {
+  cv::Mat bgr(depth, width, CV_8UC3, cv::Scalar(120, 214, 165));
+  EXPECT_EQ(segments(bgr).parts.size(), 1U);
+  cv::line(bgr, {250, 0}, {250, depth}, cv::Scalar::all(30), 2);
+  cv::line(bgr, {252, 180}, {width, 180}, cv::Scalar::all(30), 2);
+  const drawing::Segments found = segments(bgr);
+  ASSERT_EQ(found.parts.size(), 3U);
+  EXPECT_EQ((std::set<int>{found.label.at<int>(100, 100),
+                           found.label.at<int>(100, 400),
+                           found.label.at<int>(300, 400)}
+                 .size()),
+            3U);
+}
+
 TEST(ZoneSegments, LinesEncloseParts) {
   cv::Mat bgr = paper();
   cv::line(bgr, {300, 0}, {300, 400}, cv::Scalar::all(110), 2);
@@ -216,6 +271,87 @@ TEST(ZoneDrawing, ScaleIsSaidOrGuessedOrAnError) {
   ASSERT_TRUE(scaled.ok()) << to_string(scaled.error());
   EXPECT_NEAR(scaled->floor.shell.width_mm, 24320, 150);  // 608 pixels
   EXPECT_FALSE(scaled->scale_is_guessed);
+}
+
+TEST(ZoneDrawing, ShelvesDoNotBreakZonesAndAreRuns) {
+  cv::Mat sheet = two_halves(true);
+  for (const int y : {150, 230, 310, 390})
+    cv::rectangle(sheet, cv::Rect(140, y, 220, 22), cv::Scalar::all(30), 2);
+  const auto read = drawing::read_zone_drawing_bytes(png_of(sheet), "drawing", of_size(24000));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  ASSERT_EQ(read->zones.size(), 2U);
+  const auto& west = read->zones[static_cast<std::size_t>(read->map.at(10, 80))];
+  const auto& east = read->zones[static_cast<std::size_t>(read->map.at(230, 80))];
+  EXPECT_NEAR(west.area_m2, 192, 5);
+  EXPECT_FALSE(east.runs.has_value());
+  ASSERT_TRUE(west.runs.has_value());
+  EXPECT_EQ(west.runs->count, 4);
+  EXPECT_TRUE(west.runs->along_x);
+  EXPECT_TRUE(west.words.empty()) << west.words;
+}
+
+TEST(ZoneDrawing, ASizeWithOtherSidesIsSaidWithBothNumbers) {
+  drawing::ReadOptions options;  // the drawing is 24 x 16
+  options.width_mm = 24000;
+  options.depth_mm = 16000;
+  const std::string png = png_of(two_halves(true));
+  const auto same = drawing::read_zone_drawing_bytes(png, "drawing", options);
+  ASSERT_TRUE(same.ok()) << to_string(same.error());
+  EXPECT_TRUE(same->warnings.empty());
+  options.depth_mm = 24000;
+  const auto other = drawing::read_zone_drawing_bytes(png, "drawing", options);
+  ASSERT_TRUE(other.ok()) << to_string(other.error());
+  ASSERT_EQ(other->warnings.size(), 1U);
+  EXPECT_EQ(other->warnings[0],
+            "it is drawn 1.49 times as wide as deep, but the size of 24 x 24 m is 1.00 times as "
+            "wide as deep: all that is drawn is stretched; 24x16.1m would keep its sides");
+  options.width_mm = 16000;
+  const auto turned = drawing::read_zone_drawing_bytes(png, "drawing", options);
+  ASSERT_EQ(turned->warnings.size(), 1U);
+  EXPECT_NE(turned->warnings[0].find("24x16m would keep its sides"), std::string::npos)
+      << turned->warnings[0];
+}
+
+// Bars of a chart in its frame, from the lower side up.
+cv::Mat bar_chart(const std::vector<int>& heights) {
+  cv::Mat sheet(560, 800, CV_8UC3, cv::Scalar::all(250));
+  int x = 130;
+  for (const int tall : heights) {
+    cv::rectangle(sheet, cv::Rect(x, 480 - tall, 80, tall), cv::Scalar(180, 120, 60), cv::FILLED);
+    x += 140;
+  }
+  cv::rectangle(sheet, cv::Rect(97, 77, 606, 406), cv::Scalar::all(20), 6);
+  return sheet;
+}
+
+cv::Mat pie_chart(int slices) {
+  cv::Mat sheet(560, 800, CV_8UC3, cv::Scalar::all(250));
+  const std::vector<cv::Scalar> colours{
+      {120, 214, 165}, {138, 143, 244}, {240, 190, 120}, {110, 240, 240}};
+  for (int i = 0; i < slices; ++i)
+    cv::ellipse(sheet,
+                {400, 280},
+                {200, 200},
+                0,
+                360.0 * i / slices,
+                360.0 * (i + 1) / slices,
+                colours[static_cast<std::size_t>(i)],
+                cv::FILLED,
+                cv::LINE_AA);
+  return sheet;
+}
+
+TEST(ZoneDrawing, ChartsAreNoDrawings) {
+  EXPECT_EQ(code_of(png_of(bar_chart({300, 180, 240, 90}))), "drawing.chart");
+  EXPECT_EQ(code_of(png_of(pie_chart(4))), "drawing.chart");
+  EXPECT_EQ(code_of(png_of(pie_chart(3))), "drawing.chart");
+  EXPECT_NE(code_of(png_of(bar_chart({300, 180}))), "drawing.chart");
+}
+
+TEST(ZoneDrawing, ZonesAlongAWallWithADoorAreNoChart) {
+  cv::Mat sheet = bar_chart({300, 180, 240, 90});
+  cv::rectangle(sheet, cv::Rect(500, 60, 60, 40), cv::Scalar::all(250), cv::FILLED);
+  EXPECT_NE(code_of(png_of(sheet)), "drawing.chart");
 }
 
 TEST(ZoneDrawing, WhatIsNoDrawingOfZonesIsAnError) {

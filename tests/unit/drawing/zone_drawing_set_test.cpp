@@ -32,6 +32,7 @@ struct ZoneScore {
   double share = 0, seconds = 0, aspect_off = 0, size_off = -1;
   int names = 0, names_right = 0;
   int doors = 0, doors_found = 0, doors_too_many = 0;
+  int runs = 0, runs_right = 0, ways_right = 0, runs_too_many = 0;  // zones with shelves
 };
 
 // Squares of the truth, 60 a side, with the zone that is drawn there.
@@ -78,6 +79,26 @@ std::string plain(const std::string& words) {
   return text;
 }
 
+// Of a zone: as many runs of shelves as are drawn, in the direction in which they are drawn.
+void score_runs(ZoneScore& score, const json& zone, const std::optional<drawing::DrawnRuns>& read) {
+  if (!zone.contains("runs")) {
+    score.runs_too_many += read && read->confidence > 0.6 ? 1 : 0;
+    return;
+  }
+  const int count = zone.at("runs")[0];
+  const bool along_x = zone.at("runs")[1] == "x";
+  if (read && read->along_x == along_x) ++score.ways_right;
+  if (read && read->along_x == along_x && read->count == count)
+    ++score.runs_right;
+  else
+    fmt::print("  {}: {} runs {} were read as {} {}\n",
+               zone.at("words").get<std::string>(),
+               count,
+               along_x ? "x" : "y",
+               read ? read->count : 0,
+               read && read->along_x ? "x" : "y");
+}
+
 void score_zones(ZoneScore& score, const json& truth, const drawing::ZoneDrawing& drawn) {
   std::map<std::pair<int, int>, int> overlaps;
   int bare_right = 0;
@@ -96,6 +117,7 @@ void score_zones(ZoneScore& score, const json& truth, const drawing::ZoneDrawing
     right += overlaps.at({known, found});
     const auto words = truth.at("zones")[known].at("words").get<std::string>();
     const std::string& read = drawn.zones[found].words;
+    score_runs(score, truth.at("zones")[known], drawn.zones[found].runs);
     if (plain(words) == plain(read))
       ++score.names_right;
     else
@@ -154,8 +176,10 @@ ZoneScore zone_score_of(const json& truth, const std::filesystem::path& folder) 
   ZoneScore score;
   score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   score.doors = static_cast<int>(truth.at("doors").size());
-  for (const json& zone : truth.at("zones"))
+  for (const json& zone : truth.at("zones")) {
     score.names += zone.at("words").get<std::string>().empty() ? 0 : 1;
+    score.runs += zone.contains("runs") ? 1 : 0;
+  }
   if (!drawn.ok()) {
     fmt::print("{}\n", to_string(drawn.error()));
     score.unread = true;
@@ -183,6 +207,7 @@ struct Totals {
   std::vector<double> shares, seconds, aspects;
   int unread = 0, names = 0, names_right = 0, doors = 0, doors_found = 0, doors_too_many = 0;
   int sized = 0, sized_right = 0;
+  int runs = 0, runs_right = 0, ways_right = 0, runs_too_many = 0;
 
   void add(const ZoneScore& one) {
     shares.push_back(one.share);
@@ -194,6 +219,10 @@ struct Totals {
     doors += one.doors;
     doors_found += one.doors_found;
     doors_too_many += one.doors_too_many;
+    runs += one.runs;
+    runs_right += one.runs_right;
+    ways_right += one.ways_right;
+    runs_too_many += one.runs_too_many;
     sized += one.size_off >= 0 ? 1 : 0;
     sized_right += one.size_off >= 0 && one.size_off < 0.02 ? 1 : 0;
   }
@@ -206,7 +235,8 @@ struct Totals {
   void print(const std::string& name) const {
     fmt::print(
         "{:22} {:3} drawings, {} unread: right squares {:.4f} (median {:.4f}, worst {:.4f}); names "
-        "{}/{}; doors {}/{} +{}; written sizes {}/{}; sides off by {:.3f} (worst {:.3f}); seconds "
+        "{}/{}; doors {}/{} +{}; written sizes {}/{}; runs {}/{}, direction "
+        "{}/{}, +{}; sides off by {:.3f} (worst {:.3f}); seconds "
         "{:.2f} (worst {:.2f})\n",
         name,
         shares.size(),
@@ -221,6 +251,11 @@ struct Totals {
         doors_too_many,
         sized_right,
         sized,
+        runs_right,
+        runs,
+        ways_right,
+        runs,
+        runs_too_many,
         median(aspects),
         *std::ranges::max_element(aspects),
         median(seconds),
