@@ -7,7 +7,7 @@
 #include "intake_fixture.h"
 #include "layout/layout.h"
 #include "plan/bsp.h"
-#include "zone_map_fixture.h"
+#include "support/painted_map.h"
 
 namespace marketgen {
 namespace {
