@@ -73,7 +73,7 @@ int bar_codes_read(const BarStage& stage,
 
 // A module of the smallest symbol, 0.264 mm, covers 1.6 pixels at 0.1 m.
 TEST(Reading, BarCodesAtAHandsDistance) {
-  const BarStage stage = bar_stage(some_products(reads_all() ? 20 : 4));
+  const BarStage stage = bar_stage(some_products(reads_all() ? 20 : 6));
   const ScratchFolder scratch;
   const std::filesystem::path folder = picture_folder(scratch);
   const auto renderer = render::Renderer::create(stage.scene).value();
