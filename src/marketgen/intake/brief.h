@@ -4,9 +4,9 @@
 // Brief and answer with the same Planned.
 #pragma once
 #include <map>
-#include <set>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -300,8 +300,7 @@ class Search {
       const auto band = static_cast<Band>(other->band);
       return insert_at(draft, band, other->at + (draw.chance(0.5) ? 1 : 0), tie.zone);
     }
-    const bool aside =
-        other->band == index_of(Band::west) || other->band == index_of(Band::east);
+    const bool aside = other->band == index_of(Band::west) || other->band == index_of(Band::east);
     if (!aside) {  // across the front or the back aisle runs show their ends
       std::vector<int>& source = draft.bands[other->band];
       source.erase(source.begin() + static_cast<std::ptrdiff_t>(other->at));

@@ -31,7 +31,8 @@ struct Said {
 
 KindWish settled(const Said& said) {
   KindWish wish = said.wish;
-  constexpr int several = 2;  // "at least eight" is met by eight; a kind that is only named is not counted
+  constexpr int several =
+      2;  // "at least eight" is met by eight; a kind that is only named is not counted
   if (said.counted && (!said.count.open() || said.count.low >= several))
     wish.count = said.count.planned();
   wish.least = said.counted ? said.count.planned() : 0;

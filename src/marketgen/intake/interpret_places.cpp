@@ -453,10 +453,10 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   if (things.front()->is("type", "opening") && !denied) {
     for (const MeaningPtr& door : things) {
       const Parts& at = statement.parts("at");
-      const bool end = statement.parts("things").front()->is("type", "pronoun") &&
-                       at.size() == 1 && at.front()->parts("objects").size() == 1 &&
-                       is_end_of_known_wall(
-                           reading, noun_of(*door), *at.front()->parts("objects").front());
+      const bool end =
+          statement.parts("things").front()->is("type", "pronoun") && at.size() == 1 &&
+          at.front()->parts("objects").size() == 1 &&
+          is_end_of_known_wall(reading, noun_of(*door), *at.front()->parts("objects").front());
       any = end || add_door(reading, noun_of(*door), at) || any;
     }
     if (things.size() > 1) reading.memory->recent.push_back(things);

@@ -17,7 +17,7 @@ using Kind = plan::RequirementKind;
 constexpr int six_levels_from_mm = 1900;     // gondolas this high hold a sixth level
 constexpr int endcaps_front_from_mm = 5200;  // runs this long spare the floor for an endcap
 constexpr int endcaps_both_from_mm = 8000;
-constexpr int min_turned_run_mm = 1800;  // shorter runs show nobody their front
+constexpr int min_turned_run_mm = 1800;    // shorter runs show nobody their front
 constexpr double min_area_share = 0.6;     // of the target
 constexpr double no_gap_from_fill = 0.99;  // "to the brim": nothing is sold out, either
 constexpr int low_goods_mm = 80;           // tins and packs that stand over the highest board
@@ -54,8 +54,8 @@ class ZoneWriter {
  private:
   static double rounded(double m2) { return std::max(0.5, std::floor(m2 * 10 + 0.5) / 10); }
 
-  // Runs lie as they are drawn; else across the way to what words say they face; else they lead away
-  // from the front wall, or lie along it where the zone has room for that.
+  // Runs lie as they are drawn; else across the way to what words say they face; else they lead
+  // away from the front wall, or lie along it where the zone has room for that.
   bool runs_along_y(const ProgramZone& zone, const RectMm& rect) const {
     if (zone.drawn_runs) return !zone.drawn_runs->along_x;
     for (const plan::Requirement& wish : found_.requirements) {

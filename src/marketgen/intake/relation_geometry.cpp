@@ -145,11 +145,11 @@ double off_sight_m(const plan::NamedPlace& a,
   const double beside = shared_m(a.rect, b.rect, other), across = shared_m(a.rect, b.rect, axis);
   const std::size_t k = axis == plan::Axis::x ? 0 : 1;
   const bool up = a.rect.center()[k] < b.rect.center()[k];
-  const bool looks = can_look(a.rect, floor, axis, up) &&
-                     (door || can_look(b.rect, floor, axis, !up));
+  const bool looks =
+      can_look(a.rect, floor, axis, up) && (door || can_look(b.rect, floor, axis, !up));
   return std::max(0.0, (door ? 0.5 : opposite_m) - beside) +
-         std::max(0.0, -across - (door ? in_sight_of_door_m : in_sight_m)) +
-         std::max(0.0, across) + (looks ? 0 : back_to_back_m);
+         std::max(0.0, -across - (door ? in_sight_of_door_m : in_sight_m)) + std::max(0.0, across) +
+         (looks ? 0 : back_to_back_m);
 }
 
 struct Sight {

@@ -27,8 +27,8 @@ double miss_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
 // plan/relation.h.
 double strain_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
 
-// Along which axis the fronts of what faces one another look, where they can. Fixtures on walls look
-// away from them, those of other zones can be turned so.
+// Along which axis the fronts of what faces one another look, where they can. Fixtures on walls
+// look away from them, those of other zones can be turned so.
 std::optional<plan::Axis> sight_of(const plan::Requirement& wish, const plan::NamedFloor& floor);
 
 }  // namespace marketgen::intake

@@ -52,10 +52,10 @@ struct StoreProgram {
   bool open = false;                           // nobody said how large the floor is
   bool columns_at_walls = false;               // a floor with columns all over it did not do
   double counted_share = 1;  // of the room that counted fixtures need: less where it is not there
-  bool plain = false;                          // no room for more than a till and ordinary shelves
-  std::optional<plan::Shell> shell;            // drawn
-  std::optional<DrawnZones> drawn;             // zones stand where a drawing has them
-  std::vector<RectMm> outside;                 // what is no floor within its bounds
+  bool plain = false;        // no room for more than a till and ordinary shelves
+  std::optional<plan::Shell> shell;  // drawn
+  std::optional<DrawnZones> drawn;   // zones stand where a drawing has them
+  std::vector<RectMm> outside;       // what is no floor within its bounds
   double area_m2() const {
     if (shell) return marketgen::area_m2(plan::floor_of(*shell));
     return 1e-6 * width_mm * depth_mm;

@@ -10,7 +10,7 @@
 namespace marketgen::layout {
 namespace {
 
-constexpr int reach_along_wall_mm = 6000;   // baskets farther off are not found
+constexpr int reach_along_wall_mm = 6000;     // baskets farther off are not found
 constexpr int further_along_wall_mm = 24000;  // the second bay and more, in a row with the first
 constexpr int step_mm = 250;
 constexpr int wall_gap_mm = 20;

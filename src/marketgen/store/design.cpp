@@ -13,8 +13,8 @@ namespace marketgen::store {
 namespace {
 
 constexpr int max_rounds = 10;
-constexpr int max_other_floors = 2;  // before a zone is left out
-constexpr int max_lax_rounds = 4;  // then the plainest floor there is
+constexpr int max_other_floors = 2;   // before a zone is left out
+constexpr int max_lax_rounds = 4;     // then the plainest floor there is
 constexpr int most_growth = 2;        // of a floor of no said size
 constexpr int plain_after_draws = 2;  // of the smallest program
 constexpr std::size_t min_zones = 2;  // a till, and something to buy

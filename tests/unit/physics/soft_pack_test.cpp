@@ -64,7 +64,8 @@ TEST(SoftPack, HasTheMassSizeAndInertiaOfItsRow) {
 }
 
 // The judge is the body of grasp trials, filled and with its mesh cut sixteen times as fine. Of the
-// whole catalogue 95 % are within 3 mm; flat packs that hang or are full to one side are farther off.
+// whole catalogue 95 % are within 3 mm; flat packs that hang or are full to one side are farther
+// off.
 TEST(SoftPack, HasItsMiddleOfMassWhereTheFilledPackHas) {
   const std::vector<SoftRow>& rows = soft_rows();
   std::size_t low = 0, far = 0;
