@@ -133,8 +133,12 @@ def test_points_lie_on_the_things_they_show(name):
     again = env.reset(seed=2)[0]["pointcloud"]
     assert all(np.array_equal(cloud[plane], again[plane]) for plane in cloud)
     if name == AISLE:
-        floor = cloud["xyz"][cloud["segmentation"][:, 0] == 1]
-        assert (np.abs(floor[:, 2]) < 0.01).any(), "the floor is at 0 in the frame of the robot's base"
+        lowest = []
+        for seed in range(2, 7):  # not every robot begins with the floor in sight
+            seen, info = env.reset(seed=seed)
+            cloud = seen["pointcloud"]
+            lowest.append(np.abs(cloud["xyz"][cloud["segmentation"][:, 0] == 1][:, 2]).min(initial=np.inf))
+        assert min(lowest) < 0.01, f"the floor is at 0 in the frame of the robot's base: {lowest}"
         shown = set(np.unique(cloud["segmentation"])) & set(info["products"])
         assert shown
         return
