@@ -91,6 +91,6 @@ std::vector<ScoredEpisode> partial_scores(const std::vector<episodes::EpisodeRes
 std::vector<ScoredEpisode> strict_scores(const std::vector<episodes::EpisodeResult>& results);
 
 // Of the results that have no error; `unfinished` is the caller's to add.
-EvaluationSummary summarize(const std::vector<episodes::EpisodeResult>& results);
+EvaluationSummary summarize(const std::vector<episodes::EpisodeResult>& all);
 
 }  // namespace marketgen::evaluation

@@ -18,10 +18,10 @@ struct FinishedRun {
   std::vector<episodes::EpisodeResult> results;  // in the order of the record; those there are
 };
 
-// `folder`: or its results.jsonl. Errors: results.no_record, results.truncated,
+// `named`: the folder, or its results.jsonl. Errors: results.no_record, results.truncated,
 // results.duplicate_id; results.changed when a result is of another episode or policy than the
 // record says; input.not_found, io.*; those of read_json.
-Result<FinishedRun> read_run(const std::filesystem::path& folder);
+Result<FinishedRun> read_run(const std::filesystem::path& named);
 
 // One after the other. The same errors.
 Result<std::vector<FinishedRun>> read_runs(const std::vector<std::string>& folders);
