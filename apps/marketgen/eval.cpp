@@ -12,9 +12,11 @@
 #include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/measure_perception.h"
+#include "evaluation/same_runs.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "leaderboard_table.h"
 #include "number_flags.h"
 #include "say.h"
 
@@ -24,13 +26,15 @@ namespace {
 struct EvalFlags {
   CommonFlags common;
   std::string episodes, policy = "oracle", output;
-  std::vector<std::string> truth;
+  std::vector<std::string> truth, against;
+  std::string shard;
   int jobs = 0;
   evaluation::AnswerLimits answer{120, 1200};
   bool resume = false, perception = false, worker = false;
 };
 
-void print_share(const char* name, const grasping::Share& share) {
+template <class Share>
+void print_share(const char* name, const Share& share) {
   say("{:<12}{:5.1f} %  ({:.1f} to {:.1f}), {} of {}\n",
       name,
       share.share * 100,
@@ -51,7 +55,13 @@ void print_summary(const evaluation::EvaluationSummary& summary) {
         summary.spl_subset * 100,
         summary.mean_path_m,
         summary.mean_path_success_m);
-  say("SR partial  {:5.1f} %\n", summary.success_partial * 100);
+  say("SR partial  {:5.1f} %  ({:.1f} to {:.1f}), {} episodes of {} stores\n",
+      summary.partial.value * 100,
+      summary.partial.low * 100,
+      summary.partial.high * 100,
+      summary.episodes,
+      summary.stores);
+  print_share("violations", summary.violations);
   say("{:.1f} simulated seconds and {:.1f} s of computing an episode\n",
       summary.mean_simulated_s,
       summary.mean_wall_s);
@@ -114,12 +124,43 @@ std::vector<std::string> worker_command(const EvalFlags& flags, int jobs) {
           std::to_string(std::max(1, thread_count() / jobs))};
 }
 
-evaluation::EvaluationOptions options_of(const EvalFlags& flags) {
+Result<evaluation::EvaluationOptions> options_of(const EvalFlags& flags) {
   evaluation::EvaluationOptions options{flags.policy, flags.output, flags.resume};
   options.jobs = flags.jobs > 0 ? flags.jobs : thread_count();
   options.answer = flags.answer;
+  if (!flags.shard.empty()) {
+    MARKETGEN_TRY(options.shard, evaluation::read_shard(flags.shard));
+  }
   if (flags.answer.cpu_s > 0) options.worker = worker_command(flags, options.jobs);
   return options;
+}
+
+// The other runs with which this one will be compared, before it begins. Errors: those of
+// read_run, check_complete and check_same_episodes.
+Result<std::vector<evaluation::FinishedRun>> others_of(
+    const EvalFlags& flags,
+    const episodes::EpisodeFile& file,
+    const evaluation::EvaluationOptions& options) {
+  MARKETGEN_TRY(std::vector<evaluation::FinishedRun> others, evaluation::read_runs(flags.against));
+  if (!others.empty() && options.shard.of > 1)
+    return Error{"usage.bad_flag", "--against", "a shard is no whole run: merge, then leaderboard"};
+  std::vector<evaluation::FinishedRun> all = others;
+  all.insert(all.begin(),
+             {options.folder, evaluation::record_of(file, options.policy, options.shard), {}});
+  MARKETGEN_CHECK(evaluation::check_same_episodes(all));
+  for (const evaluation::FinishedRun& run : others)
+    MARKETGEN_CHECK(evaluation::check_complete(run));
+  return others;
+}
+
+Result<void> print_beside(const EvalFlags& flags, std::vector<evaluation::FinishedRun> others) {
+  if (others.empty() || flags.common.json || flags.common.quiet) return {};
+  MARKETGEN_TRY(evaluation::FinishedRun own, evaluation::read_run(flags.output));
+  others.push_back(std::move(own));
+  MARKETGEN_TRY(const evaluation::Leaderboard board, evaluation::leaderboard_of(others));
+  say("\n");
+  print_leaderboard(board);
+  return {};
 }
 
 // The policy's whole name: with the modules in whose place the truth stands.
@@ -141,16 +182,19 @@ Result<void> eval(const EvalFlags& given) {
   if (flags.worker) return evaluation::serve_episodes(data, catalog, flags.policy);
   if (flags.output.empty())
     return Error{"usage.bad_flag", "--output", "name a folder for the results"};
+  MARKETGEN_TRY(const evaluation::EvaluationOptions options, options_of(flags));
   MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
-  MARKETGEN_TRY(const std::vector<episodes::EpisodeResult> results,
-                marketgen::evaluation::evaluate(
-                    data, file, catalog, options_of(flags), progress_for(flags.common)));
+  MARKETGEN_TRY(std::vector<evaluation::FinishedRun> others, others_of(flags, file, options));
+  MARKETGEN_TRY(
+      const std::vector<episodes::EpisodeResult> results,
+      marketgen::evaluation::evaluate(data, file, catalog, options, progress_for(flags.common)));
   const evaluation::EvaluationSummary summary = evaluation::summarize(results);
   if (flags.common.json)
     fmt::print("{}", io::write_json(summary));
   else if (!flags.common.quiet)
     print_summary(summary);
-  return check_all_run(results, std::filesystem::path(flags.output) / "results.jsonl");
+  MARKETGEN_CHECK(check_all_run(results, std::filesystem::path(flags.output) / "results.jsonl"));
+  return print_beside(flags, std::move(others));
 }
 
 }  // namespace
@@ -175,6 +219,13 @@ Run add_eval(CLI::App& app) {
       ->delimiter(',');
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(whole_number(0, 1024));
+  command->add_option("--shard",
+                      flags->shard,
+                      "run a part of the file, 2/4: the second of four; `marketgen merge` joins "
+                      "them");
+  command->add_option("--against",
+                      flags->against,
+                      "results of other policies on the same episodes, to be compared with");
   add_output(*command, "-o,--output", flags->output, "folder for the results");
   command
       ->add_option("--act-limit-s",

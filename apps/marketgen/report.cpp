@@ -1,8 +1,13 @@
-// marketgen report: the metrics of one or many stores, as JSON and as one HTML page.
+// marketgen report: the metrics of one or many stores, or the results of policies, as JSON and as
+// one HTML page.
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
 
 #include "base/parallel.h"
 #include "command.h"
+#include "evaluation/run_page.h"
 #include "io/json.h"
 #include "io/output.h"
 #include "say.h"
@@ -17,10 +22,46 @@ struct ReportFlags {
   std::string html = "report.html";
 };
 
+bool is_of_results(const std::filesystem::path& named) {
+  std::error_code failed;
+  return named.filename() == "results.jsonl" ||
+         std::filesystem::exists(named / "results.jsonl", failed) ||
+         std::filesystem::exists(evaluation::record_path(named), failed);
+}
+
+Result<void> report_results(const ReportFlags& flags, io::Outputs& outputs) {
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs,
+                evaluation::read_runs(flags.folders));
+  MARKETGEN_TRY(const std::string page, evaluation::runs_html(runs, catalog));
+  MARKETGEN_CHECK(outputs.put(flags.html, page));
+  MARKETGEN_CHECK(outputs.commit());
+  for (const evaluation::FinishedRun& run : runs) {
+    const evaluation::EvaluationSummary summary = evaluation::summarize(run.results);
+    if (flags.common.json)
+      fmt::print("{}\n", io::write_json_line(summary));
+    else if (!flags.common.quiet)
+      say("{:<28} {} of {} strict, {} of {} goals\n",
+          run.record.policy,
+          summary.strict.number,
+          summary.strict.of,
+          summary.goals.number,
+          summary.goals.of);
+  }
+  if (!flags.common.json) say("page        {}\n", flags.html);
+  return {};
+}
+
 Result<void> report(const ReportFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.html}}));
+  const auto results = std::ranges::count_if(flags.folders, is_of_results);
+  if (results == std::ssize(flags.folders)) return report_results(flags, outputs);
+  if (results > 0)
+    return Error{"usage.bad_flag",
+                 "folders",
+                 "some are stores and some are results: a page is of the one or of the other"};
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   std::vector<store::StorePage> pages;
   for (const std::string& folder : flags.folders) {
@@ -58,8 +99,10 @@ Result<void> report(const ReportFlags& flags) {
 Run add_report(CLI::App& app) {
   auto flags = std::make_shared<ReportFlags>();
   CLI::App* command =
-      app.add_subcommand("report", "Measure stores, physics included: JSON and one HTML page");
-  command->add_option("folders", flags->folders, "store folders")->required();
+      app.add_subcommand("report",
+                         "Measure stores, physics included, or show results of eval: JSON and one "
+                         "HTML page");
+  command->add_option("folders", flags->folders, "store folders, or folders of eval")->required();
   add_output(*command, "-o,--output", flags->html, "HTML page to write")->capture_default_str();
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen report shop -o shop-report.html");

@@ -11,6 +11,7 @@
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
+#include "evaluation/leaderboard.h"
 #include "intake/photos_file.h"
 #include "io/flatbuffer.h"
 #include "io/json.h"
@@ -59,6 +60,12 @@ std::vector<Document> documents() {
        type_of<episodes::EpisodeHeader>()},
       {"market-task-1", "What of an episode a policy may know", type_of<environments::ToldTask>()},
       {"market-result-1", "What became of an episode", type_of<episodes::EpisodeResult>()},
+      {"market-run-1",
+       "Which episodes a folder of results is of",
+       type_of<evaluation::RunRecord>()},
+      {"market-leaderboard-1",
+       "Policies side by side on the same episodes",
+       type_of<evaluation::Leaderboard>()},
       {"market-camera-1",
        "Where a picture is taken from, and its lens",
        type_of<render::CameraFile>()},

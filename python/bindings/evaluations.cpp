@@ -22,8 +22,10 @@ namespace {
 evaluation::EvaluationOptions options_of(const std::string& policy,
                                          const std::string& folder,
                                          bool resume,
-                                         int jobs) {
+                                         int jobs,
+                                         const std::string& shard) {
   evaluation::EvaluationOptions options{policy, folder, resume};
+  if (!shard.empty()) options.shard = value_or_raise(evaluation::read_shard(shard));
   options.jobs = jobs > 0 ? jobs : thread_count();
   return options;
 }
@@ -35,10 +37,11 @@ void evaluate(const std::string& episodes,
               const std::string& folder,
               bool resume,
               int jobs,
+              const std::string& shard,
               const std::vector<std::string>& worker,
               const std::array<double, 3>& limits_s,
               const Callable& progress) {
-  evaluation::EvaluationOptions options = options_of(policy, folder, resume, jobs);
+  evaluation::EvaluationOptions options = options_of(policy, folder, resume, jobs, shard);
   options.answer = {limits_s[0], limits_s[1]};
   options.start_limit_s = limits_s[2];
   options.worker = worker;
@@ -90,9 +93,10 @@ void evaluate_with(const std::string& episodes,
                    const std::string& folder,
                    bool resume,
                    int jobs,
+                   const std::string& shard,
                    nb::object make_runner,
                    const Callable& progress) {
-  const evaluation::EvaluationOptions options = options_of(policy, folder, resume, jobs);
+  const evaluation::EvaluationOptions options = options_of(policy, folder, resume, jobs, shard);
   const auto make = [&]() -> evaluation::EpisodeRunner {
     const nb::gil_scoped_acquire held;
     std::shared_ptr<nb::object> runner;

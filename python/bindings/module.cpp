@@ -18,5 +18,6 @@ NB_MODULE(_core, module) {
   add_renderers(module);
   add_environments(module);
   add_evaluations(module);
+  add_rankings(module);
   add_program_policies(module);
 }

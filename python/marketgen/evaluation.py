@@ -73,6 +73,7 @@ def evaluate(
     act_limit_s: float = 120.0,
     hang_limit_s: float = 1200.0,
     start_limit_s: float = 120.0,
+    shard: str = "",
     policy_files: Sequence[PathLike] = (),
     progress: Progress | None = None,
     **options: Unpack[TaskOptions],
@@ -94,6 +95,7 @@ def evaluate(
     hang_limit_s  wall time after which a policy in its own process that has not answered is taken to hang (PolicyError,
                  too): one that waits uses no processor time. 0: never
     start_limit_s  wall time until that process is ready; a policy that takes longer over its imports ends the run
+    shard        "2/4": the second of four parts of the file; merge() joins their results
     policy_files  files and folders that a policy written in Python reads and writes, as weights and logs. Its process opens
                  these, Python's own files and the folders of its code (sys.path), but no episodes and no stores, and looks
                  into no other process. Where that cannot be had (no Landlock in the kernel, act_limit_s=0) it is an
@@ -117,6 +119,7 @@ def evaluate(
             arguments.a_number("hang_limit_s", hang_limit_s, 0, MAX_LIMIT_S),
             arguments.a_number("start_limit_s", start_limit_s, 0, MAX_LIMIT_S),
         ),
+        shard=arguments.a_text("shard", shard),
         policy_files=tuple(_existing("policy_files", file) for file in arguments.paths("policy_files", policy_files)),
         truth=(path, into, _core.cache_folder(), os.path.join(_core.data_folder(), "benchmark", "pool")),
         progress=arguments.a_progress(progress),
@@ -126,9 +129,13 @@ def evaluate(
             _evaluate_named(readable, policy, run, options)
         else:
             _evaluate_python(readable, _policy_in(policy) if isinstance(policy, str) else policy, run, options)
-    lines = (pathlib.Path(into) / "results.jsonl").read_text(encoding="utf-8").splitlines()
-    summary = json.loads((pathlib.Path(into) / "summary.json").read_text(encoding="utf-8"))
-    return Evaluation([json.loads(line) for line in lines], summary, into)
+    return evaluation_in(into)
+
+
+def evaluation_in(folder: str) -> Evaluation:
+    lines = (pathlib.Path(folder) / "results.jsonl").read_text(encoding="utf-8").splitlines()
+    summary = json.loads((pathlib.Path(folder) / "summary.json").read_text(encoding="utf-8"))
+    return Evaluation([json.loads(line) for line in lines], summary, folder)
 
 
 def _existing(argument: str, file: str) -> str:
@@ -166,6 +173,7 @@ class _Run:
     resume: bool
     jobs: int
     limits_s: tuple[float, float, float]  # of computing for one answer, until it is taken to hang, until it is ready
+    shard: str  # "" or "2/4"
     policy_files: tuple[str, ...]
     truth: tuple[str, ...]  # files and folders that no policy may open, wherever they lie
     progress: Progress | None
@@ -182,7 +190,7 @@ def _evaluate_named(path: str, policy: str, run: _Run, options: dict[str, Any]) 
     if options:
         raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
     worker = _worker_command(policy, run.jobs) if run.acts_apart else []
-    _core.evaluate(path, policy, run.into, run.resume, run.jobs, worker, run.limits_s, run.progress)
+    _core.evaluate(path, policy, run.into, run.resume, run.jobs, run.shard, worker, run.limits_s, run.progress)
 
 
 def _worker_command(policy: str, jobs: int) -> list[str]:
@@ -222,7 +230,7 @@ def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any])
         player = PolicyProcess(policy, *run.limits_s, seen) if run.acts_apart else PolicyHere(copy.deepcopy(policy))
         return _Runner(str(name), isolation, player, stages)
 
-    _core.evaluate_with(path, str(name), run.into, run.resume, run.jobs, make_runner, run.progress)
+    _core.evaluate_with(path, str(name), run.into, run.resume, run.jobs, run.shard, make_runner, run.progress)
 
 
 def _isolation(run: _Run) -> str:

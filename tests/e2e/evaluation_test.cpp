@@ -1,6 +1,7 @@
 // Evaluations that are broken off: nothing that was finished is lost, and nothing is left running.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -285,6 +286,72 @@ TEST_F(ShortEvaluation, TwoRunsDoNotShareAFolder) {
   EXPECT_EQ(ended.err.find("nothing was left behind"), std::string::npos) << ended.err;
   EXPECT_FALSE(fs::exists(scratch_.path() / "run/.lock"));
   EXPECT_TRUE(fs::exists(scratch_.path() / "run/summary.json"));
+}
+
+// In parts, on as many machines, and joined: the results of a run that was not cut. Ranked beside a
+// floor, printed as a table and as JSON, and shown as pages that load nothing.
+TEST_F(ShortEvaluation, ShardsAreJoinedAndRanked) {
+  const fs::path tasks = written(), folder = scratch_.path();
+  ASSERT_EQ(evaluated(tasks, "whole").status, 0);
+  std::vector<std::string> merge{MARKETGEN_BINARY, "merge"};
+  for (const std::string part : {"2", "1"}) {
+    std::vector<std::string> command = eval_command(tasks, folder / part);
+    command.insert(command.end(), {"--shard", part + "/2"});
+    const Ran ran = run(command);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    merge.push_back((folder / part).string());
+  }
+  EXPECT_EQ(results("1").size(), 2U);
+  const Ran part = marketgen_run({"leaderboard", (folder / "1").string()});
+  EXPECT_EQ(part.status, 2);
+  EXPECT_NE(part.err.find("of 3 episodes 1 have no result"), std::string::npos) << part.err;
+  merge.insert(merge.end(), {"-o", (folder / "joined").string()});
+  const Ran merged = run(merge);
+  ASSERT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(results("joined"), results("whole"));
+  EXPECT_EQ(contents_of(folder / "joined/run.json"), contents_of(folder / "whole/run.json"));
+
+  std::vector<std::string> stop = eval_command(tasks, folder / "stop");
+  std::ranges::replace(stop, "random", "stop");
+  std::erase(stop, "--quiet");
+  stop.insert(stop.end(), {"--against", (folder / "joined").string()});
+  const Ran beside = run(stop);
+  ASSERT_EQ(beside.status, 0) << beside.err;
+  EXPECT_NE(beside.out.find("random (floor)"), std::string::npos) << beside.out;
+  const fs::path page = folder / "board.html";
+  const Ran board = marketgen_run({"leaderboard",
+                                   (folder / "joined").string(),
+                                   (folder / "stop").string(),
+                                   "--json",
+                                   "--html",
+                                   page.string()});
+  ASSERT_EQ(board.status, 0) << board.err;
+  const Json ranked = Json::parse(board.out);
+  EXPECT_EQ(ranked["tracks"][0]["entries"].size(), 2U);
+  EXPECT_EQ(ranked["tracks"][0]["entries"][0]["episodes"], 3);
+  const fs::path report = folder / "report.html";
+  const Ran shown =
+      marketgen_run({"report", (folder / "joined").string(), "-o", report.string(), "--quiet"});
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  for (const fs::path& file : {page, report}) {
+    const std::string html = contents_of(file);
+    EXPECT_NE(html.find("random"), std::string::npos);
+    EXPECT_EQ(html.find("http"), std::string::npos) << "it loads something";
+    EXPECT_EQ(html.find("<script"), std::string::npos);
+  }
+}
+
+// Told before an episode is run.
+TEST_F(ShortEvaluation, RunsThatCannotBeComparedWithAreSaidFirst) {
+  const fs::path tasks = written();
+  ASSERT_EQ(evaluated(tasks, "three").status, 0);
+  specs_.pop_back();
+  std::vector<std::string> command = eval_command(written("two.jsonl"), scratch_.path() / "two");
+  command.insert(command.end(), {"--against", (scratch_.path() / "three").string()});
+  const Ran refused = run(command);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("error[results.not_comparable]"), std::string::npos) << refused.err;
+  EXPECT_FALSE(fs::exists(scratch_.path() / "two"));
 }
 
 // Before an episode of minutes is run.

@@ -55,6 +55,8 @@ const std::map<std::string, Work>& works() {
       {"pick", {{"{store}", "canned-tuna-chunks-150g", "-o", "{out}.png"}, false}},
       {"episodes", {{"{store}", "--count", "1000", "-o", "{out}"}}},
       {"eval", {{"--episodes", "{episodes}", "--policy", "classical", "-o", "{out}"}}},
+      {"merge", {{"{store}", "-o", "{out}"}, false}},
+      {"leaderboard", {{"{store}"}, false}},
       {"replay",
        {{"--episodes",
          "{episodes}",

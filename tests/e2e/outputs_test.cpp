@@ -75,6 +75,8 @@ const std::vector<Output>& outputs() {
       {{"pick"}, "--output", {"{store}", "canned-tuna-chunks-150g", "-o", "{out}"}},
       {{"episodes"}, "--output", {"{store}", "--count", "1", "-o", "{out}"}},
       {{"eval"}, "--output", {"--episodes", "{episodes}", "-o", "{out}"}, true},
+      {{"merge"}, "--output", {"{spare}", "-o", "{out}"}, true},
+      {{"leaderboard"}, "--html", {"{spare}", "--html", "{out}"}},
       {{"replay"}, "--film", {"--episodes", "{episodes}", "--episode", "0", "--film", "{out}"}},
       {{"replay"}, "--strip", {"--episodes", "{episodes}", "--episode", "0", "--strip", "{out}"}},
       {{"export"}, "--output", {"{store}", "--format", "mjcf", "-o", "{out}"}},
@@ -111,7 +113,7 @@ const std::vector<Output>& outputs() {
 // The extension that the flag's file must have, if any.
 std::string extension_of(const Output& output) {
   static const std::map<std::string, std::string> of_flag{
-      {"--annotations", ".json"}, {"--film", ".mp4"}, {"--label", ".png"}};
+      {"--annotations", ".json"}, {"--film", ".mp4"}, {"--html", ".html"}, {"--label", ".png"}};
   if (output.is_folder) return "";
   if (const auto found = of_flag.find(output.flag); found != of_flag.end()) return found->second;
   if (output.command[0] == "render" || output.command[0] == "pick" || output.flag != "--output")

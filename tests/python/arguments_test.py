@@ -125,6 +125,13 @@ CALLS = {
     "act_limit_s": [lambda on: marketgen.evaluate(on.tasks, act_limit_s=-1, folder=on.folder)],
     "hang_limit_s": [lambda on: marketgen.evaluate(on.tasks, hang_limit_s=float("nan"), folder=on.folder)],
     "start_limit_s": [lambda on: marketgen.evaluate(on.tasks, start_limit_s="long", folder=on.folder)],
+    "shard": [lambda on: marketgen.evaluate(on.tasks, shard="5/4", folder=on.folder), lambda on: marketgen.evaluate(on.tasks, shard=2, folder=on.folder)],
+    "results": [
+        lambda on: marketgen.merge(on.tasks, on.folder),
+        lambda on: marketgen.leaderboard("oracle"),
+        lambda on: marketgen.leaderboard([]),
+    ],
+    "html": [lambda on: marketgen.leaderboard([on.folder], html=3)],
     "policy_files": [lambda on: marketgen.evaluate(on.tasks, policy_files="weights.pt", folder=on.folder)],
     "num_envs": [lambda on: marketgen.make_vec(CHECKOUT, 0, store=on.store)],
     "render_mode": [
@@ -183,6 +190,7 @@ def test_every_public_function_is_tried_above():
     import inspect
 
     functions = [marketgen.generate, marketgen.open_store, marketgen.read_photo, marketgen.evaluate, marketgen.render_batch]
+    functions += [marketgen.merge, marketgen.leaderboard]
     functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py

@@ -25,6 +25,25 @@ def test_the_programs_policies_are_the_programs(tasks, tmp_path, act_limit_s):
     assert ours.summary["episodes"] == 2 and [f["failure"] for f in ours.summary["failures"]] == ["Timeout"]
 
 
+def test_shards_are_joined_and_ranked(tasks, tmp_path):
+    whole = marketgen.evaluate(tasks, "random", tmp_path / "whole")
+    parts = [tmp_path / "1", tmp_path / "2"]
+    for number, folder in enumerate(parts, start=1):
+        assert len(marketgen.evaluate(tasks, "random", folder, shard=f"{number}/2").results) == 1
+    with pytest.raises(marketgen.Error) as refused:
+        marketgen.merge(parts[:1], tmp_path / "half")
+    assert refused.value.code == "results.incomplete" and "2/2" in refused.value.message
+    assert not (tmp_path / "half").exists()
+    joined = marketgen.merge(reversed(parts), tmp_path / "joined")
+    assert timeless(joined.results) == timeless(whole.results)
+    marketgen.evaluate(tasks, policies.StopsAtOnce, tmp_path / "stops")
+    board = marketgen.leaderboard([joined.folder, tmp_path / "stops"], html=tmp_path / "board.html")
+    entries = board["tracks"][0]["entries"]
+    assert [(entry["policy"], entry["floor"], entry["episodes"]) for entry in entries] == [("random", True, 2), ("stops", False, 2)]
+    assert entries[1]["to_best"]["p_strict"] == 1
+    assert "stops" in (tmp_path / "board.html").read_text()
+
+
 @pytest.mark.parametrize("act_limit_s", [0, 120])
 def test_policies_in_python(tasks, tmp_path, act_limit_s):
     scores = marketgen.evaluate(tasks, policies.StopsAtOnce, tmp_path / "a", act_limit_s=act_limit_s)

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> policies{
     "classical", "highest", "oracle", "random", "stop"};
+constexpr std::array<std::string_view, 3> floors{"highest", "random", "stop"};
 
 }  // namespace
 
@@ -20,6 +21,10 @@ std::string PolicyName::written() const {
   for (const TrueModule module : truth)
     text += fmt::format("+{}", name_of(module));
   return text;
+}
+
+bool is_floor(std::string_view policy) {
+  return std::ranges::find(floors, policy) != floors.end();
 }
 
 Result<PolicyName> read_policy_name(const std::string& text) {

@@ -27,6 +27,9 @@ struct PolicyName {
   std::string written() const;
 };
 
+// A policy that knows nothing of what is asked for: what it scores is the floor under every score.
+bool is_floor(std::string_view policy);
+
 // Error usage.bad_flag: no such policy, no such module, or a policy that has no modules.
 Result<PolicyName> read_policy_name(const std::string& text);
 

@@ -38,6 +38,7 @@ EpisodeResult unjudged(const EpisodeSpec& spec) {
   EpisodeResult result;
   result.episode = spec.id;
   result.store = spec.store;
+  result.scene_hash = spec.scene_hash;
   for (const EpisodeGoal& goal : spec.goals) {
     result.goals.push_back({goal.sku, goal.count, 0});
     result.asked += goal.count;

@@ -90,7 +90,7 @@ struct SideEffects {
 
 struct EpisodeResult {
   std::string schema = "market-result/1";
-  std::string episode, episode_hash, store, policy;
+  std::string episode, episode_hash, store, scene_hash, policy;
   PolicyIsolation isolation = PolicyIsolation::own;
   std::vector<GoalOutcome> goals;
   int hits = 0, asked = 0;
@@ -112,6 +112,7 @@ struct EpisodeResult {
             &EpisodeResult::episode_hash,
             "over the episode as it was run; a result is gone on with only if it is the same"),
       field("store", &EpisodeResult::store, "the store's name"),
+      field("scene_hash", &EpisodeResult::scene_hash, "of the store's scene: which store it is"),
       field("policy", &EpisodeResult::policy, "who acted"),
       field("isolation",
             &EpisodeResult::isolation,

@@ -92,7 +92,7 @@ class EvaluationRun {
  private:
   void work(const EpisodeRunner& run) {
     for (std::size_t i = next_++; i < file_.episodes.size() && !over_; i = next_++) {
-      if (!folder_.has(i)) {
+      if (folder_.is_asked_for(i) && !folder_.has(i)) {
         if (const auto kept = run_and_keep(run, i); !kept.ok()) stop(kept.error());
       }
       progress_.advance();
@@ -144,8 +144,9 @@ Result<std::vector<episodes::EpisodeResult>> evaluate_with(
     const EvaluationOptions& options,
     const std::function<EpisodeRunner()>& make_runner,
     Progress& progress) {
-  MARKETGEN_TRY(const auto folder,
-                ResultsFolder::open(file, options.folder, options.policy, options.resume));
+  MARKETGEN_TRY(
+      const auto folder,
+      ResultsFolder::open(file, options.folder, options.policy, options.resume, options.shard));
   EvaluationRun run(file, options, *folder, progress);
   run.go(make_runner);
   const NoForcedEnd keeping;

@@ -23,6 +23,7 @@ struct EvaluationOptions {
   std::vector<std::string> worker = {};
   AnswerLimits answer = {};    // of a policy in a worker
   double start_limit_s = 120;  // of wall time until a worker is ready; 0 = none
+  Shard shard = {};            // which of the episodes are run
 };
 
 // Each finished episode is a line of results.jsonl at once; at the end the lines are in the order

@@ -33,18 +33,24 @@ Result<std::map<std::string, episodes::EpisodeResult>> finished_results(
     const std::string where = fmt::format("{}:{}", file.string(), ++number);
     MARKETGEN_TRY(episodes::EpisodeResult result,
                   io::read_json<episodes::EpisodeResult>(line, where));
-    finished[result.episode] = std::move(result);
+    const std::string id = result.episode;
+    if (!finished.emplace(id, std::move(result)).second)
+      return Error{"results.duplicate_id",
+                   where,
+                   id + " has a result further up: take one of the two lines out"};
   }
   return finished;
 }
 
 ResultsFolder::ResultsFolder(const episodes::EpisodeFile& file,
                              const std::filesystem::path& folder,
+                             RunRecord record,
                              io::FolderLock lock)
-    : folder_(folder), lock_(std::move(lock)), file_(file), results_(file.episodes.size()) {
-  for (const episodes::EpisodeSpec& spec : file.episodes)
-    hashes_.push_back(episodes::episode_hash(file.header, spec));
-}
+    : folder_(folder),
+      lock_(std::move(lock)),
+      file_(file),
+      record_(std::move(record)),
+      results_(file.episodes.size()) {}
 
 std::string ResultsFolder::results_path() const {
   return (folder_ / "results.jsonl").string();
@@ -53,32 +59,37 @@ std::string ResultsFolder::results_path() const {
 Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const episodes::EpisodeFile& file,
                                                            const std::filesystem::path& folder,
                                                            const std::string& policy,
-                                                           bool resume) {
+                                                           bool resume,
+                                                           const Shard& shard) {
   io::Outputs place;
   MARKETGEN_CHECK(place.add_folder(folder));
   MARKETGEN_CHECK(place.commit());
   std::error_code failed;
   MARKETGEN_TRY(io::FolderLock lock, io::FolderLock::take(folder));
-  std::unique_ptr<ResultsFolder> opened(new ResultsFolder(file, folder, std::move(lock)));
+  std::unique_ptr<ResultsFolder> opened(
+      new ResultsFolder(file, folder, record_of(file, policy, shard), std::move(lock)));
   const std::string path = opened->results_path();
+  io::Outputs files;  // looked at before any work; written by others
+  MARKETGEN_CHECK(files.add({{"--output", path}, {"--output", folder / "summary.json"}}));
   const auto size = std::filesystem::file_size(path, failed);
   if (!failed && size > 0) {
     if (!resume)
       return Error{"store.exists",
                    path,
                    "there are results already: name another folder, or go on with --resume"};
-    MARKETGEN_CHECK(opened->take_over(policy));
+    MARKETGEN_CHECK(opened->take_over());
   }
+  MARKETGEN_CHECK(io::write_file(record_path(folder), io::write_json(opened->record_)));
   MARKETGEN_CHECK(io::write_file(path, lines_of(opened->in_order())));
   opened->lines_.open(path, std::ios::app);
   return opened;
 }
 
-Result<void> ResultsFolder::take_over(const std::string& policy) {
-  MARKETGEN_TRY(const auto finished, finished_results(results_path()));
-  int changed = 0;
-  for (const auto& [id, result] : finished) {
-    if (result.policy != policy)
+// Each of them is of this policy and of an episode that is run here.
+Result<void> ResultsFolder::check_taken_over(
+    const std::map<std::string, episodes::EpisodeResult>& before) const {
+  for (const auto& [id, result] : before) {
+    if (result.policy != record_.policy)
       return Error{"usage.bad_flag",
                    "--policy",
                    fmt::format("{} has results of \"{}\": go on with that, or name another folder",
@@ -92,12 +103,42 @@ Result<void> ResultsFolder::take_over(const std::string& policy) {
                                "with the file it is of, or name another folder",
                                results_path(),
                                id)};
-    const auto number = static_cast<std::size_t>(spec - file_.episodes.begin());
-    if (result.episode_hash != hashes_[number])
-      ++changed;
-    else if (result.error.empty())
-      results_[number] = result;
+    if (!is_asked_for(static_cast<std::size_t>(spec - file_.episodes.begin())))
+      return Error{"usage.bad_flag",
+                   "--shard",
+                   fmt::format("{} has a result of {}, which is in another shard: go on with that, "
+                               "or name another folder",
+                               results_path(),
+                               id)};
   }
+  return {};
+}
+
+// Results that are kept were made by the programs that made them.
+Result<void> ResultsFolder::add_commits_of_before() {
+  std::vector<std::string> commits{"unknown"};
+  auto before = read_record(folder_);
+  if (!before.ok() && before.error().code != "results.no_record") return before.error();
+  if (before.ok()) commits = before->commits;
+  for (const std::string& commit : record_.commits)
+    if (std::ranges::find(commits, commit) == commits.end()) commits.push_back(commit);
+  record_.commits = commits;
+  return {};
+}
+
+Result<void> ResultsFolder::take_over() {
+  MARKETGEN_TRY(const auto finished, finished_results(results_path()));
+  MARKETGEN_CHECK(check_taken_over(finished));
+  int changed = 0;
+  for (std::size_t number = 0; number < file_.episodes.size(); ++number) {
+    const auto before = finished.find(file_.episodes[number].id);
+    if (before == finished.end()) continue;
+    if (before->second.episode_hash != record_.episodes[number].hash)
+      ++changed;
+    else if (before->second.error.empty())
+      results_[number] = before->second;
+  }
+  if (count() > 0) MARKETGEN_CHECK(add_commits_of_before());
   if (changed > 0)
     log_warning(
         fmt::format("{} of {} results in {} are of episodes that have changed since: they "
@@ -121,7 +162,8 @@ std::size_t ResultsFolder::count() const {
 
 Result<void> ResultsFolder::keep(std::size_t number, episodes::EpisodeResult result) {
   const std::scoped_lock lock(mutex_);
-  result.episode_hash = hashes_[number];
+  result.episode = record_.episodes[number].id;  // whatever its runner says
+  result.episode_hash = record_.episodes[number].hash;
   lines_ << io::write_json_line(result) << "\n" << std::flush;
   if (!lines_) return Error{"io.cannot_write", results_path(), "is the disk full?"};
   results_[number] = std::move(result);
@@ -140,7 +182,8 @@ Result<std::vector<episodes::EpisodeResult>> ResultsFolder::close() {
   lines_.close();
   std::vector<episodes::EpisodeResult> results = in_order();
   EvaluationSummary summary = summarize(results);
-  summary.unfinished = static_cast<int>(results_.size() - results.size());
+  for (std::size_t i = 0; i < results_.size(); ++i)
+    summary.unfinished += is_asked_for(i) && !results_[i] ? 1 : 0;
   MARKETGEN_CHECK(io::write_file(results_path(), lines_of(results)));
   MARKETGEN_CHECK(io::write_file(folder_ / "summary.json", io::write_json(summary)));
   return results;

@@ -185,7 +185,7 @@ TEST(Evaluate, AHangIsAFailureAndTheNextEpisodeFollows) {
   const ScratchFolder scratch;
   const auto results = evaluated_by(all_but("b", "exec sleep 1000"), scratch.path());
   ASSERT_TRUE(results.ok()) << to_string(results.error());
-  EXPECT_EQ((*results)[0].episode, "e");
+  EXPECT_EQ((*results)[0].failure, episodes::FailureCode::none);
   const episodes::EpisodeResult& hung = (*results)[1];
   EXPECT_EQ(hung.episode, "b");
   EXPECT_EQ(hung.policy, "p");
@@ -193,7 +193,7 @@ TEST(Evaluate, AHangIsAFailureAndTheNextEpisodeFollows) {
   EXPECT_NE(hung.detail.find("policy_hung"), std::string::npos) << hung.detail;
   ASSERT_EQ(hung.goals.size(), 1U);
   EXPECT_EQ(hung.goals[0].reached, 0);
-  EXPECT_EQ((*results)[2].episode, "e") << "a new worker goes on";
+  EXPECT_EQ((*results)[2].failure, episodes::FailureCode::none) << "a new worker goes on";
 }
 
 TEST(Evaluate, ACrashIsAFailureAndTheNextEpisodeFollows) {
@@ -202,7 +202,8 @@ TEST(Evaluate, ACrashIsAFailureAndTheNextEpisodeFollows) {
   ASSERT_TRUE(results.ok()) << to_string(results.error());
   EXPECT_EQ((*results)[1].failure, episodes::FailureCode::policy_error);
   EXPECT_NE((*results)[1].detail.find("signal 11"), std::string::npos) << (*results)[1].detail;
-  EXPECT_EQ((*results)[2].episode, "e");
+  EXPECT_EQ((*results)[2].failure, episodes::FailureCode::none);
+  EXPECT_EQ((*results)[2].episode, "c") << "whatever the worker says";
 }
 
 // A policy that does not start would not for the next episode, either.

@@ -348,6 +348,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   EpisodeResult result;
   result.episode = spec_.id;
   result.store = spec_.store;
+  result.scene_hash = spec_.scene_hash;
   result.side_effects = watch_.effects();
   result.side_effects.strayed = strayed();
   result.side_effects.protective_stops = controller_.stops();

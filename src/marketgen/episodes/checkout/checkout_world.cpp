@@ -294,6 +294,7 @@ Result<EpisodeResult> CheckoutWorld::finish() {
   EpisodeResult result;
   result.episode = spec_.id;
   result.store = spec_.store;
+  result.scene_hash = spec_.scene_hash;
   result.side_effects = side_effects(outcome);
   add_outcome(outcome, result);
   result.steps = steps_;

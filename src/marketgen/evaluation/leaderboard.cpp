@@ -1,0 +1,125 @@
+#include "evaluation/leaderboard.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "environments/policy_name.h"
+#include "evaluation/paired_tests.h"
+#include "evaluation/same_runs.h"
+
+namespace marketgen::evaluation {
+namespace {
+
+std::vector<ScoredEpisode> differences(const std::vector<ScoredEpisode>& these,
+                                       const std::vector<ScoredEpisode>& others) {
+  std::vector<ScoredEpisode> all = these;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].score -= others[i].score;
+  return all;
+}
+
+// Of one run on one track.
+struct RankedRun {
+  LeaderboardEntry entry;
+  std::vector<episodes::EpisodeResult> results;
+};
+
+std::optional<Estimate> spl_of(const std::vector<episodes::EpisodeResult>& results) {
+  std::vector<ScoredEpisode> scores;
+  bool is_driven = false;
+  for (const episodes::EpisodeResult& result : results) {
+    scores.push_back({store_of(result), result.spl});
+    is_driven = is_driven || result.shortest_m > 0;
+  }
+  if (!is_driven) return std::nullopt;
+  return estimate_of(scores);
+}
+
+RankedRun ranked(const FinishedRun& run, episodes::Track track) {
+  RankedRun made{{}, results_of(run, track)};
+  const EvaluationSummary summary = summarize(made.results);
+  LeaderboardEntry& entry = made.entry;
+  entry.policy = run.record.policy;
+  entry.results = run.folder.string();
+  entry.commit = run.record.commit();
+  entry.floor = environments::is_floor(entry.policy);
+  entry.episodes = summary.episodes;
+  entry.stores = summary.stores;
+  entry.strict = summary.strict;
+  entry.clean = summary.clean;
+  entry.violations = summary.violations;
+  entry.partial = summary.partial;
+  entry.goals = summary.goals;
+  entry.spl = spl_of(made.results);
+  const StoreSampling sampling = sampling_of(strict_scores(made.results));
+  entry.likeness = sampling.likeness;
+  entry.power = power_of_two_runs(entry.strict.share, sampling);
+  return made;
+}
+
+LeaderboardTrack track_of(const std::vector<FinishedRun>& runs, episodes::Track track) {
+  std::vector<RankedRun> all;
+  for (const FinishedRun& run : runs)
+    all.push_back(ranked(run, track));
+  std::ranges::stable_sort(all, [](const RankedRun& a, const RankedRun& b) {
+    const auto key = [](const LeaderboardEntry& entry) {
+      return std::tuple(-entry.strict.share, -entry.partial.value, entry.policy, entry.results);
+    };
+    return key(a.entry) < key(b.entry);
+  });
+  LeaderboardTrack made{track, {}};
+  for (RankedRun& run : all) {
+    if (&run != &all.front()) {
+      run.entry.to_best = compared(run.results, all.front().results);
+      run.entry.to_best->against = all.front().entry.policy;
+    }
+    made.entries.push_back(run.entry);
+  }
+  return made;
+}
+
+}  // namespace
+
+PairedComparison compared(const std::vector<episodes::EpisodeResult>& these,
+                          const std::vector<episodes::EpisodeResult>& others) {
+  PairedComparison made;
+  for (std::size_t i = 0; i < these.size(); ++i) {
+    made.only_this += these[i].success_strict && !others[i].success_strict ? 1 : 0;
+    made.only_other += others[i].success_strict && !these[i].success_strict ? 1 : 0;
+  }
+  made.p_strict = mcnemar_exact(made.only_this, made.only_other);
+  std::vector<double> sums;
+  for (const Cluster& store :
+       clusters_of(differences(partial_scores(these), partial_scores(others))))
+    sums.push_back(store.score);
+  made.p_partial = sign_flip_test(sums);
+  const auto count = static_cast<double>(std::max<std::size_t>(these.size(), 1));
+  made.power =
+      power_of_pairs((made.only_this + made.only_other) / count,
+                     sampling_of(differences(strict_scores(these), strict_scores(others))));
+  return made;
+}
+
+Result<Leaderboard> leaderboard_of(const std::vector<FinishedRun>& runs) {
+  if (runs.empty()) return Error{"usage.bad_flag", "results", "name a folder of results"};
+  std::set<std::filesystem::path> folders;
+  for (const FinishedRun& run : runs) {
+    std::error_code failed;
+    if (!folders.insert(std::filesystem::weakly_canonical(run.folder, failed)).second)
+      return Error{"usage.bad_flag", run.folder.string(), "is named twice: name each run once"};
+  }
+  MARKETGEN_CHECK(check_same_episodes(runs));
+  for (const FinishedRun& run : runs)
+    MARKETGEN_CHECK(check_complete(run));
+  const RunRecord& record = runs.front().record;
+  Leaderboard board;
+  board.version = record.version;
+  board.realism = record.realism;
+  board.episodes_hash = record.episodes_hash;
+  for (const episodes::Track track : tracks_of(runs.front()))
+    board.tracks.push_back(track_of(runs, track));
+  return board;
+}
+
+}  // namespace marketgen::evaluation

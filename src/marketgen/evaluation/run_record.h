@@ -1,0 +1,76 @@
+// What was run: run.json beside the results, market-run/1. It names every episode of the file, so
+// that a folder of results says by itself what is missing from it.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/fields.h"
+#include "base/result.h"
+#include "episodes/episode_spec.h"
+
+namespace marketgen::evaluation {
+
+// One of so many parts of a file: its episodes part - 1, part - 1 + of, ...
+struct Shard {
+  int part = 1, of = 1;
+  bool has(std::size_t number) const {
+    return number % static_cast<std::size_t>(of) == static_cast<std::size_t>(part - 1);
+  }
+  bool operator==(const Shard&) const = default;
+  static constexpr auto fields =
+      field_list(field("part", &Shard::part, "which, from 1 on", range(1, 10000)),
+                 field("of", &Shard::of, "how many there are", range(1, 10000)));
+};
+
+// "2/4". Error usage.bad_flag at --shard.
+Result<Shard> read_shard(const std::string& text);
+
+struct RunEpisode {
+  std::string id, hash;
+  episodes::Track track = episodes::Track::checkout;
+  static constexpr auto fields =
+      field_list(field("id", &RunEpisode::id, "of the episode", identifier()),
+                 field("hash", &RunEpisode::hash, "over all that decides it", required()),
+                 field("track", &RunEpisode::track, "what kind of task", required()));
+};
+
+struct RunRecord {
+  std::string schema = "market-run/1";
+  std::string policy;
+  std::string version;               // of the program
+  std::vector<std::string> commits;  // more than one when a run was gone on with
+  std::string realism = "ideal";
+  std::string episodes_hash;
+  Shard shard;
+  std::vector<RunEpisode> episodes;
+
+  static constexpr auto fields = field_list(
+      field("schema", &RunRecord::schema, "schema tag", constant("market-run/1")),
+      field("policy", &RunRecord::policy, "who acted", required()),
+      field("version", &RunRecord::version, "of the program", required()),
+      field("commits",
+            &RunRecord::commits,
+            "of the program; a \"+\" when it was changed since, unknown where it was not kept"),
+      field("realism",
+            &RunRecord::realism,
+            "what stands between the world and the robot; ideal: nothing"),
+      field("episodes_hash",
+            &RunRecord::episodes_hash,
+            "over all episodes of the file, in their order",
+            required()),
+      field("shard", &RunRecord::shard, "the part of the file that was run"),
+      field("episodes", &RunRecord::episodes, "all of the file", required()));
+  std::string commit() const;  // of the commits, as one text
+};
+
+// Of a run of `file` by this program.
+RunRecord record_of(const episodes::EpisodeFile& file,
+                    const std::string& policy,
+                    const Shard& shard);
+
+std::filesystem::path record_path(const std::filesystem::path& folder);
+// Errors: results.no_record; io.*; those of read_json.
+Result<RunRecord> read_record(const std::filesystem::path& folder);
+
+}  // namespace marketgen::evaluation

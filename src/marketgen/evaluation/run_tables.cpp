@@ -1,0 +1,186 @@
+#include "evaluation/run_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "evaluation/evaluation_summary.h"
+#include "evaluation/leaderboard_page.h"
+#include "evaluation/store_bootstrap.h"
+
+namespace marketgen::evaluation {
+namespace {
+
+struct LedgerLine {
+  std::string_view name;
+  int episodes::SideEffects::*count;
+};
+constexpr std::array<LedgerLine, 10> ledger_lines{
+    {{"contacts below 10 N", &episodes::SideEffects::light_contacts},
+     {"contacts of 10 to 50 N", &episodes::SideEffects::firm_contacts},
+     {"contacts above 50 N", &episodes::SideEffects::hard_contacts},
+     {"items toppled", &episodes::SideEffects::toppled},
+     {"items dropped", &episodes::SideEffects::dropped},
+     {"items displaced by more than 2 cm", &episodes::SideEffects::displaced},
+     {"items strayed", &episodes::SideEffects::strayed},
+     {"wrong items in the area", &episodes::SideEffects::wrong_items},
+     {"base drove into something", &episodes::SideEffects::base_collisions},
+     {"protective stops", &episodes::SideEffects::protective_stops}}};
+
+std::string ledger_row(const LedgerLine& line,
+                       const std::vector<episodes::EpisodeResult>& results) {
+  int sum = 0, in = 0, most = 0;
+  for (const episodes::EpisodeResult& result : results) {
+    const int count = result.side_effects.*line.count;
+    sum += count;
+    in += count > 0 ? 1 : 0;
+    most = std::max(most, count);
+  }
+  return fmt::format("<tr><td>{}</td><td class=\"value\">{}</td><td>{}</td><td>{}</td></tr>",
+                     line.name,
+                     sum,
+                     in,
+                     most);
+}
+
+// ---- Time lines; SVG user units are CSS pixels. ----
+constexpr int line_px = 7, name_px = 230, line_width_px = 720, unit_px = 18;
+
+std::string_view color_of(const episodes::EpisodeResult& result) {
+  if (!result.error.empty()) return "var(--soft)";
+  if (result.success_strict) return "var(--good)";
+  return result.hits > 0 ? "var(--warn)" : "var(--bad)";
+}
+
+// ---- Goods. ----
+struct GoodsRow {
+  int asked = 0, reached = 0;
+  std::set<std::string> skus;
+  std::vector<ScoredEpisode> scores;  // one a goal
+};
+
+using NameOfGoods = std::function<std::string(const catalog::Product&)>;
+
+std::map<std::string, GoodsRow> goods_rows(const std::vector<episodes::EpisodeResult>& results,
+                                           const catalog::Catalog& catalog,
+                                           const NameOfGoods& name) {
+  std::map<std::string, GoodsRow> rows;
+  for (const episodes::EpisodeResult& result : results) {
+    if (!result.error.empty()) continue;
+    for (const episodes::GoalOutcome& goal : result.goals) {
+      const catalog::Product* product = catalog.product(goal.sku);
+      GoodsRow& row = rows[product == nullptr ? "unknown" : name(*product)];
+      const int reached = std::min(goal.reached, goal.count);
+      row.asked += goal.count;
+      row.reached += reached;
+      row.skus.insert(goal.sku);
+      row.scores.push_back(
+          {store_of(result), static_cast<double>(reached), static_cast<double>(goal.count)});
+    }
+  }
+  return rows;
+}
+
+std::string goods_table(std::string_view title, const std::map<std::string, GoodsRow>& rows) {
+  std::string out = fmt::format(
+      "<table><tr><th>{}</th><th>in place, percent</th><th>of "
+      "goals</th><th>SKUs</th></tr>",
+      title);
+  for (const auto& [name, row] : rows) {
+    const Estimate estimate = estimate_of(row.scores);
+    out +=
+        fmt::format("<tr><td>{}</td><td class=\"value\">{}</td><td>{} of {}</td><td>{}</td></tr>",
+                    escaped_markup(name),
+                    percent_with_interval(estimate.value, estimate.low, estimate.high),
+                    row.reached,
+                    row.asked,
+                    row.skus.size());
+  }
+  return out + "</table>";
+}
+
+}  // namespace
+
+std::string ledger_table(const std::vector<episodes::EpisodeResult>& results) {
+  std::string out =
+      "<h2>Side effects</h2><table><tr><th>what</th><th>in all</th><th>in how many episodes</th>"
+      "<th>most in one</th></tr>";
+  for (const LedgerLine& line : ledger_lines)
+    out += ledger_row(line, results);
+  double hardest_n = 0;
+  int void_ones = 0;
+  for (const episodes::EpisodeResult& result : results) {
+    hardest_n = std::max(hardest_n, result.side_effects.hardest_n);
+    void_ones += result.is_void ? 1 : 0;
+  }
+  return out + fmt::format(
+                   "</table><p class=\"sub\">Greatest force {:.0f} N; {} episodes void. Each "
+                   "contact counts once, by the greatest force on it.</p>",
+                   hardest_n,
+                   void_ones);
+}
+
+std::string time_lines(const std::vector<episodes::EpisodeResult>& results) {
+  double longest_s = 1;
+  for (const episodes::EpisodeResult& result : results)
+    longest_s = std::max(longest_s, result.simulated_s);
+  const auto height = static_cast<int>(results.size()) * line_px + unit_px;
+  std::string svg = fmt::format(
+      "<svg role=\"img\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" style=\"font-size:6px\">",
+      name_px + line_width_px,
+      height);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const episodes::EpisodeResult& result = results[i];
+    const auto top = static_cast<int>(i) * line_px;
+    svg += fmt::format(
+        "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{}\" "
+        "y=\"{}\" width=\"{:.1f}\" height=\"{}\" style=\"fill:{}\"><title>{} {} {:.1f} "
+        "s, {} of {}</title></rect>",
+        name_px - 6,
+        top + line_px - 1,
+        escaped_markup(result.episode),
+        name_px,
+        top + 1,
+        line_width_px * result.simulated_s / longest_s,
+        line_px - 2,
+        color_of(result),
+        escaped_markup(result.episode),
+        name_of(result.failure),
+        result.simulated_s,
+        result.hits,
+        result.asked);
+  }
+  svg += fmt::format(
+      "<text x=\"{}\" y=\"{}\" text-anchor=\"end\" style=\"font-size:11px\">{:.0f} "
+      "s</text></svg>",
+      name_px + line_width_px,
+      height - 5,
+      longest_s);
+  return "<h2>Simulated time</h2><p class=\"sub\">One bar an episode, in the order of the file: "
+         "<span "
+         "class=\"good\">all goals</span>, <span class=\"warn\">some</span>, <span "
+         "class=\"bad\">none</span>.</p>" +
+         svg;
+}
+
+std::string goods_tables(const std::vector<episodes::EpisodeResult>& results,
+                         const catalog::Catalog& catalog) {
+  return "<h2>Goals by goods</h2><p class=\"sub\">What was in place at the end, before wrong items "
+         "and "
+         "void episodes are taken off.</p>" +
+         goods_table("category",
+                     goods_rows(results,
+                                catalog,
+                                [](const catalog::Product& product) { return product.category; })) +
+         goods_table("shape", goods_rows(results, catalog, [](const catalog::Product& product) {
+                       return product.archetype;
+                     }));
+}
+
+}  // namespace marketgen::evaluation

@@ -1,0 +1,60 @@
+#include "evaluation/same_runs.h"
+
+#include <fmt/format.h>
+
+namespace marketgen::evaluation {
+namespace {
+
+// One thing that has to be the same, and what to do where it is not.
+struct Likeness {
+  std::string name, first, other, remedy;
+};
+
+Result<void> check_alike(const FinishedRun& first,
+                         const FinishedRun& other,
+                         const std::vector<Likeness>& all) {
+  for (const Likeness& each : all)
+    if (each.first != each.other)
+      return Error{"results.not_comparable",
+                   other.folder.string(),
+                   fmt::format("is of {} {}, {} of {}: {}",
+                               each.name,
+                               each.other,
+                               first.folder.string(),
+                               each.first,
+                               each.remedy)};
+  return {};
+}
+
+Result<void> check_same_task(const FinishedRun& first, const FinishedRun& other) {
+  const RunRecord &a = first.record, &b = other.record;
+  return check_alike(
+      first,
+      other,
+      {{"episodes", a.episodes_hash, b.episodes_hash, "run both policies on one file of episodes"},
+       {"version", a.version, b.version, "run both with the same version of marketgen"},
+       {"realism", a.realism, b.realism, "run both with the same realism"}});
+}
+
+}  // namespace
+
+Result<void> check_same_episodes(const std::vector<FinishedRun>& runs) {
+  for (const FinishedRun& run : runs)
+    MARKETGEN_CHECK(check_same_task(runs.front(), run));
+  return {};
+}
+
+Result<void> check_one_run(const std::vector<FinishedRun>& runs) {
+  for (const FinishedRun& run : runs) {
+    const RunRecord &a = runs.front().record, &b = run.record;
+    MARKETGEN_CHECK(check_same_task(runs.front(), run));
+    MARKETGEN_CHECK(check_alike(
+        runs.front(),
+        run,
+        {{"policy", a.policy, b.policy, "name the shards of one policy"},
+         {"commit", a.commit(), b.commit(), "run all shards with the same build of marketgen"}}));
+  }
+  return {};
+}
+
+}  // namespace marketgen::evaluation

@@ -1,0 +1,16 @@
+// Which runs may be put side by side.
+#pragma once
+#include <vector>
+
+#include "base/result.h"
+#include "evaluation/finished_run.h"
+
+namespace marketgen::evaluation {
+
+// Of the same episodes, version and realism: they can be compared. Error results.not_comparable at
+// the folder that differs from the first, with what to do.
+Result<void> check_same_episodes(const std::vector<FinishedRun>& runs);
+// Of the same policy and commit, too: parts of one run. The same error.
+Result<void> check_one_run(const std::vector<FinishedRun>& runs);
+
+}  // namespace marketgen::evaluation

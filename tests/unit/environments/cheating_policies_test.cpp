@@ -1,0 +1,285 @@
+// Policies that would score without doing the task: each gets nothing, or a void episode. What each
+// is after is looked at, too, so that none fails for want of trying.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "environments/run_episode.h"
+#include "episodes/checkout/checkout_world.h"
+#include "geometry/rotation_axes.h"
+#include "io/json.h"
+#include "robots/arm_ik.h"
+#include "support/drawn_checkout.h"
+
+namespace marketgen {
+namespace {
+
+using episodes::CheckoutWorld;
+
+// A place of the tip, which points down and closes along Y, and how fast the joints go there.
+struct Waypoint {
+  Vec3 tip;
+  double opening_m = 0, speed_rad_s = 0.8;
+};
+
+// Goes from one to the next in joint space, whatever is in the way, and says then that it has done.
+class Waypoints : public agent::Policy {
+ public:
+  Waypoints(const robots::Robot& robot, std::vector<Waypoint> way)
+      : arm_(robots::make_arm_ik(robot, *robot.find_group("arm")).value()), way_(std::move(way)) {}
+
+  Result<void> begin(const agent::Task&, const agent::Observation& first) override {
+    target_ = first.position;
+    return {};
+  }
+
+  Result<agent::Action> act(const agent::Observation& now) override {
+    agent::Action action = episodes::still_action(now);
+    if (steps_left_ == 0 && next_ < way_.size()) MARKETGEN_CHECK(head_for(way_[next_++]));
+    action.stop = steps_left_ == 0;
+    if (steps_left_ > 0) {
+      for (std::size_t joint = 0; joint < target_.size(); ++joint)
+        target_[joint] += (goal_[joint] - target_[joint]) / steps_left_;
+      --steps_left_;
+    }
+    action.position = target_;
+    action.tools[0] = {way_[next_ - 1].opening_m, 70};
+    return action;
+  }
+
+ private:
+  Result<void> head_for(const Waypoint& place) {
+    robots::ArmJoints from{};
+    std::ranges::copy(target_, from.begin());
+    MARKETGEN_TRY(const robots::ArmJoints to,
+                  robots::nearest_arm_solution(
+                      arm_, {place.tip, rotation_with_axes({0, 1, 0}, {0, 0, -1})}, from));
+    goal_.assign(to.begin(), to.begin() + std::ssize(target_));
+    double farthest = 0;
+    for (std::size_t joint = 0; joint < goal_.size(); ++joint)
+      farthest = std::max(farthest, std::abs(goal_[joint] - target_[joint]));
+    const double time_s = std::max(0.5, farthest / place.speed_rad_s);
+    steps_left_ = static_cast<int>(std::ceil(time_s / episodes::control_step_s));
+    return {};
+  }
+
+  robots::ArmIk arm_;
+  std::vector<Waypoint> way_;
+  std::size_t next_ = 0;
+  int steps_left_ = 0;
+  std::vector<double> target_, goal_;
+};
+
+// The oracle until a goal is where `now_` says; from then on what `cheat_` does.
+class OracleUntil : public agent::Policy {
+ public:
+  using When = std::function<bool(const agent::Action& next, bool pressed)>;
+  using Cheat = std::function<agent::Action(agent::Action last, int step)>;
+  OracleUntil(std::unique_ptr<agent::Policy> oracle, When now, Cheat cheat)
+      : oracle_(std::move(oracle)), now_(std::move(now)), cheat_(std::move(cheat)) {}
+
+  Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
+    return oracle_->begin(task, first);
+  }
+  Result<agent::Action> act(const agent::Observation& now) override {
+    if (steps_ == 0) {
+      MARKETGEN_TRY(agent::Action next, oracle_->act(now));
+      if (!now_(next, !last_.tools.empty() && last_.tools[0].opening_m <= 0)) {
+        last_ = next;
+        return next;
+      }
+    }
+    return cheat_(last_, ++steps_);
+  }
+  bool has_cheated() const { return steps_ > 0; }
+
+ private:
+  std::unique_ptr<agent::Policy> oracle_;
+  When now_;
+  Cheat cheat_;
+  agent::Action last_;
+  int steps_ = 0;
+};
+
+class Cheats : public testing::Test {
+ protected:
+  Cheats() {
+    header_.products = checkout_goods_rows();
+    arena_.emplace(data_rows(), header_, committed_catalog());
+  }
+
+  void open(int index) {
+    world_ = arena_->open(drawn(7, index)).value();
+    checkout_ = std::get<const CheckoutWorld*>(world_->any());
+  }
+
+  episodes::EpisodeResult played(agent::Policy& policy) {
+    auto result = environments::run_policy(*world_, policy, "cheat");
+    if (!result.ok()) fatal(to_string(result.error()).c_str());
+    return std::move(result).value();
+  }
+
+  episodes::EpisodeResult gone(std::vector<Waypoint> way) {
+    Waypoints policy(world_->robot(), std::move(way));
+    return played(policy);
+  }
+
+  // The oracle, which cheats as soon as a goal is over the area, so far over the counter.
+  episodes::EpisodeResult cheats_over_area(double height_m, const OracleUntil::Cheat& cheat) {
+    OracleUntil policy(
+        arena_->policy("oracle", *world_).value(),
+        [&](const agent::Action&, bool pressed) { return pressed && is_over_area(height_m); },
+        cheat);
+    const episodes::EpisodeResult result = played(policy);
+    EXPECT_TRUE(policy.has_cheated()) << "no goal came there";
+    return result;
+  }
+
+  bool is_over_area(double height_m) const {
+    const episodes::UnloadingRow& area = checkout_->station().unloading;
+    for (std::size_t item = 0; item < checkout_->item_count(); ++item) {
+      const auto& goals = world_->spec().goals;
+      const std::string& sku = world_->spec().items[item].sku;
+      if (std::ranges::find(goals, sku, &episodes::EpisodeGoal::sku) == goals.end()) continue;
+      const Vec3 at = checkout_->item_pose(item).position;
+      const bool inside = std::abs(at.x - area.center_m[0]) < area.size_m[0] / 2 &&
+                          std::abs(at.y - area.center_m[1]) < area.size_m[1] / 2;
+      if (inside && at.z > height_m) return true;
+    }
+    return false;
+  }
+
+  static void expect_nothing(const episodes::EpisodeResult& result) {
+    EXPECT_EQ(result.hits, 0) << io::write_json(result);
+    EXPECT_EQ(result.success_partial, 0);
+    EXPECT_FALSE(result.success_strict);
+    EXPECT_TRUE(result.detail.empty()) << result.detail;
+  }
+
+  episodes::EpisodeHeader header_;
+  std::optional<environments::Arena> arena_;
+  std::unique_ptr<episodes::TrackWorld> world_;
+  const CheckoutWorld* checkout_ = nullptr;
+};
+
+TEST_F(Cheats, StoppingAtOnceIsWorthNothing) {
+  for (const int index : {0, 1, 2}) {
+    open(index);
+    const auto policy = arena_->policy("stop", *world_).value();
+    expect_nothing(played(*policy));
+  }
+}
+
+// Takes the far wall's rim and lifts it.
+TEST_F(Cheats, DumpingTheBasketIsVoid) {
+  for (const int index : {0, 1}) {
+    open(index);
+    const episodes::EpisodeResult result = gone({{{0.52, 0.21, 0.3}, 0.06},
+                                                 {{0.52, 0.21, 0.12}, 0.06},
+                                                 {{0.52, 0.21, 0.12}, 0},
+                                                 {{0.52, 0.10, 0.4}, 0},
+                                                 {{0.52, -0.2, 0.35}, 0}});
+    expect_nothing(result);
+    EXPECT_TRUE(result.is_void) << result.side_effects.basket_tilt_deg << " degrees";
+  }
+}
+
+// Takes the near wall's rim and pulls, goods and all, over the area.
+TEST_F(Cheats, DraggingTheBasketOverTheAreaUnloadsNothing) {
+  for (const int index : {0, 1}) {
+    open(index);
+    const double before = checkout_->basket_pose().position.y;
+    expect_nothing(gone({{{0.52, -0.21, 0.3}, 0.06},
+                         {{0.52, -0.21, 0.12}, 0.06},
+                         {{0.52, -0.21, 0.12}, 0},
+                         {{0.52, -0.42, 0.12}, 0, 0.2},
+                         {{0.52, -0.42, 0.12}, 0.06}}));
+    EXPECT_LT(checkout_->basket_pose().position.y, before - 0.1) << "it was not moved";
+  }
+}
+
+// Comes from behind as fast as the arm can.
+TEST_F(Cheats, RammingTheBasketIsWorthNothing) {
+  for (const int index : {0, 1}) {
+    open(index);
+    const double before = checkout_->basket_pose().position.y;
+    const episodes::EpisodeResult result = gone({{{0.52, 0.32, 0.4}, 0},
+                                                 {{0.52, 0.32, 0.08}, 0},
+                                                 {{0.52, -0.2, 0.08}, 0, 3},
+                                                 {{0.52, -0.2, 0.4}, 0}});
+    expect_nothing(result);
+    EXPECT_LT(checkout_->basket_pose().position.y, before - 0.02) << "it was not moved";
+    EXPECT_FALSE(episodes::is_clean(result.side_effects));
+  }
+}
+
+// Fingers through the heap and over the rim, again and again.
+TEST_F(Cheats, RakingIsWorthNothing) {
+  for (const int index : {0, 1}) {
+    open(index);
+    std::vector<Waypoint> way;
+    for (const double x : {0.44, 0.52, 0.60})
+      for (const Vec3 tip : {Vec3{x, 0.12, 0.3},
+                             Vec3{x, 0.12, 0.06},
+                             Vec3{x, -0.1, 0.1},
+                             Vec3{x, -0.25, 0.2},
+                             Vec3{x, -0.45, 0.1}})
+        way.push_back({tip, 0, 1.5});
+    const episodes::EpisodeResult result = gone(way);
+    expect_nothing(result);
+    EXPECT_GT(result.side_effects.displaced, 0) << "nothing was raked";
+  }
+}
+
+// ---- What has been taken properly, and is not put down. ----
+
+TEST_F(Cheats, HoveringOverTheAreaIsWorthNothing) {
+  open(0);
+  expect_nothing(cheats_over_area(0.12, [](agent::Action last, int step) {
+    last.stop = step > 20;
+    return last;
+  }));
+}
+
+TEST_F(Cheats, LettingFallIsWorthNothing) {
+  open(0);
+  expect_nothing(cheats_over_area(0.14, [](agent::Action last, int step) {
+    last.tools[0].opening_m = 0.08;
+    last.stop = step > 40;
+    return last;
+  }));
+}
+
+// Stands on the area as it should, and the hand does not let go.
+TEST_F(Cheats, HoldingWhatStandsThereIsWorthNothing) {
+  open(0);
+  OracleUntil policy(
+      arena_->policy("oracle", *world_).value(),
+      [&](const agent::Action& next, bool pressed) {
+        return pressed && next.tools[0].opening_m > 0 && is_over_area(0);
+      },
+      [](agent::Action last, int step) {
+        last.stop = step > 40;
+        return last;
+      });
+  expect_nothing(played(policy));
+  EXPECT_TRUE(policy.has_cheated() && is_over_area(0));
+}
+
+// ---- Beyond the end. ----
+
+TEST_F(Cheats, ActingAfterTheEndIsAnErrorAndChangesNothing) {
+  open(0);
+  const auto policy = arena_->policy("stop", *world_).value();
+  played(*policy);
+  const std::string before = world_->state_hash();
+  const auto stepped = world_->step(episodes::still_action(world_->observe()));
+  ASSERT_FALSE(stepped.ok());
+  EXPECT_EQ(stepped.error().code, "episode.bad_action");
+  EXPECT_EQ(world_->state_hash(), before);
+}
+
+}  // namespace
+}  // namespace marketgen
