@@ -74,7 +74,7 @@ void fill_stock(plan::Requirement& stock, const Meaning& said) {
 
 // "Canned goods: shelf pitch 9 inches, six boards high."
 bool interpret_limited(Reading& reading, const Meaning& statement) {
-  const Parts& things = statement.parts("things");
+  const Parts things = resolved(reading, statement.parts("things"));
   const std::vector<std::string> zones = zones_of(things);
   if (zones.empty() || !interpret_about(reading, statement.parts("also"), zones)) return false;
   mention_zones(reading, things);

@@ -136,6 +136,16 @@ bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
   return first.has_value();
 }
 
+// "Two emergency exits on the west wall": as many are there. One is said of any door.
+bool add_doors(Reading& reading, const Meaning& door, const Parts& places) {
+  std::vector<plan::Requirement>& wishes = reading.found.requirements;
+  const std::size_t made = wishes.size();
+  const bool any = add_door(reading, noun_of(door), places);
+  if (door.has("count") && wishes.size() == made + 1)
+    wishes.back().value = door.parts("count").front()->number("value");
+  return any;
+}
+
 // Each subject to each object; "between" takes its objects together.
 bool add_relations(Reading& reading,
                    const std::string& relation,
@@ -205,6 +215,20 @@ bool interpret_mention(Reading& reading, const Meaning& statement) {
   return true;
 }
 
+namespace {
+
+// What was named only to say that there is none.
+void forget_mentions(Reading& reading, const std::string& name) {
+  std::erase_if(reading.found.requirements, [&](const plan::Requirement& wish) {
+    const bool some = wish.comparison == plan::Comparison::at_least && wish.value <= 1;
+    const bool mention = wish.kind == plan::RequirementKind::zone_present ||
+                         (wish.kind == plan::RequirementKind::fixture_count && some);
+    return mention && wish.subject == name;
+  });
+}
+
+}  // namespace
+
 bool interpret_absent(Reading& reading, const Meaning& statement) {
   const Parts& said = statement.parts("things");
   const bool answer = said.front()->is("type", "pronoun");  // "and the café? There is none"
@@ -215,9 +239,7 @@ bool interpret_absent(Reading& reading, const Meaning& statement) {
     noun.negated = true;
     noun.counted = false;
     if (answer) {
-      std::erase_if(reading.found.requirements, [&](const plan::Requirement& wish) {
-        return wish.kind == plan::RequirementKind::zone_present && wish.span == thing->span;
-      });
+      forget_mentions(reading, noun.name);
       noun.span = statement.span;
     } else if (thing == things.front()) {
       noun.span = joined(statement.span, noun.span);
@@ -231,12 +253,14 @@ bool interpret_absent(Reading& reading, const Meaning& statement) {
 bool interpret_only(Reading& reading, const Meaning& statement) {
   interpret_mention(reading, statement);
   const Parts& things = statement.parts("things");
+  const std::vector<std::string> zones = zones_of(things);
+  if (zones.size() == 1 && zones.front() == "self_checkout")
+    reading.add(plan::RequirementKind::zone_absent, statement.span).subject = "checkout";
   const bool goods = std::ranges::any_of(things, [&](const MeaningPtr& thing) {
     const catalog::ZoneTypeRow* zone = reading.catalog.zone_type(thing->text("zone"));
     return !thing->is("type", "fixture") && zone != nullptr && sells(reading.catalog, *zone);
   });
-  if (goods)
-    forbid_others(reading, zones_of(things), statement.span);  // "one till only" is but a number
+  if (goods) forbid_others(reading, zones, statement.span);  // "one till only" is but a number
   return true;
 }
 
@@ -250,16 +274,6 @@ bool interpret_only_named(Reading& reading, const Meaning& statement) {
   if (named.empty()) return false;
   forbid_others(reading, named, statement.span);
   return true;
-}
-
-// Fixtures that goods lie or stand on, and none besides.
-bool are_furniture(const Reading& reading, const Parts& things) {
-  return std::ranges::all_of(things, [&](const MeaningPtr& thing) {
-    const catalog::FixtureKind* kind =
-        thing->is("type", "fixture") ? reading.catalog.fixture_kind(thing->text("name")) : nullptr;
-    const bool baskets = kind != nullptr && kind->kind == "basket_stack";
-    return kind != nullptr && (kind->role == catalog::FixtureRole::shelving || baskets);
-  });
 }
 
 // "Three tables and a fridge in the bakery": they are the bakery's.
@@ -457,9 +471,9 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
           statement.parts("things").front()->is("type", "pronoun") && at.size() == 1 &&
           at.front()->parts("objects").size() == 1 &&
           is_end_of_known_wall(reading, noun_of(*door), *at.front()->parts("objects").front());
-      any = end || add_door(reading, noun_of(*door), at) || any;
+      any = end || add_doors(reading, *door, at) || any;
     }
-    if (things.size() > 1) reading.memory->recent.push_back(things);
+    reading.memory->recent.push_back(things);
     return any;
   }
   for (const MeaningPtr& place : statement.parts("at")) {

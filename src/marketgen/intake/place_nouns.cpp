@@ -116,7 +116,7 @@ void add_fixture_mention(Reading& reading, const PlaceNoun& noun) {
   plan::Requirement& wish = reading.add(plan::RequirementKind::fixture_count, noun.span);
   wish.subject = noun.name;
   wish.object = noun.zone;
-  wish.second_object = noun.negated ? "" : noun.scope;
+  wish.second_object = noun.scope;
   wish.comparison = noun.negated ? plan::Comparison::at_most : plan::Comparison::at_least;
   wish.value = noun.negated ? 0 : 1;
 }
@@ -161,6 +161,15 @@ language::Meaning standing_in(const language::Meaning& fixture, const std::strin
   standing.slots["zone"] = zone;
   standing.slots["scope"] = zone;
   return standing;
+}
+
+bool are_furniture(const Reading& reading, const language::Parts& things) {
+  return std::ranges::all_of(things, [&](const language::MeaningPtr& thing) {
+    const catalog::FixtureKind* kind =
+        thing->is("type", "fixture") ? reading.catalog.fixture_kind(thing->text("name")) : nullptr;
+    const bool baskets = kind != nullptr && kind->kind == "basket_stack";
+    return kind != nullptr && (kind->role == catalog::FixtureRole::shelving || baskets);
+  });
 }
 
 void add_runs(Reading& reading, const language::Meaning& said) {

@@ -40,6 +40,9 @@ void add_runs(Reading& reading, const language::Meaning& said);
 // The fixtures stand in that zone: they are counted there, not in the one that their name implies.
 language::Meaning standing_in(const language::Meaning& fixture, const std::string& zone);
 
+// Fixtures that goods lie or stand on, and none besides.
+bool are_furniture(const Reading& reading, const language::Parts& things);
+
 // The relation asks for distance, so what it names need not exist.
 bool names_far(std::string_view relation, bool negated);
 

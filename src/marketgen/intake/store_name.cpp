@@ -62,6 +62,13 @@ Stretch plain_words(const std::vector<Token>& tokens, std::size_t i, const Lexic
   return {i, end};
 }
 
+// "I'd call the style "farmhouse"": a word that says something of the store is no name of it.
+bool is_word_of_ours(const std::vector<Token>& tokens, Stretch quoted, const Lexicon& lexicon) {
+  const auto match = lexicon.longest_match(tokens, quoted.first);
+  const bool whole = match && quoted.first + match->tokens == quoted.last;
+  return whole && !tokens[quoted.first].capital && !tokens[quoted.first].han;
+}
+
 StoreName name_of_stretch(std::string_view prompt,
                           const std::vector<Token>& tokens,
                           Stretch stretch) {
@@ -83,6 +90,10 @@ std::optional<StoreName> take_store_name(std::string_view prompt,
     const std::size_t at = naming ? past_small_words(tokens, i + match->tokens, lexicon) : i;
     Stretch name = quoted(tokens, at);
     const bool in_quotes = !name.empty();
+    if (in_quotes && !naming && is_word_of_ours(tokens, name, lexicon)) {
+      i = name.last;
+      continue;
+    }
     if (naming && name.empty()) name = capitalised(tokens, at);
     if (naming && name.empty()) name = plain_words(tokens, at, lexicon);
     if (name.empty()) continue;

@@ -86,6 +86,7 @@ class Tokenizer {
       : prompt_(prompt), characters_(characters_of(prompt)) {}
 
   std::vector<Token> run() {
+    at_ = numbering();
     while (at_ < characters_.size())
       take_next();
     return std::move(tokens_);
@@ -145,16 +146,43 @@ class Tokenizer {
     at_ += bullet ? 1 : number;
   }
 
-  // Characters of "3." or "3、" that begin a line; 0 when none do. "3.5 m" does not.
-  std::size_t numbering() const {
+  std::size_t digits_at(std::size_t ahead) const {
     std::size_t digits = 0;
-    while (here(digits).glyph == Glyph::digit)
+    while (here(ahead + digits).glyph == Glyph::digit)
       ++digits;
+    return digits;
+  }
+
+  // Characters of "3.", "3、" or "3.1" that begin a line; 0 when none do. "3.5 m" does not.
+  std::size_t numbering() {
+    const std::size_t digits = digits_at(0);
     if (digits == 0 || digits > 2 || at_ + digits >= characters_.size()) return 0;
     const int code = here(digits).code;
     const bool mark =
         code == '.' || code == ')' || code == 0x3001 || code == 0xFF09 || code == 0xFF0E;
-    return mark && here(digits + 1).glyph != Glyph::digit ? digits + 1 : 0;
+    const std::size_t further = digits_at(digits + 1);
+    if (mark && further == 0) return at_ + digits + 1 < characters_.size() ? digits + 1 : 0;
+    const bool section = code == '.' && further <= 2 && is_section(digits, further);
+    return section ? digits + 1 + further : 0;
+  }
+
+  int value_at(std::size_t ahead, std::size_t digits) const {
+    int value = 0;
+    for (std::size_t i = 0; i < digits; ++i)
+      value = 10 * value + here(ahead + i).code - '0';
+    return value;
+  }
+
+  // "2.3 Windows" is a section when 2.2 began a line before, and "2.1 Floor" begins one.
+  bool is_section(std::size_t digits, std::size_t further) {
+    const bool spaced = here(digits + 1 + further).glyph == Glyph::space &&
+                        here(digits + 2 + further).glyph == Glyph::letter;
+    const std::array number = {value_at(0, digits), value_at(digits + 1, further)};
+    const bool first = number[1] == 1 && here(digits + 2 + further).upper;
+    const bool next = number[0] == section_[0] && number[1] == section_[1] + 1;
+    if (!spaced || (!first && !next)) return false;
+    section_ = number;
+    return true;
   }
 
   void take_character() {
@@ -237,10 +265,27 @@ class Tokenizer {
     if (code == 0xD7) token.text = "x";  // multiplication sign
     if (is_double_quote(code)) token.text = "\"";
     if (is_apostrophe(code)) token.text = "'";
+    if (follows_number(start) && is_apostrophe(code)) return add_unit(token, "foot");
+    if (follows_number(start) && is_double_quote(code) && !quote_is_open_)
+      return add_unit(token, "inch");
+    if (is_double_quote(code)) quote_is_open_ = !quote_is_open_;
     if (code == '.' && ends_inches()) return;
     if (ends_sentence(code)) token.kind = TokenKind::sentence_end;
     token.stem = token.text;
     tokens_.push_back(std::move(token));
+  }
+
+  bool follows_number(std::size_t mark) const {
+    return mark > 0 && characters_[mark - 1].glyph == Glyph::digit &&
+           here().glyph != Glyph::letter && !tokens_.empty() &&
+           tokens_.back().kind == TokenKind::number;
+  }
+
+  // 4'6" is a length.
+  void add_unit(Token mark, const char* unit) {
+    mark.kind = TokenKind::word;
+    mark.text = mark.stem = unit;
+    tokens_.push_back(std::move(mark));
   }
 
   bool joins_words(std::size_t dash) const {
@@ -291,6 +336,8 @@ class Tokenizer {
   std::string_view prompt_;
   std::vector<Character> characters_;
   std::size_t at_ = 0;
+  std::array<int, 2> section_ = {0, 0};  // the last one that began a line
+  bool quote_is_open_ = false;
   std::vector<Token> tokens_;
 };
 

@@ -8,6 +8,7 @@
 #include "intake/conflicts.h"
 #include "intake/interpret.h"
 #include "intake/language.h"
+#include "intake/prompt_tables.h"
 #include "intake/store_name.h"
 #include "intake/tokens.h"
 #include "intake/understanding.h"
@@ -293,7 +294,7 @@ Understanding understand(std::string_view prompt,
                          const catalog::Catalog& catalog,
                          plan::Wall entrance) {
   Understanding found;
-  Tokens tokens = tokenize(prompt);
+  Tokens tokens = with_tables_spelled_out(prompt, tokenize(prompt), language.lexicon);
   found.name = take_store_name(prompt, tokens, language.lexicon);
   found.understood = found.name.has_value();
   bool first = true;
