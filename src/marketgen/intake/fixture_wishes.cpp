@@ -60,8 +60,10 @@ std::vector<KindWish> kind_wishes(const Understanding& found,
   for (const plan::Requirement& wish : found.requirements) {
     const bool of_store = wish.kind == Kind::run_count && wish.second_object.empty() &&
                           runs_of_store(found, wish.subject) != nullptr;
+    const bool number_of_store = wish.kind == Kind::fixture_count && wish.second_object.empty() &&
+                                 count_of_store(found, wish.subject) != nullptr;
     const bool of_fixtures = wish.kind == Kind::fixture_count || wish.kind == Kind::run_count;
-    if (!of_fixtures || of_store || wish.object != zone_type || asks_for_none(wish)) continue;
+    if (!of_fixtures || of_store || number_of_store || wish.object != zone_type || asks_for_none(wish)) continue;
     const catalog::FixtureKind* kind = catalog.fixture_kind(wish.subject);
     if (kind == nullptr) continue;
     auto said = std::ranges::find_if(all, [&](const Said& one) { return one.wish.kind == kind; });
@@ -132,9 +134,14 @@ void house_fixtures(Understanding& found, const catalog::Catalog& catalog) {
   }
 }
 
-bool is_refused(const Understanding& found, const catalog::FixtureKind& kind) {
-  const plan::Requirement* wish = found.find(Kind::fixture_count, kind.kind);
-  return wish != nullptr && asks_for_none(*wish);
+bool is_refused(const Understanding& found,
+                const catalog::FixtureKind& kind,
+                std::string_view zone_type) {
+  return std::ranges::any_of(found.requirements, [&](const plan::Requirement& wish) {
+    const bool here = wish.second_object.empty() || wish.second_object == zone_type;
+    return wish.kind == Kind::fixture_count && wish.subject == kind.kind && here &&
+           asks_for_none(wish);
+  });
 }
 
 // Gondolas stand in many zones; other kinds belong to the one that their name implies.
@@ -143,6 +150,19 @@ const plan::Requirement* runs_of_store(const Understanding& found, std::string_v
   for (const plan::Requirement& wish : found.requirements) {
     const bool whole = wish.kind == Kind::run_count && wish.subject == kind &&
                        wish.second_object.empty() && !asks_for_none(wish);
+    if (whole) return &wish;
+  }
+  return nullptr;
+}
+
+const plan::Requirement* count_of_store(const Understanding& found, std::string_view kind) {
+  const bool of_many = std::ranges::any_of(
+      kinds_of_many_zones, [&](const auto& one) { return one.first == kind; });
+  if (!of_many) return nullptr;
+  for (const plan::Requirement& wish : found.requirements) {
+    const bool whole = wish.kind == Kind::fixture_count && wish.subject == kind &&
+                       wish.second_object.empty() && !asks_for_none(wish) &&
+                       wish.comparison != plan::Comparison::at_least;
     if (whole) return &wish;
   }
   return nullptr;

@@ -37,8 +37,8 @@ std::size_t segment_of(const Reading& reading, int token) {
 bool is_one_of_many(const Reading& reading, const Meaning& zone) {
   const auto& segments = *reading.segments;
   const std::size_t at = segment_of(reading, zone.words.front());
-  const bool listed =
-      at >= 2 && segments[at - 1].sense == Sense::separator && is_goods(segments[at - 2]);
+  const bool listed = at >= 2 && segments[at - 1].sense == Sense::separator &&
+                      !segments[at - 1].content && is_goods(segments[at - 2]);
   return listed && !shop_is_measured(reading) &&
          std::any_of(
              segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(at), names_a_shop);

@@ -148,11 +148,12 @@ bool pays_at_counter(const Understanding& found,
 // none.
 const catalog::FixtureKind* replacement_of(const Understanding& found,
                                            const catalog::Catalog& catalog,
-                                           const catalog::FixtureKind& refused) {
+                                           const catalog::FixtureKind& refused,
+                                           std::string_view zone_type) {
   const auto other =
       std::ranges::find_if(catalog.fixture_kinds, [&](const catalog::FixtureKind& kind) {
         return kind.temperature == refused.temperature && kind.role == refused.role &&
-               kind.generator != "endcap" && !kind.keywords.empty() && !is_refused(found, kind);
+               kind.generator != "endcap" && !kind.keywords.empty() && !is_refused(found, kind, zone_type);
       });
   return other == catalog.fixture_kinds.end() ? nullptr : &*other;
 }
@@ -179,7 +180,8 @@ const catalog::FixtureKind* kind_of(const Understanding& found,
     if (usual == nullptr || can_be_main(*wish.kind, *usual)) return wish.kind;
   }
   const bool shelving = usual != nullptr && usual->role == catalog::FixtureRole::shelving;
-  if (shelving && is_refused(found, *usual)) return replacement_of(found, catalog, *usual);
+  if (shelving && is_refused(found, *usual, type.type))
+    return replacement_of(found, catalog, *usual, type.type);
   // Convenience stores keep drinks behind glass doors; other shops in open coolers.
   const bool convenience = program.profile->id.starts_with("convenience");
   if (type.type == "chilled" && convenience) return catalog.fixture_kind("glass_door_cooler");
@@ -215,7 +217,8 @@ void add_kind_wishes(ProgramZone& zone,
     }
   }
   const catalog::FixtureKind* wall = kind_on_walls(*zone.kind, catalog);
-  const bool refused = wall != nullptr && wall != zone.kind && is_refused(found, *wall);
+  const bool refused =
+      wall != nullptr && wall != zone.kind && is_refused(found, *wall, zone.type->type);
   if (refused) zone.beside.push_back({wall, 0, 0, std::nullopt, 0});
 }
 
@@ -328,21 +331,36 @@ void grow_floor(StoreProgram& program, const Understanding& found) {
 
 // Runs that are counted in the whole store are shared among the zones that have such shelves, in
 // proportion to their floor; what gets none lines walls.
-void share_runs(StoreProgram& program,
-                const Understanding& found,
-                const catalog::Catalog& catalog) {
-  const plan::Requirement* wish = runs_of_store(found, "gondola");
-  const catalog::FixtureKind* gondola = catalog.fixture_kind("gondola");
-  if (wish == nullptr || gondola == nullptr) return;
+// A number of one kind that is said of the store as a whole.
+struct StoreNumber {
+  const catalog::FixtureKind* kind = nullptr;
+  const catalog::FixtureKind* instead = nullptr;  // in zones for which none is left
+  int number = 0;
+  bool runs = false;  // straight lines, else modules
+  int sides = 0;      // of the lines
+};
+
+KindWish part_of(const StoreNumber& said, int number) {
+  KindWish wish{said.kind, std::nullopt, 0, std::nullopt, said.sides};
+  if (said.runs)
+    wish.runs = number;
+  else
+    wish.count = wish.least = number;
+  return wish;
+}
+
+// By their floors; at least one each where there are so many.
+void share_among_zones(StoreProgram& program, const StoreNumber& said) {
   std::vector<ProgramZone*> open;
-  int left = static_cast<int>(wish->value);
+  int left = said.number;
   double floor_m2 = 0;
   for (ProgramZone& zone : program.zones) {
-    if (zone.kind != gondola) continue;
-    if (zone.main.runs) {
-      left -= *zone.main.runs;
+    if (zone.kind != said.kind) continue;
+    if (const std::optional<int> own = said.runs ? zone.main.runs : zone.main.count) {
+      left -= *own;
       continue;
     }
+    if (!said.runs && zone.main.runs) continue;  // its lines are counted
     open.push_back(&zone);
     floor_m2 += zone.target_m2;
   }
@@ -352,16 +370,35 @@ void share_runs(StoreProgram& program,
     const auto others = static_cast<int>(open.size() - i) - 1;
     const double share = floor_m2 > 0 ? zone.target_m2 / floor_m2 : 1;
     const int fair = i + 1 == open.size() ? left : static_cast<int>(std::lround(left * share));
-    const int runs =
+    const int number =
         std::clamp(fair, std::min(1, left), std::max(std::min(1, left), left - others));
     floor_m2 -= zone.target_m2;
-    left -= std::max(0, runs);
-    if (runs > 0) {
-      zone.main = {gondola, std::nullopt, 0, runs, static_cast<int>(wish->second_value)};
+    left -= std::max(0, number);
+    if (number > 0) {
+      zone.main = part_of(said, number);
+      if (!said.runs) zone.count = number;
       continue;
     }
-    zone.kind = catalog.fixture_kind("wall_unit");
+    zone.kind = said.instead;
     zone.stance = stance_of(*zone.type, zone.kind);
+  }
+}
+
+void share_numbers_of_store(StoreProgram& program,
+                            const Understanding& found,
+                            const catalog::Catalog& catalog) {
+  for (const auto& [name, instead] : kinds_of_many_zones) {
+    StoreNumber said{catalog.fixture_kind(name), catalog.fixture_kind(instead)};
+    if (said.kind == nullptr || said.instead == nullptr) continue;
+    if (const plan::Requirement* runs = runs_of_store(found, name)) {
+      said.runs = true;
+      said.number = static_cast<int>(runs->value);
+      said.sides = static_cast<int>(runs->second_value);
+      share_among_zones(program, said);
+    } else if (const plan::Requirement* count = count_of_store(found, name)) {
+      said.number = static_cast<int>(count->value);
+      share_among_zones(program, said);
+    }
   }
 }
 
@@ -498,7 +535,7 @@ Result<StoreProgram> make_program(const Brief& brief,
     }
   }
   share_floor(program, found, chosen.count);
-  share_runs(program, found, catalog);
+  share_numbers_of_store(program, found, catalog);
   program.entrance_at = entrance_asked_at(found);
   count_lanes(program);
   program.open = !floor_size_is_said(brief, found);

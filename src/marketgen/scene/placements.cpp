@@ -1,6 +1,7 @@
 #include "scene/placements.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -169,15 +170,61 @@ void remove_items(Scene& scene, const std::vector<std::uint8_t>& drop) {
 
 }  // namespace
 
+namespace {
+
+bool is_on_top(const Scene& scene, const Facing& facing, std::uint32_t i) {
+  return i + 1 == facing.first_product + facing.product_count ||
+         scene.products[i + 1].position_m[2] <= scene.products[i].position_m[2];
+}
+
+// In heaps its neighbours lie against an item; in stacks others stand on it.
+bool can_change(const Scene& scene,
+                const Facing& facing,
+                std::uint32_t i,
+                const catalog::Catalog& catalog) {
+  return !lies_in_a_heap(catalog.products[facing.sku]) &&
+         (scene.products[i].flags & product_front_row) != 0 && is_on_top(scene, facing, i);
+}
+
+const plan::Zone* zone_of(const Scene& scene, const plan::Plan& plan, const Facing& facing) {
+  const layout::Fixture& fixture = scene.layout.fixtures[scene.shelves[facing.shelf].fixture];
+  return plan::find_zone(plan, fixture.zone);
+}
+
+// How many in the front rows of a zone there are for each that can be another product: a share of
+// misplaced goods is one of all that shoppers see.
+std::map<std::string, double> seen_for_each(const Scene& scene,
+                                            const plan::Plan& plan,
+                                            const catalog::Catalog& catalog) {
+  std::map<std::string, std::array<double, 2>> counts;
+  for (const Facing& facing : scene.facings) {
+    const plan::Zone* zone = zone_of(scene, plan, facing);
+    if (zone == nullptr || zone->stock.misplaced <= 0) continue;
+    std::array<double, 2>& count = counts[zone->id];
+    for (std::uint32_t i = facing.first_product; i < facing.first_product + facing.product_count;
+         ++i) {
+      count[0] += (scene.products[i].flags & product_front_row) != 0 ? 1 : 0;
+      count[1] += can_change(scene, facing, i, catalog) ? 1 : 0;
+    }
+  }
+  std::map<std::string, double> factors;
+  for (const auto& [zone, count] : counts)
+    factors[zone] = count[1] > 0 ? count[0] / count[1] : 0;
+  return factors;
+}
+
+}  // namespace
+
 void misplace_items(Scene& scene,
                     const plan::Plan& plan,
                     const catalog::Catalog& catalog,
                     Seed seed) {
+  const std::map<std::string, double> factors = seen_for_each(scene, plan, catalog);
   for (const Facing& facing : scene.facings) {
     const layout::Fixture& fixture = scene.layout.fixtures[scene.shelves[facing.shelf].fixture];
-    const plan::Zone* zone = plan::find_zone(plan, fixture.zone);
+    const plan::Zone* zone = zone_of(scene, plan, facing);
     if (zone == nullptr || zone->stock.misplaced <= 0) continue;
-    if (lies_in_a_heap(catalog.products[facing.sku])) continue;  // its neighbours lie against it
+    const double chance = std::min(1.0, zone->stock.misplaced * factors.at(zone->id));
     const std::uint64_t shelf =
         facing.shelf - scene.fixtures[scene.shelves[facing.shelf].fixture].first_shelf;
     Stream draw = seed.child("misplaced", fixture.id)
@@ -189,10 +236,7 @@ void misplace_items(Scene& scene,
     for (std::uint32_t i = facing.first_product; i < facing.first_product + facing.product_count;
          ++i) {
       SceneProduct& item = scene.products[i];
-      const bool on_top = i + 1 == facing.first_product + facing.product_count ||
-                          scene.products[i + 1].position_m[2] <= item.position_m[2];
-      if ((item.flags & product_front_row) == 0 || !on_top || !draw.chance(zone->stock.misplaced))
-        continue;
+      if (!can_change(scene, facing, i, catalog) || !draw.chance(chance)) continue;
       const std::uint32_t stranger = stranger_for(item.sku, catalog, draw);
       if (stranger == item.sku) continue;
       item.sku = stranger;
