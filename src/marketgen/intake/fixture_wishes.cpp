@@ -63,7 +63,7 @@ std::vector<KindWish> kind_wishes(const Understanding& found,
     const bool number_of_store = wish.kind == Kind::fixture_count && wish.second_object.empty() &&
                                  count_of_store(found, wish.subject) != nullptr;
     const bool of_fixtures = wish.kind == Kind::fixture_count || wish.kind == Kind::run_count;
-    if (!of_fixtures || of_store || number_of_store || wish.object != zone_type || asks_for_none(wish)) continue;
+    if (!of_fixtures || of_store || wish.object != zone_type || asks_for_none(wish)) continue;
     const catalog::FixtureKind* kind = catalog.fixture_kind(wish.subject);
     if (kind == nullptr) continue;
     auto said = std::ranges::find_if(all, [&](const Said& one) { return one.wish.kind == kind; });
@@ -71,6 +71,7 @@ std::vector<KindWish> kind_wishes(const Understanding& found,
       all.emplace_back().wish.kind = kind;
       said = std::prev(all.end());
     }
+    if (number_of_store) continue;  // the zone has its part of it
     const bool runs = wish.kind == Kind::run_count;
     (runs ? said->runs : said->count).take(wish);
     (runs ? said->in_runs : said->counted) = true;

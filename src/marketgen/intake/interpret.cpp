@@ -77,6 +77,7 @@ constexpr StatementKind statement_kinds[] = {
     {"doors", interpret_doors},
     {"held", interpret_held},
     {"placed", interpret_placed},
+    {"placed_each", interpret_placed_each},
     {"equipped", interpret_equipped},
     {"mutual", interpret_mutual},
     {"correction", interpret_correction},

@@ -149,6 +149,7 @@ bool interpret_levels_of(Reading& reading, const language::Meaning& statement);
 bool interpret_doors_on(Reading& reading, const language::Meaning& statement);
 bool interpret_doors_at(Reading& reading, const language::Meaning& statement);
 bool interpret_doors_shared(Reading& reading, const language::Meaning& statement);
+bool interpret_placed_each(Reading& reading, const language::Meaning& statement);
 bool interpret_runs_each(Reading& reading, const language::Meaning& statement);
 bool interpret_only_tills(Reading& reading, const language::Meaning& statement);
 bool interpret_surfaces(Reading& reading, const language::Meaning& statement);

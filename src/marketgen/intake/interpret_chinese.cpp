@@ -158,6 +158,23 @@ bool interpret_surfaces(Reading& reading, const Meaning& statement) {
   return any;
 }
 
+// "Frozen food, deli and wine at the left, back and right wall respectively": of the last list when
+// none is named.
+bool interpret_placed_each(Reading& reading, const Meaning& statement) {
+  const std::vector<Parts>& recent = reading.memory->recent;
+  const bool named = statement.has("things");
+  Parts things = named ? statement.parts("things") : Parts{};
+  const Parts& places = statement.parts("places");
+  for (std::size_t i = recent.size(); !named && i-- > 0 && things.size() < places.size();)
+    things.insert(things.begin(), recent[i].begin(), recent[i].end());
+  if (things.size() != places.size()) return false;
+  if (named) interpret_mention(reading, statement);
+  bool any = false;
+  for (std::size_t i = 0; i < things.size(); ++i)
+    any = add_relation(reading, {"at", false, noun_of(*things[i]), {noun_of(*places[i])}}) || any;
+  return any;
+}
+
 // "粮油、罐头各两排双面货架": so many in each.
 bool interpret_runs_each(Reading& reading, const Meaning& statement) {
   bool any = false;

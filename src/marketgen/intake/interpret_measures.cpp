@@ -139,8 +139,8 @@ bool interpret_floor_of_last(Reading& reading, const Meaning& statement) {
   const bool one = !recent.empty() && zones_of(recent.back()).size() == 1;
   // Two sides are nearly always those of the room.
   const bool sides = !statement.parts("floor").front()->parts("sides").empty();
-  const bool of_shop =
-      !one || ((reading.first_sentence || sides) && !shop_is_measured(reading));
+  const bool of_shop = !one || (!statement.has("zone") && (reading.first_sentence || sides) &&
+                                !shop_is_measured(reading));
   const Meaning* zone = of_shop ? nullptr : recent.back().front().get();
   if (zone == nullptr && floor_is_known(reading)) return false;
   if (zone != nullptr && zone->text("zone").empty()) return false;

@@ -473,7 +473,8 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
           is_end_of_known_wall(reading, noun_of(*door), *at.front()->parts("objects").front());
       any = end || add_doors(reading, *door, at) || any;
     }
-    reading.memory->recent.push_back(things);
+    const bool named = !statement.parts("things").front()->is("type", "pronoun");
+    if (things.size() > 1 || named) reading.memory->recent.push_back(things);
     return any;
   }
   for (const MeaningPtr& place : statement.parts("at")) {

@@ -93,6 +93,22 @@ void keep_number(plan::Requirement& wish, Understanding& found, BeyondLimits& be
   wish.value = kept;
 }
 
+// Both sides of the shop; one that was not said is 0.
+void keep_size(plan::Requirement& wish, Understanding& found, BeyondLimits& beyond) {
+  const auto buildable = [](double side) {
+    return side > 0 ? std::clamp(side, min_store_side_mm, max_store_side_mm) : side;
+  };
+  const double width = buildable(wish.value), depth = buildable(wish.second_value);
+  if (width == wish.value && depth == wish.second_value) return;
+  beyond.changed.push_back(wish);
+  found.conflicts.push_back({"the size of the store",
+                             metres(width) + " x " + metres(depth) + " m",
+                             wish.text,
+                             "a store is 4 to 200 m wide and deep"});
+  wish.value = width;
+  wish.second_value = depth;
+}
+
 void keep_rows(Understanding& found) {
   constexpr int max_rows = 20;
   for (WantedRows& rows : found.rows) {
@@ -126,8 +142,12 @@ void set_relations_aside(Understanding& found, BeyondLimits& beyond) {
 
 BeyondLimits keep_within_limits(Understanding& found) {
   BeyondLimits beyond;
-  for (plan::Requirement& wish : found.requirements)
-    keep_number(wish, found, beyond);
+  for (plan::Requirement& wish : found.requirements) {
+    if (wish.kind == Kind::size)
+      keep_size(wish, found, beyond);
+    else
+      keep_number(wish, found, beyond);
+  }
   keep_rows(found);
   set_relations_aside(found, beyond);
   return beyond;
@@ -139,7 +159,9 @@ std::vector<plan::Requirement> as_asked(std::vector<plan::Requirement> wishes,
     const auto asked = std::ranges::find_if(beyond.changed, [&](const plan::Requirement& other) {
       return other.kind == wish.kind && other.span == wish.span && other.subject == wish.subject;
     });
-    if (asked != beyond.changed.end()) wish.value = asked->value;
+    if (asked == beyond.changed.end()) continue;
+    wish.value = asked->value;
+    wish.second_value = asked->second_value;
   }
   wishes.insert(wishes.end(), beyond.set_aside.begin(), beyond.set_aside.end());
   return wishes;

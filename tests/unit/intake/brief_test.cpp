@@ -38,9 +38,6 @@ TEST(Brief, SizesMustBeBuildable) {
   brief.size_mm = {{3000, 9000}};
   EXPECT_EQ(refusal(brief).code, "brief.bad_size");
   EXPECT_EQ(refusal(brief).where, "--size");
-  const Error in_words = refusal(brief_of("a 300 x 20 m shop"));
-  EXPECT_EQ(in_words.code, "brief.bad_size");
-  EXPECT_EQ(in_words.where, "prompt:bytes 2-12");
 }
 
 TEST(Brief, UnknownProfileAndStyleAreNamedWithTheNearest) {
