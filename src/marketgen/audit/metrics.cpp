@@ -76,7 +76,8 @@ double selling_area_m2(const scene::Scene& scene) {
     if (std::find(not_selling.begin(), not_selling.end(), zone.type) != not_selling.end())
       area -= zone.area_m2;
   }
-  return area;
+  constexpr double nothing_m2 = 0.01;  // zones that fill the floor leave what rounding does
+  return area > nothing_m2 ? area : 0;
 }
 
 int shopping_aisles(const scene::Scene& scene) {

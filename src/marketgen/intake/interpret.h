@@ -17,6 +17,7 @@ struct Memory {
   std::vector<language::Parts> recent;  // things, statement by statement
   language::MeaningPtr last_object;     // the thing that was named last, wherever it stood
   language::MeaningPtr last_place;      // wall or side
+  language::MeaningPtr last_door;       // where no thing was named after it
   // The last statement, as far as a correction may change it, and the wishes that it made.
   language::MeaningPtr last;
   std::size_t first_wish = 0, past_wish = 0;
@@ -96,6 +97,10 @@ std::vector<std::string> zones_of(const language::Parts& things);
 
 // With what pronouns stand for in their place.
 language::Parts resolved(const Reading& reading, const language::Parts& nouns);
+// What a thing or wall was named as, for "which" and "the same wall".
+void note_object(const Reading& reading, const language::MeaningPtr& object);
+// Where doors are (slot at), each of them. False when no place is one of a door.
+bool place_doors(Reading& reading, const language::Meaning& statement, const language::Parts& doors);
 // For the pronouns of what follows.
 void remember(const Reading& reading, const language::Parts& things);
 

@@ -24,17 +24,6 @@ bool is_equipment(const Reading& reading, const Meaning& thing) {
   return kind != nullptr && kind->role == catalog::FixtureRole::equipment;
 }
 
-// The fixture that was named last, and its number no longer.
-MeaningPtr last_fixture(const Reading& reading) {
-  const std::vector<Parts>& recent = reading.memory->recent;
-  for (auto things = recent.rbegin(); things != recent.rend(); ++things) {
-    const auto fixture = std::ranges::find_if(
-        *things, [](const MeaningPtr& thing) { return thing->is("type", "fixture"); });
-    if (fixture != things->end()) return *fixture;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 // "No gondolas in the offers area", "no gates by the entrance", "no frozen food by the door": of

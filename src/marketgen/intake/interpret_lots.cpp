@@ -13,7 +13,13 @@ using language::Meaning;
 using language::MeaningPtr;
 using language::Parts;
 
-// The fixtures that were named last; null when none were.
+// Lines have their number within them.
+MeaningPtr number_of(const MeaningPtr& count) {
+  return count->has("count") ? count->parts("count").front() : count;
+}
+
+}  // namespace
+
 MeaningPtr last_fixture(const Reading& reading) {
   const std::vector<Parts>& recent = reading.memory->recent;
   for (std::size_t i = recent.size(); i-- > 0;) {
@@ -23,13 +29,6 @@ MeaningPtr last_fixture(const Reading& reading) {
   }
   return nullptr;
 }
-
-// Lines have their number within them.
-MeaningPtr number_of(const MeaningPtr& count) {
-  return count->has("count") ? count->parts("count").front() : count;
-}
-
-}  // namespace
 
 bool interpret_lots(Reading& reading, const Meaning& statement) {
   const Parts& named = statement.parts("fixture");

@@ -54,6 +54,7 @@ Parts referred(const Reading& reading, const Meaning& pronoun) {
   if (refers == "doors") return both_doors(pronoun);
   if (refers == "which") return memory.last_object ? Parts{memory.last_object} : Parts{};
   if (refers == "wall") return memory.last_place ? Parts{memory.last_place} : Parts{};
+  if (refers == "last" && memory.last_door) return {memory.last_door};
   if (memory.recent.empty()) return {};
   if (refers == "them") return memory.recent.back();
   if (refers == "first_two") return first_two_of(last_list(memory.recent));
@@ -75,75 +76,6 @@ std::vector<PlaceNoun> nouns_of(const Parts& parts) {
   for (const MeaningPtr& part : parts)
     nouns.push_back(noun_of(*part));
   return nouns;
-}
-
-void note_object(const Reading& reading, const MeaningPtr& object) {
-  if (is_thing(*object)) reading.memory->last_object = object;
-  if (object->is("type", "place")) reading.memory->last_place = object;
-}
-
-// A wall and an end of it are one place. False when both say the same thing differently.
-bool join_doors(const Reading& reading, plan::Requirement& door, const plan::Requirement& other) {
-  const bool walls = !door.object.empty() && !other.object.empty() && door.object != other.object;
-  const bool ends = !door.second_object.empty() && !other.second_object.empty();
-  if (walls || ends) return false;
-  if (door.object.empty()) door.object = other.object;
-  if (door.second_object.empty()) door.second_object = other.second_object;
-  door.span = joined(door.span, other.span);
-  door.text = reading.words(door.span);
-  return true;
-}
-
-// "The east end of the south wall": a direction beside a wall is that end of it.
-void end_of_wall(const plan::Requirement& door, plan::Requirement& other, const Meaning& spot) {
-  const bool end = spot.number("wall") == 0 && !door.object.empty() &&
-                   other.object != door.object && other.second_object.empty();
-  if (end) std::swap(other.object, other.second_object);
-}
-
-// "Both doors in the east wall, the former to the south": an end of the wall that was said before.
-bool is_end_of_known_wall(Reading& reading, const PlaceNoun& door, const Meaning& spot) {
-  if (spot.number("wall") != 0 || !spot.is("type", "place")) return false;
-  for (plan::Requirement& wish : reading.found.requirements) {
-    const bool known = wish.kind == plan::RequirementKind::opening && wish.subject == door.name &&
-                       !wish.object.empty() && wish.second_object.empty();
-    if (!known || wish.object == spot.text("name")) continue;
-    wish.second_object = spot.text("name");
-    wish.span = joined(wish.span, door.span);
-    wish.text = reading.words(wish.span);
-    return true;
-  }
-  return false;
-}
-
-// "The entrance at the left end of the south wall": one wish. False when no place is one of a door.
-bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
-  std::vector<plan::Requirement>& wishes = reading.found.requirements;
-  std::optional<std::size_t> first;
-  for (const MeaningPtr& place : places) {
-    for (const MeaningPtr& spot : resolved(reading, place->parts("objects"))) {
-      if (!first || spot->number("wall") != 0) note_object(reading, spot);
-      const std::size_t made = wishes.size();
-      add_relation(reading, {place->text("relation"), false, door, {noun_of(*spot)}});
-      if (wishes.size() == made || wishes[made].kind != plan::RequirementKind::opening) continue;
-      if (first) end_of_wall(wishes[*first], wishes[made], *spot);
-      if (!first)
-        first = made;
-      else if (join_doors(reading, wishes[*first], wishes[made]))
-        wishes.pop_back();
-    }
-  }
-  return first.has_value();
-}
-
-// "Two emergency exits on the west wall": as many are there. One is said of any door.
-bool add_doors(Reading& reading, const Meaning& door, const Parts& places) {
-  std::vector<plan::Requirement>& wishes = reading.found.requirements;
-  const std::size_t made = wishes.size();
-  const bool any = add_door(reading, noun_of(door), places);
-  if (door.has("count") && wishes.size() == made + 1)
-    wishes.back().value = door.parts("count").front()->number("value");
-  return any;
 }
 
 // Each subject to each object; "between" takes its objects together.
@@ -184,6 +116,11 @@ void forbid_others(Reading& reading, const std::vector<std::string>& zones, IntR
 
 }  // namespace
 
+void note_object(const Reading& reading, const MeaningPtr& object) {
+  if (is_thing(*object)) reading.memory->last_object = object;
+  if (object->is("type", "place")) reading.memory->last_place = object;
+}
+
 Parts resolved(const Reading& reading, const Parts& nouns) {
   Parts found;
   for (const MeaningPtr& noun : nouns) {
@@ -204,6 +141,7 @@ void remember(const Reading& reading, const Parts& things) {
   std::ranges::copy_if(
       things, std::back_inserter(named), [](const MeaningPtr& thing) { return is_thing(*thing); });
   if (named.empty()) return;
+  reading.memory->last_door = nullptr;
   reading.memory->last_object = named.back();
   reading.memory->recent.push_back(std::move(named));
 }
@@ -335,34 +273,6 @@ bool interpret_equipped(Reading& reading, const Meaning& statement) {
   return true;
 }
 
-// "Two entrances": how many. "Two entrances, one west and one east": and so many in each place.
-bool interpret_doors(Reading& reading, const Meaning& statement) {
-  const MeaningPtr& door = statement.parts("things").front();
-  if (door->has("count")) add_count(reading, *door);
-  std::vector<plan::Requirement>& wishes = reading.found.requirements;
-  for (const MeaningPtr& part : statement.parts("parts")) {
-    const std::size_t made = wishes.size();
-    add_door(reading, noun_of(*door), part->parts("at"));
-    if (wishes.size() == made + 1) wishes.back().value = part->number("number");
-  }
-  return true;
-}
-
-// "Emergency exits in the short walls": one in each. A room of no said size is wider than deep.
-bool interpret_doors_on(Reading& reading, const Meaning& statement) {
-  const plan::Requirement* size = reading.found.find(plan::RequirementKind::size);
-  const bool wide = size == nullptr || size->value >= size->second_value;
-  const bool east_and_west = wide == statement.is("walls", "short");
-  constexpr std::array sides = {std::array{"north", "south"}, std::array{"east", "west"}};
-  for (const char* wall : sides[east_and_west ? 1 : 0]) {
-    plan::Requirement& door = reading.add(plan::RequirementKind::opening, statement.span);
-    door.subject = statement.parts("door").front()->text("name");
-    door.object = wall;
-    door.value = 1;
-  }
-  return true;
-}
-
 namespace {
 
 // "Trolleys by the exit": equipment that is no zone's stands at that door.
@@ -465,17 +375,9 @@ bool interpret_placed(Reading& reading, const Meaning& statement) {
   }
   bool any = mention_placed(reading, statement);
   if (things.front()->is("type", "opening") && !denied) {
-    for (const MeaningPtr& door : things) {
-      const Parts& at = statement.parts("at");
-      const bool end =
-          statement.parts("things").front()->is("type", "pronoun") && at.size() == 1 &&
-          at.front()->parts("objects").size() == 1 &&
-          is_end_of_known_wall(reading, noun_of(*door), *at.front()->parts("objects").front());
-      any = end || add_doors(reading, *door, at) || any;
-    }
-    const bool named = !statement.parts("things").front()->is("type", "pronoun");
-    if (things.size() > 1 || named) reading.memory->recent.push_back(things);
-    return any;
+    if (things.size() > 1) reading.memory->recent.push_back(things);
+    reading.memory->last_door = things.front();
+    return place_doors(reading, statement, things) || any;
   }
   for (const MeaningPtr& place : statement.parts("at")) {
     if (add_place(reading, *place, things, denied))

@@ -56,18 +56,23 @@ bool is_kept(const StoreProgram& program, const ProgramZone& zone) {
   return false;
 }
 
+bool sells_goods(const ProgramZone& zone) {
+  return zone.kind != nullptr && zone.kind->role == catalog::FixtureRole::shelving;
+}
+
 // The zone that is given up first: the least important one that nobody asked for, else the last one
-// asked for.
+// asked for. A shop without a back room is one, without goods is none.
 std::size_t max_dispensable(const StoreProgram& program, const Understanding& found) {
+  constexpr std::ptrdiff_t min_selling = 3;
+  const bool few = std::ranges::count_if(program.zones, sells_goods) <= min_selling;
   for (std::size_t i = program.zones.size(); i-- > 0;) {
-    if (!is_kept(program, program.zones[i]) && !is_named(found, program.zones[i])) return i;
+    const ProgramZone& zone = program.zones[i];
+    if (!is_kept(program, zone) && !is_named(found, zone) && !(few && sells_goods(zone))) return i;
   }
-  for (const bool goods :
-       {false, true}) {  // a shop without a back room is one, without goods is none
+  for (const bool goods : {false, true}) {
     for (std::size_t i = program.zones.size(); i-- > 0;) {
       const ProgramZone& zone = program.zones[i];
-      const bool sells = zone.kind != nullptr && zone.kind->role == catalog::FixtureRole::shelving;
-      if (!is_kept(program, zone) && sells == goods) return i;
+      if (!is_kept(program, zone) && sells_goods(zone) == goods) return i;
     }
   }
   return program.zones.size() - 1;

@@ -43,6 +43,9 @@ language::Meaning standing_in(const language::Meaning& fixture, const std::strin
 // Fixtures that goods lie or stand on, and none besides.
 bool are_furniture(const Reading& reading, const language::Parts& things);
 
+// The fixtures that were named last; null when none were.
+language::MeaningPtr last_fixture(const Reading& reading);
+
 // The relation asks for distance, so what it names need not exist.
 bool names_far(std::string_view relation, bool negated);
 
