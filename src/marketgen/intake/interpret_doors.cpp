@@ -95,6 +95,7 @@ bool place_doors(Reading& reading, const Meaning& statement, const Parts& doors)
 bool interpret_doors(Reading& reading, const Meaning& statement) {
   const MeaningPtr& door = statement.parts("things").front();
   if (door->has("count")) add_count(reading, *door);
+  reading.memory->last_door = door;
   std::vector<plan::Requirement>& wishes = reading.found.requirements;
   for (const MeaningPtr& part : statement.parts("parts")) {
     const std::size_t made = wishes.size();

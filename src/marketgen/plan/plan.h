@@ -254,7 +254,7 @@ struct StockSpec {
             range(0.0, 1.0)),
       field("misplaced",
             &StockSpec::misplaced,
-            "share of items that stand in the wrong place",
+            "share of the items in front rows that stand in the wrong place",
             range(0.0, 0.5)));
 };
 

@@ -40,6 +40,17 @@ TEST(Brief, SizesMustBeBuildable) {
   EXPECT_EQ(refusal(brief).where, "--size");
 }
 
+TEST(Brief, ASizeInWordsThatCannotBeBuiltIsTheNearestAndSaidSo) {
+  const Result<intake::Planned> planned =
+      intake::plan_from_brief(brief_of("a kiosk of 4 x 3 m"), committed_catalog(), shipped_planner(), Seed{1});
+  ASSERT_TRUE(planned.ok()) << to_string(planned.error());
+  EXPECT_EQ(planned->plan.shell.width_mm, 4000);
+  EXPECT_EQ(planned->plan.shell.depth_mm, 4000);
+  ASSERT_FALSE(planned->conflicts.empty());
+  EXPECT_EQ(planned->conflicts.front().what, "the size of the store");
+  EXPECT_EQ(planned->conflicts.front().dropped, "4 x 3 m");
+}
+
 TEST(Brief, UnknownProfileAndStyleAreNamedWithTheNearest) {
   intake::Brief brief = brief_of("a shop");
   brief.profile = "supermarket-ue";

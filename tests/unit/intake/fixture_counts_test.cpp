@@ -147,6 +147,27 @@ TEST(FixtureCounts, RunsOfTheStoreAreSharedAmongItsZones) {
   EXPECT_EQ(runs, 14);
 }
 
+TEST(FixtureCounts, ModulesOfTheStoreAreSharedAmongItsZones) {
+  const plan::Plan plan = counted_plan("22 x 16 m supermarket with 10 gondolas and 4 multidecks");
+  for (const auto& [kind, number] : {std::pair{"gondola", 10}, std::pair{"multideck", 4}}) {
+    int count = 0;
+    for (const plan::Zone& zone : plan.zones) {
+      if (zone.fixture.kind != kind) continue;
+      ASSERT_TRUE(zone.fixture.count.has_value()) << zone.id;
+      count += *zone.fixture.count;
+    }
+    EXPECT_EQ(count, number) << kind;
+  }
+}
+
+TEST(FixtureCounts, AKindThatOneZoneIsNotToHaveStandsInOthers) {
+  const plan::Plan plan =
+      counted_plan("400 m2 supermarket with household goods, no gondolas in household");
+  EXPECT_NE(counted_zone(plan, "household").fixture.kind, "gondola");
+  EXPECT_TRUE(std::ranges::any_of(
+      plan.zones, [](const plan::Zone& zone) { return zone.fixture.kind == "gondola"; }));
+}
+
 TEST(FixtureCounts, EquipmentIsThePlans) {
   const plan::Plan plan =
       counted_plan("supermarket, no gates, two stacks of baskets, trolleys by the exit");

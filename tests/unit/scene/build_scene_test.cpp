@@ -151,28 +151,25 @@ TEST(BuildScene, UnknownFixtureKindIsAnError) {
 
 // ---- Misplaced items. ----
 
-TEST(Misplaced, ShareOfTheItemsOnTopInFront) {
+// Those that others stand on stay, so that more of the others are strangers.
+TEST(Misplaced, ShareOfAllItemsInFront) {
   HandLaidShop shop = shop_of({"canned", "snacks", "household", "dry_goods", "personal_care"});
-  int candidates = 0, wrong = 0;
+  int seen = 0, wrong = 0;
   for (plan::Zone& zone : shop.plan.zones)
-    zone.stock.misplaced = 0.25;
+    zone.stock.misplaced = 0.2;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const scene::Scene scene = scene_of(shop, seed);
-    for (std::size_t i = 0; i < scene.products.size(); ++i) {
-      const scene::SceneProduct& item = scene.products[i];
-      const bool last =
-          i + 1 == scene.products.size() || scene.products[i + 1].facing != item.facing;
-      const bool on_top = last || scene.products[i + 1].position_m[2] <= item.position_m[2];
-      candidates += (item.flags & scene::product_front_row) != 0 && on_top ? 1 : 0;
+    for (const scene::SceneProduct& item : scene.products) {
+      seen += (item.flags & scene::product_front_row) != 0 ? 1 : 0;
       wrong += (item.flags & scene::product_misplaced) != 0 ? 1 : 0;
       EXPECT_EQ((item.flags & scene::product_misplaced) != 0,
                 item.sku != scene.facings[item.facing].sku);
     }
   }
-  ASSERT_GT(candidates, 1000);
-  EXPECT_NEAR(static_cast<double>(wrong) / candidates,
-              0.25,
-              0.05);  // the smallest packs find no smaller stranger
+  ASSERT_GT(seen, 1000);
+  EXPECT_NEAR(static_cast<double>(wrong) / seen,
+              0.2,
+              0.04);  // the smallest packs find no smaller stranger
 }
 
 TEST(Misplaced, StrangersComeFromElsewhereAndFit) {
