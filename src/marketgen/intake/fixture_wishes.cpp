@@ -157,8 +157,8 @@ const plan::Requirement* runs_of_store(const Understanding& found, std::string_v
 }
 
 const plan::Requirement* count_of_store(const Understanding& found, std::string_view kind) {
-  const bool of_many = std::ranges::any_of(
-      kinds_of_many_zones, [&](const auto& one) { return one.first == kind; });
+  const bool of_many =
+      std::ranges::any_of(kinds_of_many_zones, [&](const auto& one) { return one.first == kind; });
   if (!of_many) return nullptr;
   for (const plan::Requirement& wish : found.requirements) {
     const bool whole = wish.kind == Kind::fixture_count && wish.subject == kind &&

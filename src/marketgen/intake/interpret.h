@@ -100,7 +100,9 @@ language::Parts resolved(const Reading& reading, const language::Parts& nouns);
 // What a thing or wall was named as, for "which" and "the same wall".
 void note_object(const Reading& reading, const language::MeaningPtr& object);
 // Where doors are (slot at), each of them. False when no place is one of a door.
-bool place_doors(Reading& reading, const language::Meaning& statement, const language::Parts& doors);
+bool place_doors(Reading& reading,
+                 const language::Meaning& statement,
+                 const language::Parts& doors);
 // For the pronouns of what follows.
 void remember(const Reading& reading, const language::Parts& things);
 

@@ -83,9 +83,9 @@ bool place_doors(Reading& reading, const Meaning& statement, const Parts& doors)
                          at.size() == 1 && at.front()->parts("objects").size() == 1;
   bool any = false;
   for (const MeaningPtr& door : doors) {
-    const bool end = one_place && is_end_of_known_wall(reading,
-                                                       noun_of(*door),
-                                                       *at.front()->parts("objects").front());
+    const bool end =
+        one_place &&
+        is_end_of_known_wall(reading, noun_of(*door), *at.front()->parts("objects").front());
     any = end || add_doors(reading, *door, at) || any;
   }
   return any;

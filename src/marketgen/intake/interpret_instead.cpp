@@ -55,9 +55,9 @@ bool interpret_replaced(Reading& reading, const Meaning& statement) {
   const Parts& things = statement.parts("things");
   const bool furniture = are_furniture(reading, old) && are_furniture(reading, things);
   const Meaning* said = statement.has("zone") ? statement.parts("zone").front().get() : nullptr;
-  const std::string zone = said != nullptr  ? said->text("zone")
-                           : furniture      ? old.front()->text("zone")
-                                            : std::string();
+  const std::string zone = said != nullptr ? said->text("zone")
+                           : furniture     ? old.front()->text("zone")
+                                           : std::string();
   const IntRange span = {statement.span[0], things.front()->span[0]};
   for (const MeaningPtr& thing : old)
     add_none(reading, furniture && said ? standing_in(*thing, zone) : *thing, span);
@@ -79,13 +79,13 @@ bool interpret_so_many_in(Reading& reading, const Meaning& statement) {
   standing.span = statement.span;
   standing.slots.erase("runs");
   standing.slots.erase("count");
-  plan::Requirement count =
-      reading.wish(plan::RequirementKind::fixture_count, statement.span);
+  plan::Requirement count = reading.wish(plan::RequirementKind::fixture_count, statement.span);
   count.subject = standing.text("name");
   count.object = count.second_object = zone.text("zone");
   Meaning one;
   one.slots["value"] = 1.0;
-  add_number(reading, count, statement.has("count") ? *statement.parts("count").front() : one, true);
+  add_number(
+      reading, count, statement.has("count") ? *statement.parts("count").front() : one, true);
   mention(reading, zone);
   return true;
 }

@@ -74,8 +74,7 @@ bool has_sense(const Tokens& cell, Sense sense, const Lexicon& lexicon) {
 Tokens unit_in(const Tokens& head, const Lexicon& lexicon) {
   for (std::size_t at = 0; at < head.size(); ++at) {
     const auto match = lexicon.longest_match(head, at);
-    const bool area =
-        match && match->row->sense == Sense::unit && match->row->value == "area";
+    const bool area = match && match->row->sense == Sense::unit && match->row->value == "area";
     if (area)
       return {head.begin() + static_cast<std::ptrdiff_t>(at),
               head.begin() + static_cast<std::ptrdiff_t>(at + match->tokens)};
@@ -92,13 +91,17 @@ Token added(TokenKind kind, const char* text, IntRange span) {
 }
 
 // "dairy : 55 m2 .", "dairy with coolers ."
-void add_cell(
-    Tokens& out, const Tokens& name, const Tokens& cell, const Tokens& head, const Lexicon& lexicon) {
+void add_cell(Tokens& out,
+              const Tokens& name,
+              const Tokens& cell,
+              const Tokens& head,
+              const Lexicon& lexicon) {
   const IntRange span = cell.front().span;
   out.insert(out.end(), name.begin(), name.end());
-  const bool numbers = std::ranges::all_of(
-      cell, [](const Token& token) { return token.kind == TokenKind::number; });
-  const bool placed = has_sense(cell, Sense::relation, lexicon) || has_sense(cell, Sense::place, lexicon);
+  const bool numbers =
+      std::ranges::all_of(cell, [](const Token& token) { return token.kind == TokenKind::number; });
+  const bool placed =
+      has_sense(cell, Sense::relation, lexicon) || has_sense(cell, Sense::place, lexicon);
   const bool furnished = !placed && has_sense(cell, Sense::fixture, lexicon) && !name.front().han;
   if (numbers) out.push_back(added(TokenKind::symbol, ":", span));
   if (furnished) out.push_back(added(TokenKind::word, "with", span));
@@ -142,8 +145,8 @@ std::vector<Token> with_tables_spelled_out(std::string_view prompt,
     for (; last < lines.size() && is_row(trimmed(prompt, lines[last])); ++last)
       rows.push_back(row_of(tokens, lines[last]));
     const int start = lines[at - 1].first, end = lines[last - 1].last;
-    const auto first = std::ranges::find_if(
-        tokens, [&](const Token& token) { return token.span[0] >= start; });
+    const auto first =
+        std::ranges::find_if(tokens, [&](const Token& token) { return token.span[0] >= start; });
     const auto past =
         std::find_if(first, tokens.end(), [&](const Token& token) { return token.span[0] >= end; });
     Tokens table = {added(TokenKind::sentence_end, ".", {start, start})};

@@ -153,7 +153,8 @@ const catalog::FixtureKind* replacement_of(const Understanding& found,
   const auto other =
       std::ranges::find_if(catalog.fixture_kinds, [&](const catalog::FixtureKind& kind) {
         return kind.temperature == refused.temperature && kind.role == refused.role &&
-               kind.generator != "endcap" && !kind.keywords.empty() && !is_refused(found, kind, zone_type);
+               kind.generator != "endcap" && !kind.keywords.empty() &&
+               !is_refused(found, kind, zone_type);
       });
   return other == catalog.fixture_kinds.end() ? nullptr : &*other;
 }

@@ -41,8 +41,8 @@ TEST(Brief, SizesMustBeBuildable) {
 }
 
 TEST(Brief, ASizeInWordsThatCannotBeBuiltIsTheNearestAndSaidSo) {
-  const Result<intake::Planned> planned =
-      intake::plan_from_brief(brief_of("a kiosk of 4 x 3 m"), committed_catalog(), shipped_planner(), Seed{1});
+  const Result<intake::Planned> planned = intake::plan_from_brief(
+      brief_of("a kiosk of 4 x 3 m"), committed_catalog(), shipped_planner(), Seed{1});
   ASSERT_TRUE(planned.ok()) << to_string(planned.error());
   EXPECT_EQ(planned->plan.shell.width_mm, 4000);
   EXPECT_EQ(planned->plan.shell.depth_mm, 4000);
