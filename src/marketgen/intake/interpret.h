@@ -121,6 +121,7 @@ bool interpret_aisle_width(Reading& reading, const language::Meaning& statement)
 bool interpret_height(Reading& reading, const language::Meaning& statement);
 bool interpret_mention(Reading& reading, const language::Meaning& statement);
 bool interpret_absent(Reading& reading, const language::Meaning& statement);
+bool interpret_absent_but(Reading& reading, const language::Meaning& statement);
 bool interpret_only(Reading& reading, const language::Meaning& statement);
 bool interpret_only_named(Reading& reading, const language::Meaning& statement);
 bool interpret_doors(Reading& reading, const language::Meaning& statement);

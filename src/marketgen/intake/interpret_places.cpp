@@ -215,8 +215,12 @@ bool interpret_absent(Reading& reading, const Meaning& statement) {
     noun.negated = true;
     noun.counted = false;
     if (answer) {
+      // What the answer denies was only asked about.
       std::erase_if(reading.found.requirements, [&](const plan::Requirement& wish) {
-        return wish.kind == plan::RequirementKind::zone_present && wish.span == thing->span;
+        return (wish.kind == plan::RequirementKind::zone_present &&
+                wish.subject == thing->text("zone")) ||
+               (wish.kind == plan::RequirementKind::product_present &&
+                wish.subject == thing->text("name"));
       });
       noun.span = statement.span;
     } else if (thing == things.front()) {
@@ -237,6 +241,11 @@ bool interpret_only(Reading& reading, const Meaning& statement) {
   });
   if (goods)
     forbid_others(reading, zones_of(things), statement.span);  // "one till only" is but a number
+  const bool machines = std::ranges::all_of(things, [](const MeaningPtr& thing) {
+    return thing->is("name", "self_checkout") && !thing->has("count");
+  });
+  if (machines)
+    reading.add(plan::RequirementKind::zone_absent, statement.span).subject = "checkout";
   return true;
 }
 
@@ -244,7 +253,9 @@ bool interpret_only(Reading& reading, const Meaning& statement) {
 bool interpret_only_named(Reading& reading, const Meaning& statement) {
   std::vector<std::string> named;
   for (const plan::Requirement& wish : reading.found.requirements) {
-    if (wish.kind == plan::RequirementKind::zone_present) named.push_back(wish.subject);
+    if (wish.kind == plan::RequirementKind::zone_present ||
+        wish.kind == plan::RequirementKind::zone_count)
+      named.push_back(wish.subject);
     if (wish.kind == plan::RequirementKind::product_present) named.push_back(wish.object);
   }
   if (named.empty()) return false;
