@@ -276,7 +276,14 @@ bool is_no_more(std::string_view prompt, IntRange span) {
   return has_any_word(text_at(prompt, clause_of(prompt, span)), no_more);
 }
 
+bool is_moved(std::string_view prompt, IntRange earlier, IntRange later) {
+  constexpr std::array<std::string_view, 4> moving = {
+      "moves from", "moved from", "move from", "从"};
+  return earlier[0] == later[0] && has_any_word(text_at(prompt, earlier), moving);
+}
+
 bool takes_its_place(std::string_view prompt, IntRange earlier, IntRange later) {
+  if (is_moved(prompt, earlier, later)) return true;
   const int from = earlier[1], to = clause_of(prompt, later)[1];
   const IntRange sentence = sentence_of(prompt, later);
   const IntRange before = sentence_of(prompt, {std::max(0, sentence[0] - 4), sentence[0]});

@@ -30,6 +30,9 @@ bool is_denied(std::string_view prompt, IntRange span);
 // `earlier`.
 bool takes_its_place(std::string_view prompt, IntRange earlier, IntRange later);
 
+// "The entrance moves from the east wall to the south wall": `later` is the whole of it.
+bool is_moved(std::string_view prompt, IntRange earlier, IntRange later);
+
 // "Another entrance", "东墙再开一个": one more of the same.
 bool is_one_more(std::string_view prompt, IntRange span);
 

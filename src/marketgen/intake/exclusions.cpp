@@ -125,7 +125,7 @@ bool covers(const Wish& general, const Wish& special, std::string Wish::*zone) {
 
 // Numbers of all shelves, and of those of a zone: an exception, unless the general one is a limit.
 bool zone_numbers_differ(const Wish& a, const Wish& b, std::string Wish::*zone) {
-  if (a.*zone == b.*zone) return a.except == b.except && apart(a, b);
+  if (a.*zone == b.*zone) return apart(a, b);
   const Wish& general = (a.*zone).empty() ? a : b;
   const Wish& special = (a.*zone).empty() ? b : a;
   return covers(general, special, zone) && general.comparison != Comparison::equal &&
@@ -157,13 +157,13 @@ bool heights_differ(const Wish& a, const Wish& b, const Surroundings&) {
 }
 
 bool numbers_differ(const Wish& a, const Wish& b, const Surroundings&) {
-  return a.subject == b.subject && a.except == b.except && apart(a, b);
+  return a.subject == b.subject && apart(a, b);
 }
 
 // Shelves full to the brim, and more sold out than that leaves.
 bool stocks_differ(const Wish& a, const Wish& b, const Surroundings&) {
   constexpr double most_together = 1.25;
-  if (a.object != b.object || a.except != b.except) return false;
+  if (a.object != b.object) return false;
   if (a.subject == b.subject) return apart(a, b);
   const bool shares = is_one_of(a.subject, {"fill", "out_of_stock"}) &&
                       is_one_of(b.subject, {"fill", "out_of_stock"});
@@ -350,6 +350,7 @@ bool openings_exclude(const Wish& a, const Wish& b, const Surroundings& around) 
   const auto at_one_place = [&](const Wish& wish) {  // "only one entrance, in the south wall"
     return wish.value == 1 && !wish.object.empty() && is_no_more(around.prompt, wish.span);
   };
+  if (elsewhere && is_moved(around.prompt, a.span, b.span)) return true;
   if (elsewhere && !is_one_statement(a, b) && (at_one_place(a) || at_one_place(b))) return true;
   const bool more = around.several.contains(a.subject) || is_one_statement(a, b) ||
                     (a.value > 0 && b.value > 0) || is_one_more(around.prompt, b.span);
@@ -404,7 +405,14 @@ bool exclude(const Wish& a, const Wish& b, const Surroundings& around) {
   return false;
 }
 
+// No meat, and no fish either.
+bool are_both_halves(const Wish& a, const Wish& b) {
+  return a.kind == Kind::zone_absent && a.subject == "meat_fish" &&
+         names_fish(a.text) != names_fish(b.text);
+}
+
 bool is_same(const Wish& a, const Wish& b) {
+  if (are_both_halves(a, b)) return false;
   return a.kind == b.kind && a.subject == b.subject && a.object == b.object &&
          a.second_object == b.second_object && a.relation == b.relation &&
          a.comparison == b.comparison && a.value == b.value &&
@@ -466,6 +474,9 @@ bool is_vaguer(const Wish& a, const Wish& b, const Surroundings& around) {
   if (a.kind != b.kind || a.strength != b.strength) return false;
   if (a.kind == Kind::profile)
     return a.object == "supermarket-eu" && is_kind_of_supermarket(b.object);
+  if (a.kind == Kind::opening)  // the wall, and its end
+    return a.subject == b.subject && a.object == b.object && !a.object.empty() && a.value == 0 &&
+           a.second_object.empty() && !b.second_object.empty();
   const bool lights = a.kind == Kind::light && a.subject == b.subject;
   return lights && b.second_value < a.second_value && !lights_differ(a, b);
 }
@@ -509,8 +520,7 @@ Surroundings surroundings_of(const Understanding& found,
 }
 
 Together together(const Wish& earlier, const Wish& later, const Surroundings& around) {
-  if (is_same(earlier, later) && !are_of_different_things(earlier, later, around))
-    return Together::same;
+  if (is_same(earlier, later)) return Together::same;
   if (is_vaguer(earlier, later, around)) return Together::first_is_vaguer;
   if (is_vaguer(later, earlier, around)) return Together::second_is_vaguer;
   return exclude(earlier, later, around) ? Together::exclude : Together::hold;
