@@ -10,8 +10,8 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 14> clause_ends = {
-    ",", ".", ";", ":", "!", "?", "(", ")", "\n", "，", "。", "；", "：", "！"};
+constexpr std::array<std::string_view, 12> clause_ends = {
+    ",", ".", ";", "!", "?", "(", ")", "\n", "，", "。", "；", "！"};
 constexpr std::array<std::string_view, 9> sentence_ends = {
     ".", ";", "!", "?", "\n", "。", "；", "！", "？"};
 

@@ -6,7 +6,7 @@
 
 namespace marketgen::intake {
 
-// The words from one comma or full stop to the next that hold `span`, without blanks around them.
+// The words from one comma or full stop (no colon) to the next that hold `span`, without blanks around them.
 // All ranges: bytes of the prompt.
 IntRange clause_of(std::string_view prompt, IntRange span);
 

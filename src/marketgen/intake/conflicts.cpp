@@ -129,7 +129,9 @@ class Settlement {
     const bool bare = named.kind == Kind::zone_present || named.kind == Kind::product_present ||
                       ((named.kind == Kind::fixture_count || named.kind == Kind::endcaps) &&
                        named.comparison == plan::Comparison::at_least && named.value == 1);
-    if (!bare || !is_negative(none) || named.subject != none.subject) return false;
+    if (!bare || !is_negative(none) || named.subject != none.subject ||
+        named.strength != none.strength)
+      return false;
     const bool said_of = std::ranges::any_of(wishes_, [&](const Requirement& other) {
       return &other != &named && !is_negative(other) && other.span[0] <= named.span[0] &&
              other.span[1] >= named.span[1];

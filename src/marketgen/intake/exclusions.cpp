@@ -447,11 +447,12 @@ bool is_loose_style(const Wish& style, const Surroundings& around) {
 }
 
 // "Only drinks, snacks" without a comma, "no storeroom (backroom)": said in one breath.
-bool is_one_breath(const Wish& absent, const Wish& present) {
+bool is_one_breath(const Wish& absent, const Wish& present, std::string_view prompt) {
   constexpr int widest_gap = 3;  // bytes: a bracket, or one sign of full width
   return absent.kind == Kind::zone_absent && present.kind == Kind::zone_present &&
          absent.subject == present.subject && present.span[0] >= absent.span[1] &&
-         present.span[0] - absent.span[1] <= widest_gap;
+         present.span[0] - absent.span[1] <= widest_gap &&
+         in_one_sentence(prompt, absent.span, present.span);
 }
 
 // Of two styles in one clause the last word says which it is: "a modern industrial loft".
@@ -468,8 +469,8 @@ bool says_only(const Wish& absent) {
 
 // "Supermarket" beside "discounter", "warm light" beside "2700 K".
 bool is_vaguer(const Wish& a, const Wish& b, const Surroundings& around) {
-  if (is_one_breath(a, b)) return says_only(a);
-  if (is_one_breath(b, a)) return !says_only(b);
+  if (is_one_breath(a, b, around.prompt)) return says_only(a);
+  if (is_one_breath(b, a, around.prompt)) return !says_only(b);
   if (a.kind == Kind::style && b.kind == Kind::style) return is_vaguer_style(a, b, around);
   if (a.kind != b.kind || a.strength != b.strength) return false;
   if (a.kind == Kind::profile)

@@ -90,11 +90,12 @@ std::vector<StoreName> take_store_names(std::string_view prompt,
                                         std::vector<Token>& tokens,
                                         const Lexicon& lexicon) {
   std::vector<StoreName> names;
-  bool named = false;  // by a word for it, and not by quotation marks alone
+  bool named = false;  // the shop, by a word for it, and not by quotation marks alone
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const auto match = lexicon.longest_match(tokens, i);
     const bool naming = match && match->row->sense == Sense::naming;
-    if (!names.empty() && (!naming || is_of_goods(tokens, i, lexicon))) continue;
+    const bool of_goods = naming && is_of_goods(tokens, i, lexicon);
+    if (!names.empty() && (!naming || of_goods)) continue;
     const std::size_t at = naming ? past_small_words(tokens, i + match->tokens, lexicon) : i;
     Stretch name = quoted(tokens, at);
     const bool in_quotes = !name.empty();
@@ -104,7 +105,7 @@ std::vector<StoreName> take_store_names(std::string_view prompt,
     StoreName found = name_of_stretch(prompt, tokens, name);
     if (found.text.size() > longest_name_bytes) continue;
     if (naming && !named) names.clear();
-    named = named || naming;
+    named = named || (naming && !of_goods);
     names.push_back(std::move(found));
     const std::size_t end = name.last + (in_quotes ? 1 : 0);
     tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i),
