@@ -1,10 +1,13 @@
 // marketgen edit: a store, changed by patches or words, as a new store folder.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/parallel.h"
 #include "base/text.h"
 #include "catalog/user_products.h"
 #include "command.h"
+#include "intake/conflicts.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "say.h"
@@ -106,13 +109,25 @@ std::string source_of(const EditFlags& flags) {
   return flags.patch_file.empty() ? "--say" : flags.patch_file;
 }
 
+// Words that contradict themselves: what holds, and what does not.
+bool warn_of_contradictions(const store::SaidPatches& said) {
+  for (const intake::Conflict& conflict : said.conflicts)
+    fmt::print(stderr,
+               "given up: \"{}\" for \"{}\": {}\n",
+               shown(conflict.dropped),
+               shown(conflict.kept),
+               shown(conflict.why));
+  return std::ranges::any_of(said.conflicts, intake::is_contradiction);
+}
+
 Result<int> edit(const EditFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_CHECK(check_flags(flags));
   MARKETGEN_TRY(const catalog::Catalog catalog, rows_of(flags.store));
   MARKETGEN_TRY(const store::Store store, store::open_store(flags.store, catalog));
   MARKETGEN_TRY(store::SaidPatches said, patches_of(flags, store, catalog));
-  const int status = flags.strict && !said.unparsed.empty() ? 1 : 0;
+  const bool contradicts = warn_of_contradictions(said);
+  const int status = flags.strict && (contradicts || !said.unparsed.empty()) ? 1 : 0;
   if (flags.dry_run) {
     MARKETGEN_TRY(const store::Replanned then,
                   store::replan(store, said.patches, source_of(flags), catalog));
@@ -164,7 +179,10 @@ Run add_edit(CLI::App& app) {
              flags->folder,
              "folder to make; left out: STORE-edit-1, or the next number that is free");
   command->add_flag("--dry-run", flags->dry_run, "write nothing, print the patches as JSON");
-  command->add_flag("--strict", flags->strict, "write nothing when a word was not understood");
+  command->add_flag(
+      "--strict",
+      flags->strict,
+      "write nothing when a word was not understood or the words contradict themselves");
   command->add_flag("--no-previews", flags->no_previews, "draw no pictures");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer(

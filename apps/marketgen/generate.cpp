@@ -292,7 +292,9 @@ Run add_generate(CLI::App& app) {
   add_planner(*command, *flags);
   command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")
       ->check(whole_number(1, 10000));
-  command->add_flag("--strict", flags->strict, "fail when a hard rule is broken");
+  command->add_flag("--strict",
+                    flags->strict,
+                    "fail when a hard rule is broken or the prompt contradicts itself");
   command->add_flag("--no-previews", flags->no_previews, "draw no pictures");
   add_common_flags(*command, flags->common, Takes::seed_and_json);
   command->footer(

@@ -18,6 +18,8 @@ FILES = {  # ids
     "zh.jsonl": [f"zh-{i:03d}" for i in range(1, 51)],
     "fresh_en.jsonl": [f"fr-en-{i:03d}" for i in range(1, 61)],
     "fresh_zh.jsonl": [f"fr-zh-{i:03d}" for i in range(1, 51)],
+    "conflicts_en.jsonl": [f"cf-en-{i:03d}" for i in range(1, 61)],
+    "conflicts_zh.jsonl": [f"cf-zh-{i:03d}" for i in range(1, 61)],
     "opened.jsonl": [f"un-{i:03d}" for i in OPENED],
     SEALED: [f"un-{i:03d}" for i in range(1, 61) if i not in OPENED],
 }
@@ -171,7 +173,8 @@ def check(path):
     faults = [f"{record.get('id')}: {fault}" for record in records for fault in faults_of_record(record)]
     if [record.get("id") for record in records] != FILES[path.name]:
         faults.append("ids")
-    languages = {"en.jsonl": {"en"}, "zh.jsonl": {"zh"}, "fresh_en.jsonl": {"en"}, "fresh_zh.jsonl": {"zh"}}.get(path.name, {"en", "zh"})
+    language = path.stem.removeprefix("fresh_").removeprefix("conflicts_")
+    languages = {language} if language in ("en", "zh") else {"en", "zh"}
     if not {record["language"] for record in records} <= languages:
         faults.append("language")
     if len({record["prompt"] for record in records}) != len(records):

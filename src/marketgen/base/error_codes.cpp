@@ -13,7 +13,9 @@ const std::vector<ErrorCodeInfo>& error_codes() {
 
 int exit_status_of(std::string_view code) {
   if (code == "internal.interrupted") return 130;
-  if (code == "layout.violation" || code == "store.changed" || code == "export.mismatch") return 1;
+  if (code == "layout.violation" || code == "store.changed" || code == "export.mismatch" ||
+      code == "brief.contradiction")
+    return 1;
   for (const std::string_view unfinished : {"net.unreachable",
                                             "net.timeout",
                                             "net.too_large",

@@ -64,12 +64,18 @@ struct UnparsedWord {
 // Two wishes that cannot both hold, and which one won.
 struct Conflict {
   std::string what, kept, dropped, why;
+  // Of two pieces of the prompt: their clauses, in bytes, what was kept first. Else empty.
+  std::vector<IntRange> where = {};
 
   static constexpr auto fields =
       field_list(field("what", &Conflict::what, "value in question"),
                  field("kept", &Conflict::kept, "what holds"),
                  field("dropped", &Conflict::dropped, "what was given up"),
-                 field("why", &Conflict::why, "reason"));
+                 field("why", &Conflict::why, "reason"),
+                 field("where",
+                       &Conflict::where,
+                       "of a prompt that contradicts itself: the clauses of what holds and of what "
+                       "was given up, in bytes"));
 };
 
 // How a language model planned, for the report.

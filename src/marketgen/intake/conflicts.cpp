@@ -5,210 +5,293 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "intake/clauses.h"
+#include "intake/exclusions.h"
 
 namespace marketgen::intake {
 namespace {
 
 using Kind = plan::RequirementKind;
-
-bool is_number(Kind kind) {
-  constexpr std::array kinds = {Kind::area,
-                                Kind::zone_count,
-                                Kind::fixture_count,
-                                Kind::run_count,
-                                Kind::aisle_count,
-                                Kind::levels,
-                                Kind::height,
-                                Kind::aisle_width,
-                                Kind::stock,
-                                Kind::light,
-                                Kind::endcaps,
-                                Kind::size,
-                                Kind::shelf_pitch};
-  return std::ranges::find(kinds, kind) != kinds.end();
-}
-
-bool is_choice(Kind kind) {
-  return kind == Kind::style || kind == Kind::profile || kind == Kind::material ||
-         kind == Kind::color;
-}
-
-// Least and most that a number may be.
-std::array<double, 2> bounds_of(const plan::Requirement& wish) {
-  const double low = wish.comparison == plan::Comparison::at_most ? 0 : wish.value;
-  const double high = wish.comparison == plan::Comparison::at_least ? HUGE_VAL : wish.value;
-  return {low, high};
-}
-
-bool numbers_clash(const plan::Requirement& a, const plan::Requirement& b) {
-  const std::array<double, 2> first = bounds_of(a);
-  const std::array<double, 2> second = bounds_of(b);
-  const bool apart = first[1] < second[0] || second[1] < first[0];
-  return apart || (a.kind == Kind::size && a.second_value != b.second_value);
-}
-
-bool opposite(Kind a, Kind b) {
-  const auto pair = [&](Kind x, Kind y) { return (a == x && b == y) || (a == y && b == x); };
-  return pair(Kind::zone_present, Kind::zone_absent) ||
-         pair(Kind::product_present, Kind::product_absent) ||
-         pair(Kind::zone_count, Kind::zone_absent);
-}
-
-bool opposite(plan::RelationKind a, plan::RelationKind b) {
-  const auto pair = [&](plan::RelationKind x, plan::RelationKind y) {
-    return (a == x && b == y) || (a == y && b == x);
-  };
-  return pair(plan::RelationKind::near, plan::RelationKind::far) ||
-         pair(plan::RelationKind::near, plan::RelationKind::not_adjacent) ||
-         pair(plan::RelationKind::left_of, plan::RelationKind::right_of) ||
-         pair(plan::RelationKind::along, plan::RelationKind::far) ||
-         pair(plan::RelationKind::at, plan::RelationKind::far);
-}
-
-bool opposite_sides(std::string_view a, std::string_view b) {
-  const auto pair = [&](std::string_view x, std::string_view y) {
-    return (a == x && b == y) || (a == y && b == x);
-  };
-  return pair("north", "south") || pair("east", "west") ||
-         ((a == "center") != (b == "center") && (a == "center" || b == "center"));
-}
-
-bool stands_at_side(const plan::Requirement& wish) {
-  return (wish.relation == plan::RelationKind::at || wish.relation == plan::RelationKind::along);
-}
-
-bool relations_clash(const plan::Requirement& a, const plan::Requirement& b) {
-  if (a.subject == b.subject && a.object == b.object) return opposite(a.relation, b.relation);
-  const bool swapped = a.subject == b.object && a.object == b.subject;
-  if (swapped && a.relation == b.relation) {
-    return a.relation == plan::RelationKind::left_of ||
-           a.relation == plan::RelationKind::right_of || a.relation == plan::RelationKind::behind;
-  }
-  if (swapped)
-    return opposite(a.relation, b.relation) && a.relation != plan::RelationKind::left_of &&
-           a.relation != plan::RelationKind::right_of;
-  return a.subject == b.subject && stands_at_side(a) && stands_at_side(b) &&
-         opposite_sides(a.object, b.object);
-}
-
-// The floor of a size, and an area said of the shop.
-bool floor_clashes(const plan::Requirement& size, const plan::Requirement& area) {
-  if (size.value == 0 || size.second_value == 0 || !area.subject.empty()) return false;
-  constexpr double tolerance = 0.05;
-  const double m2 = 1e-6 * size.value * size.second_value;
-  const std::array<double, 2> bounds = bounds_of(area);
-  return m2 < bounds[0] * (1 - tolerance) || m2 > bounds[1] * (1 + tolerance);
-}
-
-bool openings_clash(const plan::Requirement& a, const plan::Requirement& b) {
-  const auto differ = [](const std::string& x, const std::string& y) {
-    return !x.empty() && !y.empty() && x != y;
-  };
-  if (a.subject != b.subject) return false;
-  if (a.value > 0 && b.value > 0)
-    return a.object == b.object && a.second_object == b.second_object && numbers_clash(a, b);
-  const auto none = [](const plan::Requirement& wish) {
-    return wish.comparison == plan::Comparison::at_most && wish.value == 0;
-  };
-  if (none(a) != none(b)) return true;
-  return a.value == 0 && b.value == 0 &&
-         (differ(a.object, b.object) || differ(a.second_object, b.second_object));
-}
-
-// "No frozen food" and "eight chest freezers": what is wanted belongs to a zone that is not.
-bool belongs_to_absent(const plan::Requirement& absent, const plan::Requirement& wish) {
-  constexpr std::array<std::string_view, 3> own = {"frozen", "checkout", "self_checkout"};
-  const bool goods = wish.kind == Kind::product_present;
-  const bool fixtures = wish.kind == Kind::fixture_count &&
-                        wish.comparison != plan::Comparison::at_most && wish.value > 0 &&
-                        std::ranges::find(own, wish.object) != own.end();  // shelves hold anything
-  return absent.kind == Kind::zone_absent && (goods || fixtures) && wish.object == absent.subject;
-}
-
-bool clash(const plan::Requirement& a, const plan::Requirement& b) {
-  if (belongs_to_absent(a, b) || belongs_to_absent(b, a)) return true;
-  if (a.kind == Kind::relation && b.kind == Kind::relation) return relations_clash(a, b);
-  if (a.kind == Kind::size && b.kind == Kind::area) return floor_clashes(a, b);
-  if (a.kind == Kind::area && b.kind == Kind::size) return floor_clashes(b, a);
-  if (opposite(a.kind, b.kind)) return a.subject == b.subject;
-  const bool place_of_absent = a.kind == Kind::zone_absent && b.kind == Kind::relation;
-  if (place_of_absent) return a.subject == b.subject && b.relation != plan::RelationKind::far;
-  if (b.kind == Kind::zone_absent && a.kind == Kind::relation) return clash(b, a);
-  if (a.kind != b.kind) return false;
-  if (a.kind == Kind::opening) return openings_clash(a, b);
-  const bool elsewhere = a.kind == Kind::fixture_count || a.kind == Kind::run_count;
-  if (elsewhere && a.second_object != b.second_object) return false;
-  if (is_choice(a.kind)) return a.subject == b.subject && a.object != b.object;
-  const bool of_a_zone = a.kind == Kind::height || a.kind == Kind::stock;  // its zone is the object
-  if (of_a_zone && a.object != b.object) return false;
-  return is_number(a.kind) && a.subject == b.subject && numbers_clash(a, b);
-}
-
-bool same_wish(const plan::Requirement& a, const plan::Requirement& b) {
-  return a.kind == b.kind && a.subject == b.subject && a.object == b.object &&
-         a.second_object == b.second_object && a.relation == b.relation &&
-         a.comparison == b.comparison && a.value == b.value && a.second_value == b.second_value &&
-         a.except == b.except;
-}
+using plan::Requirement;
 
 // What the two wishes are about.
-std::string topic(const plan::Requirement& wish) {
+std::string topic(const Requirement& wish) {
   std::string text(name_of(wish.kind));
   if (!wish.subject.empty()) text += " " + wish.subject;
   return text;
 }
 
-// True when the later of two wishes gives way.
-bool earlier_wins(const plan::Requirement& earlier, const plan::Requirement& later) {
-  return earlier.strength == plan::Strength::must && later.strength == plan::Strength::prefer;
-}
+constexpr std::string_view contradict = " contradict each other; ";
 
-constexpr std::array<std::string_view, 14> clause_ends = {
-    ",", ".", ";", ":", "!", "?", "(", ")", "\n", "，", "。", "；", "：", "！"};
-
-bool is_end(std::string_view text, std::size_t at, std::string_view mark) {
-  if (text.substr(at, mark.size()) != mark) return false;
-  const auto digit = [&](std::size_t i) {
-    return i < text.size() && text[i] >= '0' && text[i] <= '9';
-  };
-  return at == 0 || !digit(at - 1) || !digit(at + 1);  // "4.50 m"
-}
-
-// The words from one comma or full stop to the next that hold the span.
-std::string clause_of(std::string_view prompt, IntRange span) {
-  const auto first = static_cast<std::size_t>(span[0]), last = static_cast<std::size_t>(span[1]);
-  std::size_t begin = 0, end = prompt.size();
-  for (const std::string_view mark : clause_ends) {
-    for (std::size_t at = prompt.find(mark); at < end; at = prompt.find(mark, at + mark.size())) {
-      if (!is_end(prompt, at, mark)) continue;
-      if (at < first)
-        begin = std::max(begin, at + mark.size());
-      else if (at >= last)
-        end = at;
-    }
-  }
-  const std::string_view blank = " \t\r";
-  begin = std::min(prompt.find_first_not_of(blank, begin), first);
-  end = std::max(prompt.find_last_not_of(blank, end - 1) + 1, last);
-  return std::string(prompt.substr(begin, end - begin));
-}
+// A piece of the prompt.
+struct Said {
+  std::string text;
+  IntRange span{0, 0};
+};
 
 // Both clauses, and which of them holds.
-std::string why_lost(std::string_view prompt,
-                     const plan::Requirement& earlier,
-                     const plan::Requirement& later,
-                     bool equal) {
-  const std::string first = clause_of(prompt, earlier.span), second = clause_of(prompt, later.span);
-  const std::string both = first == second ? "the two" : '"' + first + "\" and \"" + second + '"';
-  return both + " contradict each other; " +
-         (equal ? "what was said last holds" : "what must be wins over what is preferred");
+Conflict contradiction(std::string_view prompt,
+                       std::string what,
+                       const Said& kept,
+                       const Said& dropped,
+                       std::string_view rule) {
+  const bool in_order = kept.span[0] < dropped.span[0];
+  const IntRange first = clause_of(prompt, in_order ? kept.span : dropped.span);
+  const IntRange second = clause_of(prompt, in_order ? dropped.span : kept.span);
+  const auto quoted = [&](IntRange clause) {
+    return '"' + std::string(text_at(prompt, clause)) + '"';
+  };
+  std::string why = first == second ? "the two" : quoted(first) + " and " + quoted(second);
+  Conflict conflict{std::move(what), kept.text, dropped.text, {}, {}};
+  conflict.why = std::move(why) + std::string(contradict) + std::string(rule);
+  conflict.where = in_order ? std::vector{first, second} : std::vector{second, first};
+  return conflict;
+}
+
+constexpr std::string_view last_holds = "what was said last holds";
+constexpr std::string_view must_holds = "what must be wins over what is preferred";
+
+class Settlement {
+ public:
+  Settlement(Understanding& understanding, std::string_view prompt, plan::Wall entrance)
+      : found_(understanding),
+        wishes_(understanding.requirements),
+        prompt_(prompt),
+        around_(surroundings_of(understanding, prompt, entrance)),
+        lost_(wishes_.size(), false) {}
+
+  void run() {
+    drop_denied();
+    drop_parts();
+    for (std::size_t later = 1; later < wishes_.size(); ++later)
+      for (std::size_t earlier = 0; earlier < later && !lost_[later]; ++earlier)
+        if (!lost_[earlier]) settle(earlier, later);
+    for (std::size_t total = 0; total < wishes_.size(); ++total)
+      settle_total(total);
+    std::vector<Requirement> left;
+    for (std::size_t i = 0; i < wishes_.size(); ++i)
+      if (!lost_[i]) left.push_back(std::move(wishes_[i]));
+    found_.requirements = std::move(left);
+  }
+
+ private:
+  // "No carpet" asks for no material: what the floor shall be is not said.
+  void drop_denied() {
+    for (std::size_t i = 0; i < wishes_.size(); ++i) {
+      const Kind kind = wishes_[i].kind;
+      const bool look = kind == Kind::material || kind == Kind::color || kind == Kind::style;
+      lost_[i] = look && is_denied(prompt_, wishes_[i].span);
+    }
+  }
+
+  void settle(std::size_t earlier, std::size_t later) {
+    switch (together(wishes_[earlier], wishes_[later], around_)) {
+      case Together::hold:
+        return;
+      case Together::same:
+      case Together::second_is_vaguer:
+        lost_[later] = true;
+        return;
+      case Together::first_is_vaguer:
+        lost_[earlier] = true;
+        return;
+      case Together::exclude:
+        decide(earlier, later);
+    }
+  }
+
+  void decide(std::size_t earlier, std::size_t later) {
+    const Requirement& first = wishes_[earlier];
+    const Requirement& second = wishes_[later];
+    const bool first_outdated = is_outdated(prompt_, first.span);
+    const bool second_outdated = is_outdated(prompt_, second.span);
+    if (is_moved(prompt_, first.span, second.span)) {
+      lost_[earlier] = true;
+    } else if (is_fallback(prompt_, second.span) || (second_outdated && !first_outdated)) {
+      lost_[later] = true;
+    } else if ((first_outdated && !second_outdated) || is_mere_topic(earlier, later) ||
+               takes_its_place(prompt_, first.span, second.span)) {
+      lost_[earlier] = true;
+    } else {
+      const bool weaker =
+          first.strength == plan::Strength::must && second.strength == plan::Strength::prefer;
+      note(weaker ? earlier : later, weaker ? later : earlier);
+    }
+  }
+
+  // "Chest freezers only ever caused us trouble, so no chest freezers": what is only named, and
+  // then in the same sentence not wanted.
+  bool is_mere_topic(std::size_t earlier, std::size_t later) const {
+    const Requirement& named = wishes_[earlier];
+    const Requirement& none = wishes_[later];
+    const bool bare = named.kind == Kind::zone_present || named.kind == Kind::product_present ||
+                      ((named.kind == Kind::fixture_count || named.kind == Kind::endcaps) &&
+                       named.comparison == plan::Comparison::at_least && named.value == 1);
+    if (!bare || !is_negative(none) || named.subject != none.subject ||
+        named.strength != none.strength)
+      return false;
+    const bool said_of = std::ranges::any_of(wishes_, [&](const Requirement& other) {
+      return &other != &named && !is_negative(other) && other.span[0] <= named.span[0] &&
+             other.span[1] >= named.span[1];
+    });
+    return !said_of && in_one_sentence(prompt_, named.span, none.span);
+  }
+
+  // Reported once for each pair of clauses: what is said of a zone that goes, goes with it.
+  void note(std::size_t kept, std::size_t dropped) {
+    lost_[dropped] = true;
+    const Requirement& winner = wishes_[kept];
+    const Requirement& loser = wishes_[dropped];
+    const IntRange clause = clause_of(prompt_, loser.span);
+    const std::pair pair{winner.span, clause};
+    if (std::ranges::find(noted_, pair) != noted_.end()) return;
+    noted_.push_back(pair);
+    found_.conflicts.push_back(
+        contradiction(prompt_,
+                      topic(loser),
+                      {winner.text, winner.span},
+                      {loser.text, loser.span},
+                      winner.strength == loser.strength ? last_holds : must_holds));
+  }
+
+  static bool is_counted(const Requirement& wish) {
+    return wish.kind == Kind::zone_count || wish.kind == Kind::fixture_count ||
+           wish.kind == Kind::run_count;
+  }
+
+  // "Six lanes: two self-checkouts, four staffed ones": both are lanes.
+  static bool is_part_by_name(const Requirement& part, const Requirement& whole) {
+    return part.subject == whole.subject ||
+           (whole.subject == "checkout_lane" && part.subject == "self_checkout");
+  }
+
+  // "Two bakeries: one bakery by the entrance, one bakery at the back" and its like: later numbers
+  // of one sentence that add up to the first one are its parts.
+  void drop_parts() {
+    for (std::size_t total = 0; total < wishes_.size(); ++total) {
+      const Requirement& whole = wishes_[total];
+      if (!is_counted(whole) || whole.comparison != plan::Comparison::equal) continue;
+      std::vector<std::size_t> parts;
+      double sum = 0;
+      for (std::size_t i = total + 1; i < wishes_.size() && sum < whole.value; ++i) {
+        const Requirement& part = wishes_[i];
+        const bool same = part.kind == whole.kind && is_part_by_name(part, whole) &&
+                          part.second_object == whole.second_object && part.value < whole.value &&
+                          part.comparison == plan::Comparison::equal;
+        if (!same || !in_one_sentence(prompt_, whole.span, part.span)) continue;
+        parts.push_back(i);
+        sum += part.value;
+      }
+      if (parts.size() < 2 || sum != whole.value) continue;
+      const bool of_one_kind = std::ranges::all_of(
+          parts, [&](std::size_t part) { return wishes_[part].subject == whole.subject; });
+      if (!of_one_kind) lost_[total] = true;
+      for (const std::size_t part : parts)
+        if (of_one_kind) lost_[part] = true;
+    }
+  }
+
+  // What belongs to a total: doors in walls to doors, fixtures in zones to those of the store.
+  static bool is_part_of(const Requirement& part, const Requirement& whole) {
+    if (part.kind != whole.kind || part.subject != whole.subject) return false;
+    if (whole.kind == Kind::opening)
+      return whole.object.empty() && !part.object.empty() && !is_negative(part);
+    return is_counted(whole) && whole.second_object.empty() && !part.second_object.empty();
+  }
+
+  // "Only one entrance; one in the north wall and one in the east wall": more parts than there are
+  // to be in all. The earlier of total and last part gives way.
+  void settle_total(std::size_t total) {
+    const Requirement& whole = wishes_[total];
+    const bool counts = whole.kind == Kind::opening || is_counted(whole);
+    if (lost_[total] || !counts || whole.value < 1 ||
+        whole.comparison == plan::Comparison::at_least)
+      return;
+    std::vector<std::size_t> parts;
+    double sum = 0;
+    for (std::size_t i = 0; i < wishes_.size(); ++i) {
+      if (lost_[i] || !is_part_of(wishes_[i], whole)) continue;
+      const double least = bounds_of(wishes_[i])[0];
+      parts.push_back(i);
+      sum += whole.kind == Kind::opening ? std::max(1.0, least) : least;
+    }
+    if (parts.empty() || sum <= whole.value) return;
+    if (whole.value == 1 && !is_no_more(prompt_, whole.span)) return;  // "one in the north wall"
+    const std::size_t last = parts.back();
+    const bool taken_back = takes_its_place(prompt_, whole.span, wishes_[last].span);
+    if (last > total && taken_back)
+      lost_[total] = true;
+    else if (last > total)
+      note(last, total);
+    else
+      note(total, last);
+  }
+
+  Understanding& found_;
+  std::vector<Requirement>& wishes_;
+  std::string_view prompt_;
+  Surroundings around_;
+  std::vector<bool> lost_;
+  std::vector<std::pair<IntRange, IntRange>> noted_;  // span of what was kept, clause of the other
+};
+
+// What is said again otherwise: the last one holds.
+template <typename Item, typename Clash>
+void keep_last(std::vector<Item>& items,
+               std::string_view prompt,
+               std::string_view what,
+               std::vector<Conflict>& conflicts,
+               const Clash& clash) {
+  std::vector<Item> kept;
+  for (Item& item : items) {
+    std::erase_if(kept, [&](const Item& before) {
+      if (!clash(before, item)) return false;
+      const bool mended =
+          is_outdated(prompt, before.span) || takes_its_place(prompt, before.span, item.span);
+      if (!mended)
+        conflicts.push_back(contradiction(prompt,
+                                          std::string(what),
+                                          {std::string(text_at(prompt, item.span)), item.span},
+                                          {std::string(text_at(prompt, before.span)), before.span},
+                                          last_holds));
+      return true;
+    });
+    kept.push_back(std::move(item));
+  }
+  items = std::move(kept);
+}
+
+// More of it than usual, or less.
+bool pull_apart(double a, double b) {
+  return (a > 1 && b < 1) || (a < 1 && b > 1);
+}
+
+void settle_words(Understanding& found, std::string_view prompt) {
+  std::vector<Conflict>& conflicts = found.conflicts;
+  keep_last(found.names, prompt, "name", conflicts, [](const StoreName& a, const StoreName& b) {
+    return a.text != b.text;
+  });
+  keep_last(found.sizes, prompt, "size", conflicts, [](const SizeWord& a, const SizeWord& b) {
+    return a.of_shop && b.of_shop && pull_apart(a.factor, b.factor);
+  });
+  keep_last(found.emphases, prompt, "amount", conflicts, [](const Emphasis& a, const Emphasis& b) {
+    return a.named == b.named && pull_apart(a.factor, b.factor);
+  });
+  keep_last(found.rows, prompt, "rows", conflicts, [](const WantedRows& a, const WantedRows& b) {
+    return a.zone == b.zone && a.rows != b.rows;
+  });
+  if (!found.names.empty()) found.name = found.names.back();
+  for (const SizeWord& size : found.sizes)
+    found.size_factor *= size.factor;
 }
 
 void note_loss(Understanding& understanding,
                const plan::Requirement& loser,
                const plan::Requirement& kept,
                std::string why) {
-  understanding.conflicts.push_back({topic(loser), kept.text, loser.text, std::move(why)});
+  understanding.conflicts.push_back({topic(loser), kept.text, loser.text, std::move(why), {}});
 }
 
 std::string describe_flag(const Brief& brief, Kind kind) {
@@ -239,31 +322,13 @@ bool flag_contradicts(const Brief& brief, const plan::Requirement& wish) {
 
 }  // namespace
 
-void settle_conflicts(Understanding& understanding, std::string_view prompt) {
-  const std::vector<plan::Requirement>& wishes = understanding.requirements;
-  std::vector<bool> lost(wishes.size(), false);  // taken out at the end: texts are slow to move
-  for (std::size_t later = 1; later < wishes.size(); ++later) {
-    for (std::size_t earlier = 0; earlier < later && !lost[later]; ++earlier) {
-      if (lost[earlier]) continue;
-      if (same_wish(wishes[earlier], wishes[later])) {
-        lost[later] = true;
-      } else if (clash(wishes[earlier], wishes[later])) {
-        const bool first = earlier_wins(wishes[earlier], wishes[later]);
-        const std::size_t loser = first ? later : earlier;
-        const plan::Requirement& kept = wishes[first ? earlier : later];
-        const bool equal = kept.strength == wishes[loser].strength;
-        note_loss(understanding,
-                  wishes[loser],
-                  kept,
-                  why_lost(prompt, wishes[earlier], wishes[later], equal));
-        lost[loser] = true;
-      }
-    }
-  }
-  std::vector<plan::Requirement> left;
-  for (std::size_t i = 0; i < wishes.size(); ++i)
-    if (!lost[i]) left.push_back(std::move(understanding.requirements[i]));
-  understanding.requirements = std::move(left);
+void settle_conflicts(Understanding& understanding, std::string_view prompt, plan::Wall entrance) {
+  Settlement(understanding, prompt, entrance).run();
+  settle_words(understanding, prompt);
+}
+
+bool is_contradiction(const Conflict& conflict) {
+  return !conflict.where.empty() && conflict.why.ends_with(last_holds);
 }
 
 void apply_flags(const Brief& brief, Understanding& understanding) {

@@ -40,7 +40,12 @@ bool interpret_style(Reading& reading, const Meaning& said) {
 }
 
 bool interpret_size_word(Reading& reading, const Meaning& said) {
-  reading.found.size_factor *= said.number("number", 1);
+  const auto& segments = *reading.segments;
+  const auto last = static_cast<std::size_t>(said.words.back());
+  const auto next =
+      std::ranges::find_if(segments, [&](const Segment& segment) { return segment.first > last; });
+  const bool of_shop = next != segments.end() && names_a_shop(*next);
+  reading.found.sizes.push_back({said.number("number", 1), of_shop, said.span});
   return true;
 }
 
@@ -48,6 +53,8 @@ bool interpret_light(Reading& reading, const Meaning& said) {
   plan::Requirement& light = reading.add(plan::RequirementKind::light, said.span);
   light.subject = said.text("value");
   light.value = said.number("number");
+  constexpr double word_reach = 0.2;  // what "warm" or "bright" means. Our own figure
+  if (!said.has("said")) light.second_value = word_reach * light.value;
   return true;
 }
 
@@ -72,6 +79,7 @@ constexpr StatementKind statement_kinds[] = {
     {"absent_at", interpret_absent_at},
     {"replaced", interpret_replaced},
     {"so_many_in", interpret_so_many_in},
+    {"absent_but", interpret_absent_but},
     {"only", interpret_only},
     {"only_named", interpret_only_named},
     {"doors", interpret_doors},

@@ -131,6 +131,7 @@ bool interpret_absent(Reading& reading, const language::Meaning& statement);
 bool interpret_absent_at(Reading& reading, const language::Meaning& statement);
 bool interpret_replaced(Reading& reading, const language::Meaning& statement);
 bool interpret_so_many_in(Reading& reading, const language::Meaning& statement);
+bool interpret_absent_but(Reading& reading, const language::Meaning& statement);
 bool interpret_only(Reading& reading, const language::Meaning& statement);
 bool interpret_only_named(Reading& reading, const language::Meaning& statement);
 bool interpret_doors(Reading& reading, const language::Meaning& statement);

@@ -37,6 +37,8 @@ bool add_surface(Reading& reading, const std::string& part, const Surface& surfa
     return true;
   }
   const catalog::MaterialRow* row = material_for(reading.catalog, part, surface.words, surface.hex);
+  if (row == nullptr && part == "fixture" && !surface.hex.empty())  // "shelves painted blue"
+    return add_surface(reading, part, {{{}, surface.words.colors}, surface.hex, ""}, span);
   if (row == nullptr) return false;
   plan::Requirement& material = reading.add(plan::RequirementKind::material, span);
   material.subject = part;

@@ -170,6 +170,7 @@ bool interpret_side(Reading& reading, const Meaning& statement) {
 
 bool interpret_levels(Reading& reading, const Meaning& statement) {
   const Meaning& count = *statement.parts("count").front();
+  if (!is_whole(count)) return false;  // "3.2 Every shelf": a heading's number
   plan::Requirement levels = reading.wish(Kind::levels, count.span);
   levels.subject = statement.text("zone");
   add_limit(reading, levels, &plan::Requirement::subject, count, true);

@@ -155,13 +155,20 @@ bool interpret_mention(Reading& reading, const Meaning& statement) {
 
 namespace {
 
-// What was named only to say that there is none.
-void forget_mentions(Reading& reading, const std::string& name) {
+// What the answer denies was only asked about.
+void forget_mentions(Reading& reading, const Meaning& thing) {
   std::erase_if(reading.found.requirements, [&](const plan::Requirement& wish) {
     const bool some = wish.comparison == plan::Comparison::at_least && wish.value <= 1;
-    const bool mention = wish.kind == plan::RequirementKind::zone_present ||
-                         (wish.kind == plan::RequirementKind::fixture_count && some);
-    return mention && wish.subject == name;
+    switch (wish.kind) {
+      case plan::RequirementKind::zone_present:
+        return wish.subject == thing.text("zone");
+      case plan::RequirementKind::product_present:
+        return wish.subject == thing.text("name");
+      case plan::RequirementKind::fixture_count:
+        return some && wish.subject == thing.text("name");
+      default:
+        return false;
+    }
   });
 }
 
@@ -177,7 +184,7 @@ bool interpret_absent(Reading& reading, const Meaning& statement) {
     noun.negated = true;
     noun.counted = false;
     if (answer) {
-      forget_mentions(reading, noun.name);
+      forget_mentions(reading, *thing);
       noun.span = statement.span;
     } else if (thing == things.front()) {
       noun.span = joined(statement.span, noun.span);
@@ -206,7 +213,9 @@ bool interpret_only(Reading& reading, const Meaning& statement) {
 bool interpret_only_named(Reading& reading, const Meaning& statement) {
   std::vector<std::string> named;
   for (const plan::Requirement& wish : reading.found.requirements) {
-    if (wish.kind == plan::RequirementKind::zone_present) named.push_back(wish.subject);
+    if (wish.kind == plan::RequirementKind::zone_present ||
+        wish.kind == plan::RequirementKind::zone_count)
+      named.push_back(wish.subject);
     if (wish.kind == plan::RequirementKind::product_present) named.push_back(wish.object);
   }
   if (named.empty()) return false;

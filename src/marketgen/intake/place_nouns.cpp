@@ -1,6 +1,7 @@
 #include "intake/place_nouns.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.h"
 
@@ -34,6 +35,12 @@ std::optional<plan::RelationKind> kind_of(std::string_view value, bool negated) 
   return std::nullopt;
 }
 
+// The goods or fixtures that were named; empty where the zone itself was.
+std::string named_in(const PlaceNoun& noun) {
+  const bool of_zone = noun.kind == NounKind::fixture || noun.kind == NounKind::product;
+  return of_zone && noun.name != noun.zone ? noun.name : "";
+}
+
 std::string_view name_in_relations(const PlaceNoun& noun) {
   const bool itself = noun.kind == NounKind::opening || noun.kind == NounKind::place;
   return itself ? noun.name : noun.zone;
@@ -49,6 +56,8 @@ void add_wish(Reading& reading,
   wish.relation = kind;
   wish.subject = name_in_relations(subject);
   wish.object = object_name;
+  reading.found.named.push_back(
+      {wish.span, named_in(subject), named_in(object), subject.kind == NounKind::fixture});
 }
 
 // "the entrance on the east wall", "an exit on the right"
@@ -90,7 +99,8 @@ void add_zone_mention(Reading& reading, const PlaceNoun& noun) {
     reading.add(kind, noun.span).subject = noun.name;
   }
   if (noun.factor != 1 && !noun.negated) {
-    reading.found.emphases.push_back({noun.name, noun.factor, reading.words(noun.span), noun.span});
+    reading.found.emphases.push_back(
+        {noun.name, noun.factor, reading.words(noun.span), noun.span, noun.name});
   }
 }
 
@@ -101,7 +111,8 @@ void add_product_mention(Reading& reading, const PlaceNoun& noun) {
   wish.subject = noun.name;
   wish.object = noun.zone;
   if (noun.factor != 1 && !noun.negated && !noun.zone.empty()) {
-    reading.found.emphases.push_back({noun.zone, noun.factor, reading.words(noun.span), noun.span});
+    reading.found.emphases.push_back(
+        {noun.zone, noun.factor, reading.words(noun.span), noun.span, noun.name});
   }
 }
 
@@ -131,6 +142,10 @@ void add_opening_mention(Reading& reading, const PlaceNoun& noun) {
 
 }  // namespace
 
+bool is_whole(const language::Meaning& number) {
+  return number.number("value") == std::floor(number.number("value"));
+}
+
 PlaceNoun noun_of(const language::Meaning& said) {
   PlaceNoun noun;
   noun.kind = value_named<NounKind>(said.text("type")).value_or(NounKind::zone);
@@ -147,6 +162,11 @@ PlaceNoun noun_of(const language::Meaning& said) {
 void mention(Reading& reading, const language::Meaning& said) {
   if (said.is("type", "pronoun")) return;
   if (said.has("floor")) add_floor(reading, *said.parts("floor").front(), &said, false);
+  if (said.has("count") && !is_whole(*said.parts("count").front())) {
+    language::Meaning uncounted = said;  // "4.1 Dairy": a heading's number
+    uncounted.slots.erase("count");
+    return mention(reading, uncounted);
+  }
   if (said.has("count")) add_count(reading, said);
   if (said.has("runs")) add_runs(reading, said);
   for (const language::MeaningPtr& goods : said.parts("holds"))

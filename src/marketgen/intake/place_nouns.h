@@ -26,6 +26,9 @@ struct PlaceNoun {
   double factor = 1;     // of its usual size
 };
 
+// Whether a number has no fraction; "4.1 Dairy" counts nothing.
+bool is_whole(const language::Meaning& number);
+
 // What a noun of the grammar says (slots type, name, zone, wall, factor, count, runs, scope).
 PlaceNoun noun_of(const language::Meaning& said);
 

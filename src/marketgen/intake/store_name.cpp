@@ -79,14 +79,30 @@ StoreName name_of_stretch(std::string_view prompt,
   return name;
 }
 
+// "A café called Rosa", "sweets named Haribo": not the shop's.
+bool is_of_goods(const std::vector<Token>& tokens, std::size_t naming, const Lexicon& lexicon) {
+  constexpr std::size_t longest_noun = 3;  // words
+  for (std::size_t length = 1; length <= std::min(longest_noun, naming); ++length) {
+    const auto match = lexicon.longest_match(tokens, naming - length);
+    if (!match || match->tokens != length) continue;
+    const Sense sense = match->row->sense;
+    if (sense == Sense::zone || sense == Sense::product || sense == Sense::fixture) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-std::optional<StoreName> take_store_name(std::string_view prompt,
-                                         std::vector<Token>& tokens,
-                                         const Lexicon& lexicon) {
+std::vector<StoreName> take_store_names(std::string_view prompt,
+                                        std::vector<Token>& tokens,
+                                        const Lexicon& lexicon) {
+  std::vector<StoreName> names;
+  bool named = false;  // the shop, by a word for it, and not by quotation marks alone
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const auto match = lexicon.longest_match(tokens, i);
     const bool naming = match && match->row->sense == Sense::naming;
+    const bool of_goods = naming && is_of_goods(tokens, i, lexicon);
+    if (!names.empty() && (!naming || of_goods)) continue;
     const std::size_t at = naming ? past_small_words(tokens, i + match->tokens, lexicon) : i;
     Stretch name = quoted(tokens, at);
     const bool in_quotes = !name.empty();
@@ -99,12 +115,15 @@ std::optional<StoreName> take_store_name(std::string_view prompt,
     if (name.empty()) continue;
     StoreName found = name_of_stretch(prompt, tokens, name);
     if (found.text.size() > longest_name_bytes) continue;
+    if (naming && !named) names.clear();
+    named = named || (naming && !of_goods);
+    names.push_back(std::move(found));
     const std::size_t end = name.last + (in_quotes ? 1 : 0);
     tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i),
                  tokens.begin() + static_cast<std::ptrdiff_t>(end));
-    return found;
+    --i;  // goes on with what follows the name
   }
-  return std::nullopt;
+  return names;
 }
 
 }  // namespace marketgen::intake

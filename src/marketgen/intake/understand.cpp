@@ -295,8 +295,8 @@ Understanding understand(std::string_view prompt,
                          plan::Wall entrance) {
   Understanding found;
   Tokens tokens = with_tables_spelled_out(prompt, tokenize(prompt), language.lexicon);
-  found.name = take_store_name(prompt, tokens, language.lexicon);
-  found.understood = found.name.has_value();
+  found.names = take_store_names(prompt, tokens, language.lexicon);
+  found.understood = !found.names.empty();
   bool first = true;
   Memory memory;
   for (const Tokens& sentence : sentences_of(tokens, language)) {
@@ -308,7 +308,7 @@ Understanding understand(std::string_view prompt,
   settle_ratios(found);
   resolve_directions(found, entrance);
   tills_are_machines(found);
-  settle_conflicts(found, prompt);
+  settle_conflicts(found, prompt, entrance);
   return found;
 }
 

@@ -19,6 +19,14 @@ struct Emphasis {
   double factor = 1;  // of its usual area
   std::string text;
   IntRange span{0, 0};
+  std::string named;  // the zone type, or the goods of it that were named
+};
+
+// "small", "large": more or less floor than the kind of shop usually has.
+struct SizeWord {
+  double factor = 1;
+  bool of_shop = false;  // the word for a shop follows it
+  IntRange span{0, 0};
 };
 
 // "two rows of frozen food"
@@ -37,6 +45,14 @@ struct ZoneRatio {
   IntRange span{0, 0};
 };
 
+// The goods or fixtures that a relation was said of, where its subject or object is the zone that
+// keeps them; empty where the zone itself was named.
+struct NamedThings {
+  IntRange span{0, 0};  // of the relation
+  std::string subject, object;
+  bool by_fixture = false;  // the subject is a fixture
+};
+
 struct StoreName {
   std::string text;
   IntRange span{0, 0};
@@ -47,6 +63,9 @@ struct Understanding {
   std::vector<Emphasis> emphases;
   std::vector<WantedRows> rows;
   std::vector<ZoneRatio> ratios;  // while it is read; none when everything is
+  std::vector<NamedThings> named;
+  std::vector<StoreName> names;  // while it is read
+  std::vector<SizeWord> sizes;   // the same
   std::optional<StoreName> name;
   std::vector<WordedChange> changes;  // of an edit
   double size_factor = 1;             // "small", "large": of the profile's usual floor area

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "intake/conflicts.h"
 #include "io/field_check.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -73,6 +74,17 @@ Result<void> require_understood(const intake::Planned& planned) {
                "supermarket with a bakery and five checkouts\" (docs/prompts.md has the words)"};
 }
 
+Result<void> require_no_contradiction(const intake::Planned& planned) {
+  const auto found = std::ranges::find_if(planned.conflicts, intake::is_contradiction);
+  if (found == planned.conflicts.end()) return {};
+  const std::string both = found->why.substr(0, found->why.rfind(';'));
+  return Error{
+      "brief.contradiction",
+      "prompt",
+      both + " (" + found->what + ": \"" + found->dropped + "\", \"" + found->kept +
+          "\"); say which of them holds, or leave out --strict: then what was said last does"};
+}
+
 Result<Designed> design(const CreateOptions& options,
                         const catalog::Catalog& catalog,
                         Stages& stages) {
@@ -89,7 +101,10 @@ Result<Designed> design(const CreateOptions& options,
   Designed designed;
   MARKETGEN_TRY(designed.planned, stages.run("plan", [&] { return plan({}); }));
   brief.seen = designed.planned.seen;
-  if (options.strict) MARKETGEN_CHECK(require_understood(designed.planned));
+  if (options.strict) {
+    MARKETGEN_CHECK(require_understood(designed.planned));
+    MARKETGEN_CHECK(require_no_contradiction(designed.planned));
+  }
   MARKETGEN_TRY(designed.repaired, stages.run("repair", [&] {
     return layout::repair_plan(designed.planned.plan, catalog, layout_seed);
   }));

@@ -238,8 +238,7 @@ TEST(Prompts, ContradictionsQuoteTheClausesOfBoth) {
   ASSERT_EQ(found.conflicts.size(), 1U);
   const std::string& why = found.conflicts[0].why;
   EXPECT_NE(why.find("\"The ceiling is at 4.50 m throughout\""), std::string::npos) << why;
-  EXPECT_NE(why.find("\"the ceiling comes down to 3.80 m in all of it\""), std::string::npos)
-      << why;
+  EXPECT_NE(why.find("the ceiling comes down to 3.80 m in all of it\""), std::string::npos) << why;
 }
 
 TEST(Prompts, NumbersThatCanBothHoldAreNoConflict) {
