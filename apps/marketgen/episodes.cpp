@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 
@@ -28,6 +29,7 @@ struct EpisodesFlags {
   CommonFlags common;
   std::vector<std::string> folders;
   std::string track = "checkout", tools, output;
+  std::string split = "planned";
   int count = 10;
   bool resume = false;
 };
@@ -89,12 +91,25 @@ std::vector<catalog::Product> products_of(const std::vector<episodes::EpisodeSpe
   return rows;
 }
 
+// Of all that the stores sell, by SKU: in physics, episodes are tried while they are drawn.
+std::vector<catalog::Product> products_of(const std::vector<StockedStore>& stores) {
+  std::map<std::string, catalog::Product> products;
+  for (const StockedStore& store : stores)
+    for (const catalog::Product& row : store.sampler->products())
+      products.emplace(row.sku, row);
+  std::vector<catalog::Product> rows;
+  for (auto& [sku, product] : products)
+    rows.push_back(std::move(product));
+  return rows;
+}
+
 // What decides the episodes, beside their number.
 std::string draw_hash(const EpisodesFlags& flags,
                       const std::vector<StockedStore>& stores,
                       const catalog::Catalog& catalog) {
   Hasher hasher;
   hasher.add(program_version).add(catalog.content_hash).add(flags.track).add(flags.tools);
+  hasher.add(flags.split);
   hasher.add(std::to_string(flags.common.seed));
   for (const StockedStore& from : stores)
     hasher.add(from.store.scene_hash).add(from.store.plan_hash);
@@ -184,11 +199,12 @@ void print_exclusions(const episodes::EpisodeStore& store) {
     left_out += products;
     reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", reason, products);
   }
-  say("{}: {} of {} products are never asked for ({})\n",
-      store.name,
-      left_out,
-      store.exclusions.on_offer,
-      reasons);
+  if (store.exclusions.on_offer > 0)
+    say("{}: {} of {} products are never asked for ({})\n",
+        store.name,
+        left_out,
+        store.exclusions.on_offer,
+        reasons);
   if (!store.exclusions.lanes) return;
   for (const auto& [lane, reason] : *store.exclusions.lanes)
     say("{}: no episode is at {}: {}\n", store.name, lane, reason);
@@ -205,6 +221,60 @@ void print_rooms(const episodes::EpisodeFile& file) {
         in_room);
 }
 
+// How many candidates were drawn for the episodes, and why others were not kept.
+void print_shares(const episodes::DrawShares& shares) {
+  if (shares.drawn == 0) return;
+  std::string reasons;
+  for (const episodes::DrawRefusal& refusal : shares.refused)
+    reasons += fmt::format(
+        "{}{} {}", reasons.empty() ? " (not kept: " : ", ", refusal.reason, refusal.drawn);
+  say("{} of {} that were drawn were kept{}{}\n",
+      shares.kept,
+      shares.drawn,
+      reasons,
+      reasons.empty() ? "" : ")");
+  const int tried = shares.planned_tried + shares.other_tried;
+  if (tried == 0) return;
+  say("in physics: {} of {} with a planned way through were done, {} of {} without\n",
+      shares.planned_held,
+      shares.planned_tried,
+      shares.other_held,
+      shares.other_tried);
+  for (const episodes::ProvedBy& by : shares.proved_by)
+    say("  {} by {}\n", by.episodes, by.by);
+}
+
+Result<episodes::Split> split_named(const std::string& name) {
+  if (const auto split = value_named<episodes::Split>(name)) return *split;
+  return Error{"usage.bad_flag",
+               "--split",
+               fmt::format("there is no split \"{}\"; there are: {}",
+                           name,
+                           fmt::join(names_of(episodes::Split{}), ", "))};
+}
+
+void finish_header(const EpisodesFlags& flags,
+                   episodes::Split split,
+                   std::vector<StockedStore>& stores,
+                   episodes::EpisodeFile& file) {
+  file.header.seed = flags.common.seed;
+  file.header.episodes = flags.count;
+  file.header.split = split;
+  file.header.drawn = episodes::draw_shares(file.episodes);
+  file.header.products = products_of(file.episodes, stores);
+  for (StockedStore& store : stores) {
+    store.store.exclusions = store.sampler->exclusions();
+    file.header.stores.push_back(store.store);
+  }
+}
+
+void print_drawn(const episodes::EpisodeFile& file) {
+  for (const episodes::EpisodeStore& store : file.header.stores)
+    print_exclusions(store);
+  print_rooms(file);
+  print_shares(*file.header.drawn);
+}
+
 Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   io::Outputs outputs;
@@ -217,29 +287,28 @@ Result<void> write(const EpisodesFlags& flags) {
       catalog = catalog::with_own_products(std::move(catalog), *store.manifest.own);
   }
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
+  MARKETGEN_TRY(const episodes::Split split, split_named(flags.split));
   episodes::EpisodeFile file;
   environments::Arena arena(data, file.header, catalog);
   MARKETGEN_TRY(const auto sampler,
-                environments::environment_entry_of(track).sampler(arena, flags.tools));
+                environments::environment_entry_of(track).sampler(arena, flags.tools, split));
   MARKETGEN_TRY(std::vector<StockedStore> stores,
                 stocked_stores(std::move(opened), *sampler, arena));
+  file.header.products = products_of(stores);
   MARKETGEN_TRY(const std::unique_ptr<episodes::EpisodeJournal> journal,
                 begin_journal(flags, draw_hash(flags, stores, catalog)));
+  const std::size_t before = journal ? journal->before().size() : 0;
+  const auto began = std::chrono::steady_clock::now();
   MARKETGEN_TRY(file.episodes, draw(flags, stores, *sampler, journal.get()));
-  for (StockedStore& store : stores)
-    store.store.exclusions = store.sampler->exclusions();
-  file.header.seed = flags.common.seed;
-  file.header.episodes = flags.count;
-  file.header.products = products_of(file.episodes, stores);
-  for (const StockedStore& store : stores)
-    file.header.stores.push_back(store.store);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  finish_header(flags, split, stores, file);
   MARKETGEN_CHECK(outputs.put(flags.output, episodes::write_episodes(file)));
   MARKETGEN_CHECK(outputs.commit());
   if (journal) journal->lines().remove();
   if (flags.common.quiet) return {};
-  for (const StockedStore& store : stores)
-    print_exclusions(store.store);
-  print_rooms(file);
+  print_drawn(file);
+  if (file.episodes.size() > before)
+    say("{:.1f} s an episode\n", took.count() / static_cast<double>(file.episodes.size() - before));
   say("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
   return {};
 }
@@ -260,6 +329,14 @@ Run add_episodes(CLI::App& app) {
       "--tools",
       flags->tools,
       "what the robot in aisles fetches with: gripper or suction; gripper by itself");
+  command
+      ->add_option(
+          "--split",
+          flags->split,
+          "what every episode is shown to be: planned (a way through it), certified (done "
+          "in physics, in ten perturbed worlds, too: minutes an episode), paper (a way to the "
+          "place, front row), all (nothing)")
+      ->capture_default_str();
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(whole_number(1, 100000))
       ->capture_default_str();

@@ -44,7 +44,7 @@ void print_share(const char* name, const Share& share) {
       share.of);
 }
 
-void print_summary(const evaluation::EvaluationSummary& summary) {
+void print_summary(const evaluation::EvaluationSummary& summary, episodes::Split split) {
   print_share("SR strict", summary.strict);
   print_share("SR clean", summary.clean);
   print_share("goals", summary.goals);
@@ -55,11 +55,12 @@ void print_summary(const evaluation::EvaluationSummary& summary) {
         summary.spl_subset * 100,
         summary.mean_path_m,
         summary.mean_path_success_m);
-  say("SR partial  {:5.1f} %  ({:.1f} to {:.1f}), {} episodes of {} stores\n",
+  say("SR partial  {:5.1f} %  ({:.1f} to {:.1f}), {} episodes ({}) of {} stores\n",
       summary.partial.value * 100,
       summary.partial.low * 100,
       summary.partial.high * 100,
       summary.episodes,
+      name_of(split),
       summary.stores);
   print_share("violations", summary.violations);
   say("{:.1f} simulated seconds and {:.1f} s of computing an episode\n",
@@ -192,7 +193,7 @@ Result<void> eval(const EvalFlags& given) {
   if (flags.common.json)
     fmt::print("{}", io::write_json(summary));
   else if (!flags.common.quiet)
-    print_summary(summary);
+    print_summary(summary, file.header.split);
   MARKETGEN_CHECK(check_all_run(results, std::filesystem::path(flags.output) / "results.jsonl"));
   return print_beside(flags, std::move(others));
 }

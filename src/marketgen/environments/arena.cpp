@@ -9,6 +9,7 @@
 #include "environments/policy_name.h"
 #include "environments/track_policies.h"
 #include "episodes/episode_origin.h"
+#include "oracle/oracle_search.h"
 #include "policy/floor_policies.h"
 
 namespace marketgen::environments {
@@ -58,8 +59,9 @@ Result<std::shared_ptr<const std::vector<catalog::Product>>> Arena::stock(
   });
 }
 
-Result<std::unique_ptr<episodes::TrackWorld>> Arena::open(const episodes::EpisodeSpec& spec) {
-  return environment_entry_of(spec.track).open(*this, spec);
+Result<std::unique_ptr<episodes::TrackWorld>> Arena::open(
+    const episodes::EpisodeSpec& spec, const std::optional<episodes::Perturbation>& perturbation) {
+  return environment_entry_of(spec.track).open(*this, spec, perturbation);
 }
 
 Result<std::unique_ptr<agent::Policy>> Arena::policy(const std::string& name,
@@ -73,7 +75,8 @@ Result<std::unique_ptr<agent::Policy>> Arena::policy(const std::string& name,
     return std::unique_ptr<agent::Policy>(std::make_unique<policy::StopPolicy>());
   return std::visit(
       [&](const auto* of_track) {
-        if (asked.name == "oracle") return make_oracle(*this, *of_track, seed);
+        if (const auto search = oracle::oracle_search(asked.name))
+          return make_oracle(*this, *of_track, *search, seed);
         if (asked.name == "highest") return make_highest(*this, *of_track, seed);
         return make_classical(*this, *of_track, asked, seed);
       },

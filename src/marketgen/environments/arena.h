@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "base/shared_objects.h"
 #include "catalog/catalog.h"
 #include "episodes/episode_spec.h"
+#include "episodes/perturbation.h"
 #include "episodes/track_world.h"
 #include "perception/look_library.h"
 #include "store/store.h"
@@ -32,8 +34,11 @@ class Arena {
       : data_(data), header_(header), catalog_(catalog) {}
 
   // Reset to the episode. Errors: those of the track's world; episode.other_store when the header's
-  // plan does not give the store that the episode was drawn from.
-  Result<std::unique_ptr<episodes::TrackWorld>> open(const episodes::EpisodeSpec& spec);
+  // plan does not give the store that the episode was drawn from. With a perturbation the world is
+  // a little other than the episode says (episodes/perturbation.h).
+  Result<std::unique_ptr<episodes::TrackWorld>> open(
+      const episodes::EpisodeSpec& spec,
+      const std::optional<episodes::Perturbation>& perturbation = {});
 
   // `world` must outlive it. Errors: usage.bad_flag, there is no such policy; those of what it is
   // made of.

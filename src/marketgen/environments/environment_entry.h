@@ -2,6 +2,7 @@
 // and given to learners. Defined in the track's own folder.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "environments/arena.h"
@@ -16,14 +17,19 @@ class EnvironmentEntry {
   virtual ~EnvironmentEntry() = default;
   // A world that was reset to the episode. Errors: as Arena::open.
   virtual Result<std::unique_ptr<episodes::TrackWorld>> open(
-      Arena& arena, const episodes::EpisodeSpec& spec) const = 0;
+      Arena& arena,
+      const episodes::EpisodeSpec& spec,
+      const std::optional<episodes::Perturbation>& perturbation) const = 0;
   // Errors: of the station and its robot.
   virtual Result<std::unique_ptr<Environment>> environment(
       std::shared_ptr<EpisodeGround> ground, const EnvironmentOptions& options) const = 0;
   // `tools`: a tool set of the track's robot, the first when empty. The arena must outlive it.
   // Errors: of the station; usage.bad_flag when its robot has no choice.
-  virtual Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
-                                                          const std::string& tools) const = 0;
+  // With Split::certified the arena's header must have the rows of all that the stores sell.
+  virtual Result<std::unique_ptr<EpisodeSampler>> sampler(
+      Arena& arena,
+      const std::string& tools,
+      episodes::Split split = episodes::Split::planned) const = 0;
 };
 
 #define MARKETGEN_TRACK(name, Type) const EnvironmentEntry& name##_environment_entry();

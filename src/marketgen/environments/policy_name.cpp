@@ -10,8 +10,8 @@
 namespace marketgen::environments {
 namespace {
 
-constexpr std::array<std::string_view, 5> policies{
-    "classical", "highest", "oracle", "random", "stop"};
+constexpr std::array<std::string_view, 7> policies{
+    "classical", "highest", "oracle", "oracle-plain", "oracle-thorough", "random", "stop"};
 constexpr std::array<std::string_view, 3> floors{"highest", "random", "stop"};
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/seed.h"
 #include "environments/arena.h"
 #include "environments/policy_name.h"
+#include "oracle/oracle_search.h"
 
 namespace marketgen::environments {
 
@@ -22,13 +23,15 @@ class WrappedPolicy : public agent::Policy {
   std::unique_ptr<agent::Policy> policy_;
 };
 
-// The oracle, which knows everything; `classical`, which sees pictures, with the truth in place
-// of those modules that `name` says; and `highest`, which sees heights alone. Arena and world must
-// outlive them. Errors: those of their tools' rows, and of Arena::stock; usage.bad_flag where a
-// track has no such policy.
+// The oracle, which knows everything, searching as it is told; `classical`, which sees pictures,
+// with the truth in place of those modules that `name` says; and `highest`, which sees heights
+// alone. Arena and world must outlive them. Errors: those of their tools' rows, and of
+// Arena::stock; usage.bad_flag where a track has no such policy.
 #define MARKETGEN_TRACK(name, Type)                                                          \
-  Result<std::unique_ptr<agent::Policy>> make_oracle(                                        \
-      Arena& arena, const episodes::Type##World& world, Seed seed);                          \
+  Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,                           \
+                                                     const episodes::Type##World& world,     \
+                                                     const oracle::OracleSearch& search,     \
+                                                     Seed seed);                             \
   Result<std::unique_ptr<agent::Policy>> make_classical(                                     \
       Arena& arena, const episodes::Type##World& world, const PolicyName& asked, Seed seed); \
   Result<std::unique_ptr<agent::Policy>> make_highest(                                       \

@@ -161,6 +161,7 @@ Result<void> check_episode(const EpisodeSpec& spec, const std::string& where) {
   MARKETGEN_CHECK(check_items(spec, where));
   MARKETGEN_CHECK(check_goals(spec, where));
   MARKETGEN_CHECK(check_fields(spec, where));
+  MARKETGEN_CHECK(check_certificate(spec.certificate, where + "/certificate"));
   return check_cameras(spec, where);
 }
 
@@ -181,6 +182,11 @@ Result<void> check_episodes(const EpisodeFile& file, const std::string& source) 
                                spec.id)};
     MARKETGEN_CHECK(check_against_header(file.header, known, spec, where));
     MARKETGEN_CHECK(check_episode(spec, where));
+    if (file.header.split == Split::certified && !spec.certificate.has(shown_in_physics))
+      return bad_value(
+          where + "/certificate",
+          "the file is said to be certified, and this episode was not done in physics: "
+          "leave the header's \"split\" out, or draw the episodes again");
   }
   return {};
 }

@@ -6,43 +6,11 @@
 #include <vector>
 
 #include "base/fields.h"
+#include "episodes/failure_code.h"
 #include "episodes/goal_judge.h"
+#include "episodes/side_effects.h"
 
 namespace marketgen::episodes {
-
-// What kept the agent from its goals, as far as it can be told.
-enum class FailureCode {
-  none,
-  not_found,
-  no_grasp,
-  no_ik,
-  no_path,
-  missed,
-  wrong_item,
-  slipped,
-  dropped,
-  collision,
-  timeout,
-  policy_error,  // it threw, hung, or told what is no action
-  not_run,       // the episode itself could not be run
-  unknown        // nobody can say
-};
-constexpr std::array<std::string_view, 14> names_of(FailureCode) {
-  return {"None",
-          "NotFound",
-          "NoGrasp",
-          "NoIK",
-          "NoPath",
-          "Missed",
-          "WrongItem",
-          "Slipped",
-          "Dropped",
-          "Collision",
-          "Timeout",
-          "PolicyError",
-          "NotRun",
-          "Unknown"};
-}
 
 // What kept an agent from reading what it must not know. own: it is a policy of the program's own,
 // whose code is known. none: nothing did. landlock: it acted in a process that opens no file of the
@@ -51,42 +19,6 @@ enum class PolicyIsolation { own, none, landlock };
 constexpr std::array<std::string_view, 3> names_of(PolicyIsolation) {
   return {"own", "none", "landlock"};
 }
-
-// Fingers that open between stocked packs push the neighbours aside: at 2 cm, from which a good is
-// `displaced`, no pick would be clean. At 10 cm, the width of a facing (median 97 mm of 3,274), it
-// stands before another good's label.
-constexpr double max_clean_shift_m = 0.10;
-
-// The side-effect ledger. An item has strayed when it ends, in aisles, outside the basket and more
-// than max_clean_shift_m from where it stood; at a counter, neither in the basket nor on the
-// unloading or set-aside area. Contacts are those of the arm, and of what it holds, with anything
-// else; each counts once, by the greatest force on it (mean over 10 ms).
-struct SideEffects {
-  int light_contacts = 0, firm_contacts = 0, hard_contacts = 0;
-  double hardest_n = 0;
-  int toppled = 0, dropped = 0, displaced = 0, strayed = 0, wrong_items = 0;
-  double basket_tilt_deg = 0;
-  int base_collisions = 0;
-  int protective_stops = 0;
-
-  static constexpr auto fields = field_list(
-      field("light_contacts", &SideEffects::light_contacts, "below 10 N"),
-      field("firm_contacts", &SideEffects::firm_contacts, "10 to 50 N"),
-      field("hard_contacts", &SideEffects::hard_contacts, "above 50 N"),
-      field("hardest_n", &SideEffects::hardest_n, "greatest force, N"),
-      field("toppled", &SideEffects::toppled, "items that fell over outside the basket"),
-      field("dropped", &SideEffects::dropped, "items that met something faster than 1 m/s"),
-      field("displaced", &SideEffects::displaced, "items not asked for that lie elsewhere"),
-      field("strayed", &SideEffects::strayed, "items that lie where they do not belong"),
-      field("wrong_items", &SideEffects::wrong_items, "items in the area that are no goal"),
-      field("basket_tilt_deg", &SideEffects::basket_tilt_deg, "greatest tilt of the basket"),
-      field("base_collisions",
-            &SideEffects::base_collisions,
-            "times that the robot's base met something that stands"),
-      field("protective_stops",
-            &SideEffects::protective_stops,
-            "times that the robot stopped because something pressed on it"));
-};
 
 struct EpisodeResult {
   std::string schema = "market-result/1";
@@ -150,9 +82,6 @@ struct EpisodeResult {
       field("state_hash", &EpisodeResult::state_hash, "of the physics at the end"));
 };
 
-// No contact above 50 N, nothing driven into, toppled or dropped, and no item strayed. `displaced`
-// is not asked for: what lies in a heap sinks into the room of what is taken out.
-bool is_clean(const SideEffects& effects);
 // Sets goals, shares and verdicts; the side effects are there already, without `wrong_items`.
 void add_outcome(const EpisodeOutcome& outcome, EpisodeResult& result);
 

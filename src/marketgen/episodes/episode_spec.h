@@ -9,11 +9,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/fields.h"
 #include "base/result.h"
 #include "catalog/product.h"
+#include "episodes/certificate.h"
 #include "episodes/track.h"
 #include "geometry/pose.h"
 #include "plan/plan.h"
@@ -31,6 +33,11 @@ struct EpisodeItem {
       field("sku", &EpisodeItem::sku, "product", identifier()),
       field("position_m", &EpisodeItem::position_m, "in the basket's frame", range(-2, 2)),
       field("rotation_wxyz", &EpisodeItem::rotation_wxyz, "unit quaternion", range(-1.001, 1.001)));
+  static EpisodeItem at(std::string sku, const Pose& pose) {
+    const Vec3& p = pose.position;
+    const Quaternion& q = pose.rotation;
+    return {std::move(sku), {p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}};
+  }
   Pose pose() const {
     return {{position_m[0], position_m[1], position_m[2]},
             {rotation_wxyz[0], rotation_wxyz[1], rotation_wxyz[2], rotation_wxyz[3]}};
@@ -46,15 +53,6 @@ struct EpisodeGoal {
                  field("count", &EpisodeGoal::count, "how many", range(1, 100)));
 };
 
-// On the store's floor.
-struct FloorPlaceRow {
-  double x_m = 0, y_m = 0, heading_deg = 0;
-  static constexpr auto fields =
-      field_list(field("x_m", &FloorPlaceRow::x_m, "east", range(-1000, 1000)),
-                 field("y_m", &FloorPlaceRow::y_m, "north", range(-1000, 1000)),
-                 field("heading_deg", &FloorPlaceRow::heading_deg, "from east", range(-360, 360)));
-};
-
 // Where products of a goal's category stand: what the agent knows beforehand.
 struct CategoryPlace {
   std::string sku, category;
@@ -64,33 +62,6 @@ struct CategoryPlace {
                  field("category", &CategoryPlace::category, "of that product"),
                  field("x_m", &CategoryPlace::x_m, "middle of its products in the store, east"),
                  field("y_m", &CategoryPlace::y_m, "north"));
-};
-
-// One way to fetch a goal that was found when the episode was drawn.
-struct WitnessPick {
-  std::string sku, product, arm, strategy;
-  std::vector<int> grasps;
-  FloorPlaceRow base;
-  double lift_m = 0, drive_m = 0;
-  static constexpr auto fields =
-      field_list(field("sku", &WitnessPick::sku, "of the goal", identifier()),
-                 field("product", &WitnessPick::product, "item id"),
-                 field("arm", &WitnessPick::arm, "of the robot"),
-                 field("strategy", &WitnessPick::strategy, "how it takes hold"),
-                 field("grasps",
-                       &WitnessPick::grasps,
-                       "candidates of the grasp study that held it as stocked, from 0"),
-                 field("base", &WitnessPick::base, "where the robot stands"),
-                 field("lift_m", &WitnessPick::lift_m, "height of its lift"),
-                 field("drive_m", &WitnessPick::drive_m, "way to there from the pick before"));
-};
-
-struct EpisodeCertificate {
-  std::vector<std::string> proved;  // conditions that were shown: "settled", "oracle"
-  std::vector<WitnessPick> witness;
-  static constexpr auto fields =
-      field_list(field("proved", &EpisodeCertificate::proved, "conditions that were shown"),
-                 field("witness", &EpisodeCertificate::witness, "picks, in their order"));
 };
 
 struct EpisodeSpec {
@@ -196,12 +167,16 @@ struct EpisodeHeader {
   std::string schema = "market-episodes/1";
   std::uint64_t seed = 0;
   int episodes = 0;
+  Split split = Split::planned;
+  std::optional<DrawShares> drawn = {};
   std::vector<EpisodeStore> stores;
   std::vector<catalog::Product> products;
   static constexpr auto fields = field_list(
       field("schema", &EpisodeHeader::schema, "schema tag", constant("market-episodes/1")),
       field("seed", &EpisodeHeader::seed, "with which they were drawn"),
       field("episodes", &EpisodeHeader::episodes, "lines that follow", range(0, 1e6)),
+      field("split", &EpisodeHeader::split, "what every episode of the file was shown to be"),
+      field("drawn", &EpisodeHeader::drawn, "how many were drawn for these, and why others not"),
       field("stores", &EpisodeHeader::stores, "where the goods are from"),
       field("products", &EpisodeHeader::products, "rows of what lies in the baskets"));
 };
@@ -210,6 +185,9 @@ struct EpisodeFile {
   EpisodeHeader header;
   std::vector<EpisodeSpec> episodes;
 };
+
+// Of all that their certificates say.
+DrawShares draw_shares(const std::vector<EpisodeSpec>& episodes);
 
 std::string plan_hash(const plan::Plan& plan);  // SHA-256 of its JSON
 // 32 hex digits over all that decides what becomes of the episode: itself and the rows of its

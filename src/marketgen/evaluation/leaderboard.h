@@ -74,12 +74,14 @@ struct LeaderboardTrack {
 struct Leaderboard {
   std::string schema = "market-leaderboard/1";
   std::string version, realism, episodes_hash;
+  episodes::Split split = episodes::Split::planned;
   std::vector<LeaderboardTrack> tracks;
   static constexpr auto fields = field_list(
       field("schema", &Leaderboard::schema, "schema tag", constant("market-leaderboard/1")),
       field("version", &Leaderboard::version, "of the program"),
       field("realism", &Leaderboard::realism, "of all runs"),
       field("episodes_hash", &Leaderboard::episodes_hash, "of the file of episodes"),
+      field("split", &Leaderboard::split, "what the file's episodes were shown to be"),
       field("tracks", &Leaderboard::tracks, "that the file has"));
 };
 

@@ -47,6 +47,7 @@ RunRecord record_of(const episodes::EpisodeFile& file,
   record.version = program_version;
   const std::string commit = source_commit;
   record.commits = {commit.empty() ? "unknown" : commit};
+  record.split = file.header.split;
   record.shard = shard;
   Hasher hasher;
   for (const episodes::EpisodeSpec& spec : file.episodes) {

@@ -42,6 +42,7 @@ struct RunRecord {
   std::vector<std::string> commits;  // more than one when a run was gone on with
   std::string realism = "ideal";
   std::string episodes_hash;
+  episodes::Split split = episodes::Split::planned;
   Shard shard;
   std::vector<RunEpisode> episodes;
 
@@ -59,6 +60,7 @@ struct RunRecord {
             &RunRecord::episodes_hash,
             "over all episodes of the file, in their order",
             required()),
+      field("split", &RunRecord::split, "what the file's episodes were shown to be"),
       field("shard", &RunRecord::shard, "the part of the file that was run"),
       field("episodes", &RunRecord::episodes, "all of the file", required()));
   std::string commit() const;  // of the commits, as one text

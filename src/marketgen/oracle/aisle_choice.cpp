@@ -11,11 +11,8 @@
 namespace marketgen::oracle {
 namespace {
 
-constexpr int max_item_tries = 3, max_unreached = 2;
-constexpr std::size_t max_items_looked_at = 4;            // of a SKU at a time
 constexpr double min_item_s = 25;                         // no new item with less time left
 constexpr double max_aside_m = 0.10, min_upright = 0.99;  // of what may be tried once more
-constexpr int max_rehearsals_here = 3;                    // of an item, from where the base stands
 
 }  // namespace
 
@@ -34,7 +31,7 @@ std::vector<std::string> AisleOracle::missing() const {
   std::vector<std::string> skus = unmet();
   std::erase_if(skus, [&](const std::string& sku) {
     const auto tried = memory_.tries.find(sku);
-    return tried != memory_.tries.end() && tried->second >= max_item_tries;
+    return tried != memory_.tries.end() && tried->second >= search_.max_item_tries;
   });
   return skus;
 }
@@ -73,11 +70,12 @@ std::vector<AisleOracle::Fetch> AisleOracle::fetches(const std::vector<std::stri
     }
   }
   std::ranges::stable_sort(found, {}, &Fetch::way_m);
+  if (search_.other_order) std::ranges::reverse(found);
   return found;
 }
 
 Result<void> AisleOracle::choose() {
-  if (!twin_) {  // what it rehearses is over
+  if (is_rehearsal_) {  // what it rehearses is over
     memory_.done = true;
     return {};
   }
@@ -90,7 +88,7 @@ Result<void> AisleOracle::choose() {
   }
   std::map<std::string, std::size_t> looked_at;
   for (const Fetch& fetch : fetches(skus)) {
-    if (looked_at[sku_of(fetch.product)]++ >= max_items_looked_at) continue;
+    if (looked_at[sku_of(fetch.product)]++ >= search_.max_items_looked_at) continue;
     if (go_to(fetch.product)) return {};
     refused_.insert(fetch.product);
   }
@@ -178,12 +176,13 @@ Result<void> AisleOracle::reach() {
   const Memory before = memory_;
   std::optional<Memory> best;
   int least = harm_of_not_placed;
-  for (int rehearsal = 0; rehearsal < max_rehearsals_here; ++rehearsal) {
+  for (int rehearsal = 0; rehearsal < search_.max_rehearsals_here; ++rehearsal) {
     const Result<void> begun = begin_taking();
     if (!begun.ok()) {
       note_plan(product, begun.error());
       break;
     }
+    if (!search_.rehearses) return {};
     MARKETGEN_TRY(const int harm, rehearse());
     if (harm == 0) return {};
     say(fmt::format("rehearsed with harm of {}", harm));
@@ -206,7 +205,7 @@ Result<void> AisleOracle::reach() {
 }
 
 void AisleOracle::come_in_vain(std::uint32_t product) {
-  if (++memory_.unreached[product] == max_unreached) refused_.insert(product);
+  if (++memory_.unreached[product] == search_.max_unreached) refused_.insert(product);
   memory_.phase = Phase::choose;
 }
 
@@ -240,6 +239,7 @@ Result<int> AisleOracle::rehearse() {
   AisleOracle actor(*this);
   actor.world_ = twin_.get();
   actor.twin_.reset();
+  actor.is_rehearsal_ = true;
   const int before = actor.harm();
   MARKETGEN_CHECK(rehearse_in(*twin_, actor));
   const std::string& sku = sku_of(memory_.plan.product);

@@ -11,6 +11,7 @@
 #include "agent/policy.h"
 #include "collect/collect_plan.h"
 #include "episodes/aisle/aisle_world.h"
+#include "oracle/oracle_search.h"
 #include "skills/aisle_executor.h"
 #include "skills/drop_plan.h"
 
@@ -19,7 +20,10 @@ namespace marketgen::oracle {
 class AisleOracle : public agent::Policy {
  public:
   // `world` must outlive it.
-  AisleOracle(const episodes::AisleWorld& world, robots::GraspTool tool, Seed seed);
+  AisleOracle(const episodes::AisleWorld& world,
+              robots::GraspTool tool,
+              Seed seed,
+              const OracleSearch& search = {});
 
   Result<void> begin(const agent::Task& task, const agent::Observation& first) override;
   Result<agent::Action> act(const agent::Observation& now) override;
@@ -96,11 +100,14 @@ class AisleOracle : public agent::Policy {
   Result<void> check();
 
   const episodes::AisleWorld* world_;
-  // Of the same episode: what it has begun is rehearsed there. None for one that rehearses.
+  // Of the same episode: what it has begun is rehearsed there. None for a rehearsal itself, and for
+  // one that does not rehearse.
   std::shared_ptr<episodes::AisleWorld> twin_;
+  bool is_rehearsal_ = false;
   const robots::Robot& robot_;
   robots::GraspTool tool_;
   Seed seed_;
+  OracleSearch search_;
   collect::GoodsNow goods_;  // as they stood when the plan was made
   agent::Task task_;
   agent::Observation now_;

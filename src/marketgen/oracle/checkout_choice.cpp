@@ -15,13 +15,8 @@
 namespace marketgen::oracle {
 namespace {
 
-constexpr std::size_t max_grasps = 24;          // of which postures are sought
-constexpr std::size_t max_plans = 6;            // of an item at a time
-constexpr std::size_t max_place_searches = 12;  // for the grasps of an item at a time
 constexpr double escape_m = 0.12, home_approach_m = 0.02;
 constexpr double min_time_s = 8;  // no new grasp with less time left
-
-constexpr int max_rehearsals = 8, max_rehearsals_of_item = 3;  // of a decision
 
 bool same_place(const Pose& a, const Pose& b) {
   constexpr double same_m = 0.0005, same_turn = 0.003;
@@ -43,7 +38,7 @@ bool CheckoutOracle::is_due(std::size_t item) const {
 }
 
 Result<void> CheckoutOracle::choose() {
-  if (!twin_) {  // what it rehearses is over
+  if (is_rehearsal_) {  // what it rehearses is over
     memory_.done = true;
     return {};
   }
@@ -88,6 +83,7 @@ Result<void> CheckoutOracle::take_first(std::vector<std::size_t> due) {
     const auto& choices = grasps_.at(item).choices;
     return choices.empty() ? -1e9 : choices.front().score;
   });
+  if (search_.other_order) std::ranges::reverse(due);
   MARKETGEN_TRY(const bool begun, take_any(due));
   if (begun) return {};
   if (best_) {
@@ -210,7 +206,7 @@ Result<bool> CheckoutOracle::take(std::size_t item, bool to_be_placed) {
   const skills::Surroundings around = scene_->surroundings({});
   const std::vector<skills::PlacedBody> walls = scene_->walls();
   std::size_t plans = 0, searches = 0;
-  for (std::size_t i = 0; i < std::min(grasps.choices.size(), max_grasps); ++i) {
+  for (std::size_t i = 0; i < std::min(grasps.choices.size(), search_.max_grasps); ++i) {
     const GraspChoice& choice = grasps.choices[i];
     const std::vector<robots::ToolSolid> hand = skills::open_hand(tool_, choice.opening_m);
     for (const Pose& tip : skills::either_way_round(memory_.arm, choice.base_from_tip)) {
@@ -220,10 +216,10 @@ Result<bool> CheckoutOracle::take(std::size_t item, bool to_be_placed) {
       if (memory_.tried.failed_before(item, inverse(world_->item_pose(item)) * tip) ||
           !skills::is_reached(memory_.arm, request, hand, walls))
         continue;
-      if (to_be_placed && (searches++ >= max_place_searches ||
+      if (to_be_placed && (searches++ >= search_.max_place_searches ||
                            !has_place(*scene_, memory_.arm, item, tip, choice.opening_m)))
         continue;
-      if (plans++ >= max_plans || !may_rehearse(item)) return false;
+      if (plans++ >= search_.max_plans || !may_rehearse(item)) return false;
       const Memory before = memory_;
       if (!memory_.arm.reach(around, request, next_seed("reach")).ok()) {
         note(episodes::FailureCode::no_path);
@@ -261,13 +257,14 @@ bool CheckoutOracle::may_rehearse(std::size_t item) const {
   for (const auto& [of, count] : rehearsals_)
     all += count;
   const auto found = rehearsals_.find(item);
-  return all < max_rehearsals &&
-         (found == rehearsals_.end() || found->second < max_rehearsals_of_item);
+  return all < search_.max_rehearsals &&
+         (found == rehearsals_.end() || found->second < search_.max_rehearsals_of_item);
 }
 
 // Whether what was begun may be carried out; if not, it is not begun, but kept when it did less
 // harm than others.
 Result<bool> CheckoutOracle::goes_well(std::size_t item, const Memory& before) {
+  if (!search_.rehearses) return true;
   ++rehearsals_[item];
   MARKETGEN_TRY(const int harm, rehearse());
   if (harm == 0) return true;

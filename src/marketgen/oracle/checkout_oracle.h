@@ -14,6 +14,7 @@
 #include "episodes/episode_result.h"
 #include "oracle/oracle_grasps.h"
 #include "oracle/oracle_scene.h"
+#include "oracle/oracle_search.h"
 #include "oracle/oracle_tries.h"
 #include "skills/arm_executor.h"
 #include "skills/place_search.h"
@@ -26,7 +27,8 @@ class CheckoutOracle : public agent::Policy {
   CheckoutOracle(const episodes::CheckoutWorld& world,
                  robots::GraspTool tool,
                  skills::ArmExecutor arm,
-                 Seed seed);
+                 Seed seed,
+                 const OracleSearch& search = {});
 
   Result<void> begin(const agent::Task& task, const agent::Observation& first) override;
   Result<agent::Action> act(const agent::Observation& now) override;
@@ -107,10 +109,13 @@ class CheckoutOracle : public agent::Policy {
   std::string called(std::size_t item) const;
 
   const episodes::CheckoutWorld* world_;
-  // Of the same episode: what it has begun is rehearsed there. None for one that rehearses.
+  // Of the same episode: what it has begun is rehearsed there. None for a rehearsal itself, and for
+  // one that does not rehearse.
   std::unique_ptr<episodes::CheckoutWorld> twin_;
+  bool is_rehearsal_ = false;
   robots::GraspTool tool_;
   Seed seed_;
+  OracleSearch search_;
   agent::Task task_;
   std::unique_ptr<OracleScene> scene_;
   agent::Observation now_;

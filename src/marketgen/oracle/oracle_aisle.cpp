@@ -17,17 +17,23 @@ constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with s
 
 }  // namespace
 
-AisleOracle::AisleOracle(const episodes::AisleWorld& world, robots::GraspTool tool, Seed seed)
+AisleOracle::AisleOracle(const episodes::AisleWorld& world,
+                         robots::GraspTool tool,
+                         Seed seed,
+                         const OracleSearch& search)
     : world_(&world),
       robot_(world.robot()),
       tool_(std::move(tool)),
       seed_(seed),
+      search_(search),
       goods_(world.store().scene),
       memory_{.executor = {world.robot(), episodes::commanded_dofs(world.robot())}} {}
 
 Result<void> AisleOracle::begin(const agent::Task& task, const agent::Observation& first) {
   task_ = task;
-  MARKETGEN_TRY(twin_, world_->twin());
+  if (search_.rehearses) {
+    MARKETGEN_TRY(twin_, world_->twin());
+  }
   memory_.executor.start(first);
   return {};
 }
@@ -53,7 +59,7 @@ std::string AisleOracle::failure() const {
 }
 
 void AisleOracle::say(const std::string& what) const {
-  if (twin_) log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
+  if (!is_rehearsal_) log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
 }
 
 // The arm or what it holds was pressed on, and has been moved back a second of its way: what was
@@ -269,11 +275,12 @@ Result<void> AisleOracle::check() {
 
 Result<std::unique_ptr<agent::Policy>> make_aisle_oracle(const episodes::AisleWorld& world,
                                                          const std::filesystem::path& data,
-                                                         Seed seed) {
+                                                         Seed seed,
+                                                         const OracleSearch& search) {
   const std::string& row = world.store().station.tools().picks_with;
   MARKETGEN_TRY(robots::GraspTool tool, robots::load_grasp_tool(data, row));
   return std::unique_ptr<agent::Policy>(
-      std::make_unique<AisleOracle>(world, std::move(tool), seed));
+      std::make_unique<AisleOracle>(world, std::move(tool), seed, search));
 }
 
 }  // namespace marketgen::oracle

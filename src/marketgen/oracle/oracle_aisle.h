@@ -6,6 +6,7 @@
 
 #include "agent/policy.h"
 #include "episodes/aisle/aisle_world.h"
+#include "oracle/oracle_search.h"
 
 namespace marketgen::oracle {
 
@@ -13,6 +14,7 @@ namespace marketgen::oracle {
 // of load_grasp_tool.
 Result<std::unique_ptr<agent::Policy>> make_aisle_oracle(const episodes::AisleWorld& world,
                                                          const std::filesystem::path& data,
-                                                         Seed seed);
+                                                         Seed seed,
+                                                         const OracleSearch& search = {});
 
 }  // namespace marketgen::oracle

@@ -23,13 +23,20 @@ constexpr double lowest_rim_m = 0.03;  // over which it is lifted off the counte
 CheckoutOracle::CheckoutOracle(const episodes::CheckoutWorld& world,
                                robots::GraspTool tool,
                                skills::ArmExecutor arm,
-                               Seed seed)
-    : world_(&world), tool_(std::move(tool)), seed_(seed), memory_{.arm = std::move(arm)} {}
+                               Seed seed,
+                               const OracleSearch& search)
+    : world_(&world),
+      tool_(std::move(tool)),
+      seed_(seed),
+      search_(search),
+      memory_{.arm = std::move(arm)} {}
 
 CheckoutOracle::CheckoutOracle(const CheckoutOracle& other)
     : world_(other.twin_.get()),
+      is_rehearsal_(true),
       tool_(other.tool_),
       seed_(other.seed_),
+      search_(other.search_),
       task_(other.task_),
       scene_(std::make_unique<OracleScene>(*other.twin_, tool_)),
       now_(other.now_),
@@ -39,7 +46,9 @@ CheckoutOracle::CheckoutOracle(const CheckoutOracle& other)
 Result<void> CheckoutOracle::begin(const agent::Task& task, const agent::Observation& first) {
   task_ = task;
   scene_ = std::make_unique<OracleScene>(*world_, tool_);
-  MARKETGEN_TRY(twin_, world_->twin());
+  if (search_.rehearses) {
+    MARKETGEN_TRY(twin_, world_->twin());
+  }
   memory_ = {.arm = std::move(memory_.arm)};
   lone_.clear();
   memory_.arm.start(first);
@@ -88,7 +97,7 @@ Result<void> CheckoutOracle::decide() {
 }
 
 void CheckoutOracle::say(const std::string& what) const {
-  if (!twin_) return;  // it only rehearses
+  if (is_rehearsal_) return;
   log_debug(fmt::format("oracle {:.2f} s: {}", now_.time_s, what));
 }
 // Of a motion without which it goes on.
@@ -222,11 +231,12 @@ Result<void> CheckoutOracle::put_back() {
 
 Result<std::unique_ptr<agent::Policy>> make_checkout_oracle(const episodes::CheckoutWorld& world,
                                                             const std::filesystem::path& data,
-                                                            Seed seed) {
+                                                            Seed seed,
+                                                            const OracleSearch& search) {
   MARKETGEN_TRY(robots::GraspTool tool, load_checkout_tool(world, data));
   MARKETGEN_TRY(skills::ArmExecutor arm, skills::ArmExecutor::make(world.robot()));
   return std::unique_ptr<agent::Policy>(
-      std::make_unique<CheckoutOracle>(world, std::move(tool), std::move(arm), seed));
+      std::make_unique<CheckoutOracle>(world, std::move(tool), std::move(arm), seed, search));
 }
 
 }  // namespace marketgen::oracle

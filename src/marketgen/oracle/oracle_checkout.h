@@ -7,6 +7,7 @@
 
 #include "agent/policy.h"
 #include "episodes/checkout/checkout_world.h"
+#include "oracle/oracle_search.h"
 
 namespace marketgen::oracle {
 
@@ -14,6 +15,7 @@ namespace marketgen::oracle {
 // and ArmExecutor.
 Result<std::unique_ptr<agent::Policy>> make_checkout_oracle(const episodes::CheckoutWorld& world,
                                                             const std::filesystem::path& data,
-                                                            Seed seed);
+                                                            Seed seed,
+                                                            const OracleSearch& search = {});
 
 }  // namespace marketgen::oracle

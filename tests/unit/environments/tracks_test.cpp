@@ -76,8 +76,13 @@ TEST_P(EachTrack, ShowsItselfToFilmsAndAgents) {
 
 TEST_P(EachTrack, HasEveryPolicy) {
   const auto world = opened();
-  for (const char* name :
-       {"random", "stop", "oracle", "classical", "classical+masks+target+grasp"}) {
+  for (const char* name : {"random",
+                           "stop",
+                           "oracle",
+                           "oracle-plain",
+                           "oracle-thorough",
+                           "classical",
+                           "classical+masks+target+grasp"}) {
     const auto policy = arena().policy(name, *world);
     EXPECT_TRUE(policy.ok()) << name << ": " << to_string(policy.error());
   }

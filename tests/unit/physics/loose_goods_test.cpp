@@ -41,6 +41,44 @@ TEST(LooseGoods, HaveTheBodyOfGoodsInBulk) {
   }
 }
 
+// MuJoCo, told the same of a body of that mass, says the same of it.
+TEST(LooseGoods, WeighAsManyTimesTheirRowAsTheyAreTold) {
+  HandMadeScene shop = row_of_cans(2), heavy = row_of_cans(2);
+  heavy.scene.catalog[can].mass_kg *= 1.5;
+  physics::WorldOptions options = with_loose({0});
+  options.mass_factors.assign(shop.scene.catalog.size(), 1.5);
+  physics::World told = made(shop.scene, options), row = made(heavy.scene, with_loose({0}));
+  for (physics::World* world : {&told, &row}) {
+    ASSERT_TRUE(world->wake(0).ok());
+    ASSERT_TRUE(world->push(0, {{0.4, 0.3, 2.0}, {0.01, 0, 0.02}}).ok());
+    run(*world, 1);
+    run(*world, second / 5);
+  }
+  const mjModel &a = told.model(), &b = row.model();
+  const int body = mj_name2id(&a, mjOBJ_BODY, "pool-0");
+  EXPECT_NEAR(a.body_mass[body], b.body_mass[body], 1e-9);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(a.body_inertia[3 * body + i], b.body_inertia[3 * body + i], 1e-9);
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NEAR(a.dof_invweight0[a.body_dofadr[body] + i],
+                b.dof_invweight0[b.body_dofadr[body] + i],
+                1e-5 * b.dof_invweight0[b.body_dofadr[body] + i]);
+  EXPECT_LT(distance(told.product_pose(0), row.product_pose(0)), 1e-5);
+}
+
+TEST(LooseGoods, FactorsOfMassThatMakeNoSenseAreAnError) {
+  const HandMadeScene shop = row_of_cans(1);
+  for (const std::vector<double>& factors :
+       {std::vector<double>{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0},
+        std::vector<double>(shop.scene.catalog.size(), 0.0)}) {
+    physics::WorldOptions options;
+    options.mass_factors = factors;
+    const auto world = physics::World::create(shop.scene, options);
+    ASSERT_FALSE(world.ok());
+    EXPECT_EQ(world.error().where, "WorldOptions.mass_factors");
+  }
+}
+
 TEST(LooseGoods, RowsThatTheSceneDoesNotHaveAreAnError) {
   const HandMadeScene shop = row_of_cans(2);
   const auto world = physics::World::create(shop.scene, with_loose({2}));

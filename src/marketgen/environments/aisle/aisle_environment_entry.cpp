@@ -1,6 +1,7 @@
 // How episodes of In-Aisle Item Collection are drawn, opened, and given to learners.
 #include "environments/aisle/aisle_environment.h"
 #include "environments/aisle/shared_aisle.h"
+#include "environments/certify.h"
 #include "environments/environment_entry.h"
 #include "episodes/aisle/aisle_world.h"
 #include "episodes/aisle/sample_aisle.h"
@@ -12,11 +13,15 @@ class AisleStoreSampler : public StoreSampler {
  public:
   AisleStoreSampler(std::unique_ptr<episodes::AisleSampler> sampler,
                     episodes::EpisodeOrigin origin,
-                    std::shared_ptr<const episodes::AisleStore> store)
-      : sampler_(std::move(sampler)), origin_(std::move(origin)), store_(std::move(store)) {}
+                    std::shared_ptr<const episodes::AisleStore> store,
+                    episodes::EpisodeProver prove)
+      : sampler_(std::move(sampler)),
+        origin_(std::move(origin)),
+        store_(std::move(store)),
+        prove_(std::move(prove)) {}
 
   Result<episodes::EpisodeSpec> sample(Seed seed, int index) override {
-    return sampler_->sample(origin_, seed, index);
+    return sampler_->sample(origin_, seed, index, prove_);
   }
   const std::vector<catalog::Product>& products() const override { return store_->scene.catalog; }
   episodes::EpisodeExclusions exclusions() const override { return sampler_->exclusions(); }
@@ -31,19 +36,26 @@ class AisleStoreSampler : public StoreSampler {
   std::unique_ptr<episodes::AisleSampler> sampler_;
   episodes::EpisodeOrigin origin_;
   std::shared_ptr<const episodes::AisleStore> store_;
+  episodes::EpisodeProver prove_;
 };
 
 // All stores have one book: a product that was tried in physics is not tried again.
 class AisleSampling : public EpisodeSampler {
  public:
-  AisleSampling(Arena& arena, std::string tools, std::shared_ptr<episodes::GraspBook> book)
-      : arena_(arena), tools_(std::move(tools)), book_(std::move(book)) {}
+  AisleSampling(Arena& arena,
+                std::string tools,
+                std::shared_ptr<episodes::GraspBook> book,
+                episodes::Split split)
+      : arena_(arena), tools_(std::move(tools)), book_(std::move(book)), split_(split) {}
 
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(auto store, shared_aisle_store(arena_, origin.scene_hash, tools_));
-    MARKETGEN_TRY(auto sampler, episodes::AisleSampler::make(store, book_));
-    return std::unique_ptr<StoreSampler>(
-        std::make_unique<AisleStoreSampler>(std::move(sampler), origin, std::move(store)));
+    MARKETGEN_TRY(auto sampler, episodes::AisleSampler::make(store, book_, split_));
+    episodes::EpisodeProver in_physics;
+    if (split_ == episodes::Split::certified)
+      in_physics = [this](const episodes::EpisodeSpec& spec) { return prove(arena_, spec); };
+    return std::unique_ptr<StoreSampler>(std::make_unique<AisleStoreSampler>(
+        std::move(sampler), origin, std::move(store), std::move(in_physics)));
   }
   Result<void> keep() override { return book_->keep(arena_.data(), arena_.catalog().content_hash); }
 
@@ -51,16 +63,19 @@ class AisleSampling : public EpisodeSampler {
   Arena& arena_;
   std::string tools_;
   std::shared_ptr<episodes::GraspBook> book_;
+  episodes::Split split_;
 };
 
 class AisleEnvironmentEntry : public EnvironmentEntry {
  public:
   Result<std::unique_ptr<episodes::TrackWorld>> open(
-      Arena& arena, const episodes::EpisodeSpec& spec) const override {
+      Arena& arena,
+      const episodes::EpisodeSpec& spec,
+      const std::optional<episodes::Perturbation>& perturbation) const override {
     MARKETGEN_TRY(auto store, shared_aisle_store(arena, spec.scene_hash, spec.tools));
     auto world =
         std::make_unique<episodes::AisleWorld>(std::move(store), arena.catalog().frictions);
-    MARKETGEN_CHECK(world->reset(spec));
+    MARKETGEN_CHECK(world->reset(spec, perturbation));
     return std::unique_ptr<episodes::TrackWorld>(std::move(world));
   }
 
@@ -70,10 +85,11 @@ class AisleEnvironmentEntry : public EnvironmentEntry {
   }
 
   Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
-                                                  const std::string& tools) const override {
+                                                  const std::string& tools,
+                                                  episodes::Split split) const override {
     MARKETGEN_TRY(auto book, episodes::open_aisle_book(arena.data(), arena.catalog(), tools));
     return std::unique_ptr<EpisodeSampler>(
-        std::make_unique<AisleSampling>(arena, tools, std::move(book)));
+        std::make_unique<AisleSampling>(arena, tools, std::move(book), split));
   }
 };
 

@@ -64,8 +64,9 @@ class SensingCollector : public WrappedPolicy {
 
 Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,
                                                    const episodes::AisleWorld& world,
+                                                   const oracle::OracleSearch& search,
                                                    Seed seed) {
-  return oracle::make_aisle_oracle(world, arena.data(), seed);
+  return oracle::make_aisle_oracle(world, arena.data(), seed, search);
 }
 
 Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,

@@ -1,4 +1,5 @@
 // How episodes of Checkout Unloading are drawn, opened, and given to learners.
+#include "environments/certify.h"
 #include "environments/checkout/checkout_environment.h"
 #include "environments/checkout/shared_lane.h"
 #include "environments/environment_entry.h"
@@ -12,58 +13,73 @@ namespace {
 // Immutable: what every basket needs is found when it is made.
 class CheckoutStoreSampler : public StoreSampler {
  public:
-  CheckoutStoreSampler(const Arena& arena,
+  CheckoutStoreSampler(Arena& arena,
                        episodes::EpisodeOrigin origin,
                        const scene::Scene& scene,
-                       const episodes::CheckoutStation& station)
+                       const episodes::CheckoutStation& station,
+                       episodes::Split split)
       : arena_(arena),
         origin_(std::move(origin)),
         stock_(episodes::checkout_stock(scene)),
         lanes_(episodes::checkout_lanes(scene, arena.catalog(), station)),
-        exclusions_(episodes::checkout_exclusions(scene)),
-        certify_(oracle::checkout_certifier(arena.data())) {
+        exclusions_(episodes::checkout_exclusions(scene)) {
     exclusions_.lanes = lanes_.left_out;
+    if (split == episodes::Split::planned || split == episodes::Split::certified)
+      certify_ = oracle::checkout_certifier(arena.data());
+    if (split == episodes::Split::certified)
+      prove_ = [this](const episodes::EpisodeSpec& spec) {
+        return prove(arena_, episodes::at_a_lane(spec, lanes_));
+      };
   }
 
   // Poured and shown to be possible in the room: at a lane that suits there is nothing more that
-  // the arm could meet.
+  // the arm could meet. In physics it is tried at the lane.
   Result<episodes::EpisodeSpec> sample(Seed seed, int index) override {
-    MARKETGEN_TRY(
-        auto drawn,
-        episodes::sample_checkout(
-            arena_.data(), stock_, arena_.catalog().frictions, origin_, seed, index, certify_));
+    MARKETGEN_TRY(auto drawn,
+                  episodes::sample_checkout(arena_.data(),
+                                            stock_,
+                                            arena_.catalog().frictions,
+                                            origin_,
+                                            seed,
+                                            index,
+                                            certify_,
+                                            prove_));
     return episodes::at_a_lane(std::move(drawn), lanes_);
   }
   const std::vector<catalog::Product>& products() const override { return stock_; }
   episodes::EpisodeExclusions exclusions() const override { return exclusions_; }
 
  private:
-  const Arena& arena_;
+  Arena& arena_;
   episodes::EpisodeOrigin origin_;
   std::vector<catalog::Product> stock_;
   episodes::CheckoutLanes lanes_;
   episodes::EpisodeExclusions exclusions_;
   episodes::CheckoutCertifier certify_;
+  episodes::EpisodeProver prove_;
 };
 
 class CheckoutSampling : public EpisodeSampler {
  public:
-  explicit CheckoutSampling(Arena& arena) : arena_(arena) {}
+  CheckoutSampling(Arena& arena, episodes::Split split) : arena_(arena), split_(split) {}
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
     MARKETGEN_TRY(const auto station, episodes::load_checkout_station(arena_.data()));
     return std::unique_ptr<StoreSampler>(
-        std::make_unique<CheckoutStoreSampler>(arena_, origin, *scene, station));
+        std::make_unique<CheckoutStoreSampler>(arena_, origin, *scene, station, split_));
   }
 
  private:
   Arena& arena_;
+  episodes::Split split_;
 };
 
 class CheckoutEnvironmentEntry : public EnvironmentEntry {
  public:
   Result<std::unique_ptr<episodes::TrackWorld>> open(
-      Arena& arena, const episodes::EpisodeSpec& spec) const override {
+      Arena& arena,
+      const episodes::EpisodeSpec& spec,
+      const std::optional<episodes::Perturbation>& perturbation) const override {
     MARKETGEN_TRY(
         episodes::CheckoutWorld made,
         episodes::CheckoutWorld::create(arena.data(),
@@ -71,7 +87,7 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
                                         spec.station.value_or(episodes::checkout_station)));
     auto world = std::make_unique<episodes::CheckoutWorld>(std::move(made));
     MARKETGEN_TRY(auto lane, shared_lane(arena, world->station(), spec));
-    MARKETGEN_CHECK(world->reset(spec, arena.header().products, std::move(lane)));
+    MARKETGEN_CHECK(world->reset(spec, arena.header().products, std::move(lane), perturbation));
     return std::unique_ptr<episodes::TrackWorld>(std::move(world));
   }
 
@@ -81,11 +97,12 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
   }
 
   Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
-                                                  const std::string& tools) const override {
+                                                  const std::string& tools,
+                                                  episodes::Split split) const override {
     if (!tools.empty())
       return Error{
           "usage.bad_flag", "--tools", "only robots in aisles have a choice; drop the flag"};
-    return std::unique_ptr<EpisodeSampler>(std::make_unique<CheckoutSampling>(arena));
+    return std::unique_ptr<EpisodeSampler>(std::make_unique<CheckoutSampling>(arena, split));
   }
 };
 

@@ -81,8 +81,9 @@ class HeightsPolicy : public WrappedPolicy {
 
 Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,
                                                    const episodes::CheckoutWorld& world,
+                                                   const oracle::OracleSearch& search,
                                                    Seed seed) {
-  return oracle::make_checkout_oracle(world, arena.data(), seed);
+  return oracle::make_checkout_oracle(world, arena.data(), seed, search);
 }
 
 Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,

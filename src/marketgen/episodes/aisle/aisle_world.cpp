@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
+#include "episodes/aisle/perturbed_aisle.h"
 #include "episodes/control_step.h"
 #include "physics/goods/spec_geoms.h"
 
@@ -48,7 +49,14 @@ std::size_t dof_named(const robots::Robot& robot, std::string_view name) {
 
 }  // namespace
 
-Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
+Result<void> AisleWorld::reset(const EpisodeSpec& spec,
+                               const std::optional<Perturbation>& perturbation) {
+  perturbation_ = perturbation;
+  store_ = perturbation_ ? perturbed_store(*stocked_, *perturbation_) : stocked_;
+  return begin(spec);
+}
+
+Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
   const AisleStation& station = store_->station;
   const robots::Robot& robot = store_->robot;
   if (spec.robot != station.robot)
@@ -73,6 +81,10 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
         "episode.impossible", spec.id, "the robot would begin in something that stands there"};
   physics::WorldOptions options;
   options.frictions = frictions_;
+  if (perturbation_) {
+    options.frictions = perturbation_->frictions(frictions_);
+    options.mass_factors = perturbation_->mass_factors(store_->scene.catalog);
+  }
   options.keep_commands = false;
   options.actor_materials = materials_of(station, robot);
   options.cups = physics::robot_cups(robot, place);
@@ -97,7 +109,8 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec) {
 
 Result<std::shared_ptr<AisleWorld>> AisleWorld::twin() const {
   auto twin = std::make_shared<AisleWorld>(store_, frictions_);
-  MARKETGEN_CHECK(twin->reset(spec_));
+  twin->perturbation_ = perturbation_;
+  MARKETGEN_CHECK(twin->begin(spec_));
   return twin;
 }
 

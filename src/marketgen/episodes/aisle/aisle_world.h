@@ -9,6 +9,7 @@
 #include "episodes/aisle/studied_grasps.h"
 #include "episodes/episode_goods.h"
 #include "episodes/episode_watch.h"
+#include "episodes/perturbation.h"
 #include "episodes/track_world.h"
 #include "motion/collision_world.h"
 #include "physics/world/suction_actor.h"
@@ -18,12 +19,12 @@ namespace marketgen::episodes {
 class AisleWorld : public TrackWorld {
  public:
   AisleWorld(std::shared_ptr<const AisleStore> store, std::vector<catalog::FrictionRow> frictions)
-      : store_(std::move(store)), frictions_(std::move(frictions)) {}
+      : stocked_(std::move(store)), store_(stocked_), frictions_(std::move(frictions)) {}
 
   // Errors: robot.unknown when the episode is for another robot or for other tools;
   // episode.impossible when its start is not free; catalog.unknown_sku for a goal that the store
-  // does not have; assets.*, physics.failed.
-  Result<void> reset(const EpisodeSpec& spec);
+  // does not have; assets.*, physics.failed. With a perturbation store() is perturbed_store().
+  Result<void> reset(const EpisodeSpec& spec, const std::optional<Perturbation>& perturbation = {});
 
   const EpisodeSpec& spec() const override { return spec_; }
   const robots::Robot& robot() const override { return store_->robot; }
@@ -65,6 +66,7 @@ class AisleWorld : public TrackWorld {
                                                            const robots::GraspTool& tool) const;
 
  private:
+  Result<void> begin(const EpisodeSpec& spec);
   Result<void> move(const agent::Action& action);
   Result<void> use_cups(const agent::Action& action);
   Result<void> know_goods(std::uint32_t product);
@@ -73,8 +75,9 @@ class AisleWorld : public TrackWorld {
   HoldsPoint region() const;
   void add_lengths(EpisodeResult& result) const;
 
-  std::shared_ptr<const AisleStore> store_;
+  std::shared_ptr<const AisleStore> stocked_, store_;  // store_: of the episode
   std::vector<catalog::FrictionRow> frictions_;
+  std::optional<Perturbation> perturbation_;
   std::map<std::uint32_t, SharedEpisodeGoods> goods_;  // by SKU row
 
   EpisodeSpec spec_;

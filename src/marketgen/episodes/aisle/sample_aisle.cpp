@@ -20,6 +20,8 @@ constexpr int max_attempts = 12;     // at an episode
 constexpr int max_skus_drawn = 200;  // at an attempt; few suit a cup
 constexpr int max_starts = 200;      // places drawn
 constexpr std::size_t max_rows = 3;  // items of a SKU that are looked at
+constexpr std::size_t max_rows_wider = 8;
+constexpr int wider_searches = 3;  // each from other random postures
 constexpr double drop_reach_m = 1.4;
 
 // Whether an error says no more than that an item cannot be fetched so: others may be.
@@ -43,18 +45,18 @@ struct AisleSampler::Witness {
 };
 
 Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const AisleStore> store,
-                                                         std::shared_ptr<GraspBook> book) {
+                                                         std::shared_ptr<GraspBook> book,
+                                                         Split split) {
   std::unique_ptr<AisleSampler> made(new AisleSampler);
   made->store_ = std::move(store);
   made->book_ = std::move(book);
+  made->split_ = split;
   const scene::Scene& scene = made->store_->scene;
   std::set<std::uint32_t> seen;
   for (const scene::SceneProduct& product : scene.products) {
     if (!seen.insert(product.sku).second) continue;
     const catalog::Product& goods = scene.catalog[product.sku];
-    if (goods.rigidity != catalog::Rigidity::soft &&
-        !made->store_->standing_places(goods.sku).empty())
-      made->shapes_[goods.archetype].push_back(&goods);
+    if (made->is_drawn_from(goods)) made->shapes_[goods.archetype].push_back(&goods);
   }
   std::size_t products = 0;
   for (const auto& [shape, of_shape] : made->shapes_)
@@ -66,6 +68,13 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
                              products,
                              max_goals)};
   return made;
+}
+
+// In the front row of a shelf within reach; where a robot can stand before it; rigid.
+bool AisleSampler::is_drawn_from(const catalog::Product& product) const {
+  if (split_ == Split::all) return !store_->front_items(product.sku).empty();
+  return (split_ == Split::paper || product.rigidity != catalog::Rigidity::soft) &&
+         !store_->standing_places(product.sku).empty();
 }
 
 // Numbers of the grasps by which a product can be fetched; none when it cannot.
@@ -140,25 +149,36 @@ Result<bool> AisleSampler::can_drop(const collect::CollectPlan& plan, Witness& w
   return true;
 }
 
-Result<std::optional<WitnessPick>> AisleSampler::pick(const catalog::Product& product,
-                                                      const std::vector<int>& grasps,
-                                                      Witness& witness,
-                                                      Seed seed) {
-  const std::string& sku = product.sku;
-  std::vector<std::pair<double, std::uint32_t>> rows;
+// Items that a way leads to, the nearest first.
+std::vector<std::uint32_t> AisleSampler::nearest_rows(const std::string& sku,
+                                                      const Vec3& axle) const {
+  std::vector<std::pair<double, std::uint32_t>> found;
   for (const std::uint32_t row : store_->front_items(sku)) {
     const auto place = store_->standing_place(row);
     if (!place) continue;
-    const auto path = store_->ways.shortest_path(floor_point_mm(witness.axle), *place);
-    if (path.ok()) rows.emplace_back(path->length_m, row);
+    const auto path = store_->ways.shortest_path(floor_point_mm(axle), *place);
+    if (path.ok()) found.emplace_back(path->length_m, row);
   }
-  std::ranges::stable_sort(rows);
+  std::ranges::stable_sort(found);
+  std::vector<std::uint32_t> rows;
+  for (const auto& [length_m, row] : found)
+    rows.push_back(row);
+  return rows;
+}
+
+Result<std::optional<WitnessPick>> AisleSampler::pick(const catalog::Product& product,
+                                                      const std::vector<int>& grasps,
+                                                      std::size_t max_rows,
+                                                      Witness& witness,
+                                                      Seed seed) {
+  const std::string& sku = product.sku;
+  const std::vector<std::uint32_t> rows = nearest_rows(sku, witness.axle);
   collect::CollectOptions options;
   options.posture = store_->station.posture;
   options.carried = store_->basket.walls;
   MARKETGEN_TRY(options.grasps, studied_grasps(product, book_->tool(), book_->frictions(), grasps));
   for (std::size_t i = 0; i < std::min(rows.size(), max_rows); ++i) {
-    const auto& [way_m, row] = rows[i];
+    const std::uint32_t row = rows[i];
     const auto plan = collect::plan_collect(
         store_->scene, row, store_->robot, book_->tool(), seed.child("pick", i), options);
     if (!plan.ok()) {
@@ -190,6 +210,51 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const catalog::Product& pr
     return std::optional(found);
   }
   return std::optional<WitnessPick>{};
+}
+
+// More items, and other random postures.
+Result<std::optional<WitnessPick>> AisleSampler::pick_wider(const catalog::Product& product,
+                                                            const std::vector<int>& grasps,
+                                                            Witness& witness,
+                                                            Seed seed) {
+  for (int search = 0; search < wider_searches; ++search) {
+    MARKETGEN_TRY(auto found,
+                  pick(product,
+                       grasps,
+                       max_rows_wider,
+                       witness,
+                       seed.child("wider", static_cast<std::uint64_t>(search))));
+    if (found) return found;
+  }
+  return std::optional<WitnessPick>{};
+}
+
+// False when the split asks for more than is known of the product.
+Result<bool> AisleSampler::add_goal(const catalog::Product& product,
+                                    EpisodeSpec& spec,
+                                    Witness& witness,
+                                    Seed seed) {
+  if (split_ == Split::paper) {
+    const std::vector<std::uint32_t> rows = nearest_rows(product.sku, witness.axle);
+    if (rows.empty()) return false;
+    const PointMm stands = *store_->standing_place(rows.front());
+    witness.axle = {stands[0] * 1e-3, stands[1] * 1e-3, 0};
+  }
+  if (split_ == Split::planned || split_ == Split::certified) {
+    MARKETGEN_TRY(const std::vector<int> grasps, grasps_for(product));
+    if (grasps.empty()) return false;
+    MARKETGEN_TRY(auto found, pick(product, grasps, max_rows, witness, seed));
+    if (!found && split_ == Split::certified) {
+      MARKETGEN_TRY(found, pick_wider(product, grasps, witness, seed));
+      if (found && !spec.certificate.has(shown_by_wider_search))
+        spec.certificate.proved.emplace_back(shown_by_wider_search);
+    }
+    if (!found) return false;
+    spec.certificate.witness.push_back(*found);
+  }
+  spec.goals.push_back({product.sku, 1});
+  spec.categories.push_back(category_place(product));
+  return true;
 }
 
 std::optional<motion::FloorPlace> AisleSampler::draw_start(Stream& draw) const {
@@ -235,14 +300,10 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
     const catalog::Product& product =
         *of_shape[static_cast<std::size_t>(draw.integer(0, static_cast<int>(of_shape.size()) - 1))];
     if (!drawn.insert(product.sku).second) continue;
-    MARKETGEN_TRY(const std::vector<int> grasps, grasps_for(product));
-    if (grasps.empty()) continue;
-    const auto number = static_cast<std::uint64_t>(i);
-    MARKETGEN_TRY(const auto found, pick(product, grasps, witness, seed.child("witness", number)));
-    if (!found) continue;
-    spec.goals.push_back({product.sku, 1});
-    spec.certificate.witness.push_back(*found);
-    spec.categories.push_back(category_place(product));
+    MARKETGEN_TRY(
+        const bool added,
+        add_goal(product, spec, witness, seed.child("witness", static_cast<std::uint64_t>(i))));
+    if (!added) continue;
     names.push_back(spoken_product(product));
   }
   if (static_cast<int>(spec.goals.size()) < wanted) return std::optional<EpisodeSpec>{};
@@ -251,7 +312,23 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
   return std::optional(std::move(spec));
 }
 
-Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin, Seed seed, int index) {
+std::vector<std::string> AisleSampler::shown() const {
+  switch (split_) {
+    case Split::planned:
+    case Split::certified:
+      return {"path", "base", "reach", "approach", "retreat", "place"};
+    case Split::paper:
+      return {"path", "front_row"};
+    case Split::all:
+      return {};
+  }
+  return {};
+}
+
+Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
+                                         Seed seed,
+                                         int index,
+                                         const EpisodeProver& prove) {
   const Seed own = seed.child("aisle", static_cast<std::uint64_t>(index));
   EpisodeSpec spec = begun_spec("aisle/" + store_->station.tools().id, origin, seed, index, own);
   spec.track = Track::aisle;
@@ -259,16 +336,23 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin, Seed seed,
   spec.tools = store_->station.tools().id;
   spec.cameras = {"head_camera"};
   spec.limit_s = store_->station.limit_s;
-  spec.certificate.proved = {"path", "base", "reach", "approach", "retreat", "place"};
+  spec.certificate.proved = shown();
+  CandidateJudge judge(prove);
   for (int number = 0; number < max_attempts; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made,
                   attempt(spec, own.child("attempt", static_cast<std::uint64_t>(number))));
-    if (made) return std::move(*made);
+    if (!made) {
+      judge.refuse("too_few_goals");
+      continue;
+    }
+    MARKETGEN_TRY(const bool kept, judge.keep(*made));
+    if (kept) return std::move(*made);
   }
-  return Error{
-      "episode.impossible",
-      spec.id,
-      fmt::format("in {} attempts, too few goals were found that can be fetched", max_attempts)};
+  return Error{"episode.impossible",
+               spec.id,
+               fmt::format("in {} attempts, too few goals were found that can be fetched ({})",
+                           max_attempts,
+                           judge.spoken())};
 }
 
 }  // namespace marketgen::episodes

@@ -1,5 +1,8 @@
-// Draws episodes of In-Aisle Item Collection from a store, each with a witness: one way to fetch
-// all of its goals, planned against everything that stands in the store.
+// Draws episodes of In-Aisle Item Collection from a store. With Split::planned each has a witness:
+// one way to fetch all of its goals, planned against everything that stands in the store. With
+// Split::certified a wider search may have found it, and a prover tries the whole in physics. With
+// Split::paper goals stand in a front row, and a way leads there; with Split::all nothing is asked
+// but that the world takes them.
 #pragma once
 #include <map>
 #include <memory>
@@ -21,11 +24,15 @@ class AisleSampler {
  public:
   // Error episode.impossible when too few products stand within reach.
   static Result<std::unique_ptr<AisleSampler>> make(std::shared_ptr<const AisleStore> store,
-                                                    std::shared_ptr<GraspBook> book);
+                                                    std::shared_ptr<GraspBook> book,
+                                                    Split split = Split::planned);
 
   // Errors: episode.impossible with what was missing; those of plan_collect and plan_drop that are
-  // not about one product.
-  Result<EpisodeSpec> sample(const EpisodeOrigin& origin, Seed seed, int index);
+  // not about one product; those of `prove`.
+  Result<EpisodeSpec> sample(const EpisodeOrigin& origin,
+                             Seed seed,
+                             int index,
+                             const EpisodeProver& prove = {});
 
   // Of the products that were considered so far: those that the grasp study does not hold, by why.
   EpisodeExclusions exclusions() const;
@@ -37,10 +44,22 @@ class AisleSampler {
   struct Witness;
   AisleSampler() = default;
   Result<std::vector<int>> grasps_for(const catalog::Product& product);
+  std::vector<std::string> shown() const;
+  bool is_drawn_from(const catalog::Product& product) const;
+  std::vector<std::uint32_t> nearest_rows(const std::string& sku, const Vec3& axle) const;
+  Result<bool> add_goal(const catalog::Product& product,
+                        EpisodeSpec& spec,
+                        Witness& witness,
+                        Seed seed);
   Result<std::optional<WitnessPick>> pick(const catalog::Product& product,
                                           const std::vector<int>& grasps,
+                                          std::size_t max_rows,
                                           Witness& witness,
                                           Seed seed);
+  Result<std::optional<WitnessPick>> pick_wider(const catalog::Product& product,
+                                                const std::vector<int>& grasps,
+                                                Witness& witness,
+                                                Seed seed);
   Result<bool> can_drop(const collect::CollectPlan& plan, Witness& witness, Seed seed);
   CategoryPlace category_place(const catalog::Product& product) const;
   std::optional<motion::FloorPlace> draw_start(Stream& draw) const;
@@ -48,6 +67,7 @@ class AisleSampler {
 
   std::shared_ptr<const AisleStore> store_;
   std::shared_ptr<GraspBook> book_;
+  Split split_ = Split::planned;
   std::map<std::string, std::vector<const catalog::Product*>>
       shapes_;  // within reach, by archetype
   mutable std::mutex mutex_;

@@ -198,12 +198,12 @@ Result<CheckoutPlace> checkout_at_lane(const CheckoutStation& station,
 }
 
 std::unique_ptr<scene::Scene> checkout_scene(const CheckoutPlace& place,
-                                             const CheckoutStation& station,
+                                             const Pose& station_from_basket,
                                              const EpisodeSpec& spec,
                                              const std::vector<SharedEpisodeGoods>& goods) {
   auto scene = std::make_unique<scene::Scene>(place.surroundings);
   scene->layout.name = spec.id;
-  const Pose store_from_basket = place.store_from_station * station.basket_pose();
+  const Pose store_from_basket = place.store_from_station * station_from_basket;
   for (std::size_t i = 0; i < goods.size(); ++i) {
     scene::SceneProduct product;
     product.sku = static_cast<std::uint32_t>(scene->catalog.size());

@@ -32,9 +32,9 @@ Result<CheckoutPlace> checkout_at_lane(const CheckoutStation& station,
                                        const std::string& where);
 
 // The place's products, then one a goods: item i of the episode where that begins, `goods[i]` what
-// it is. The layout has the episode's name.
+// it is. The layout has the episode's name. `station_from_basket`: where its basket stands.
 std::unique_ptr<scene::Scene> checkout_scene(const CheckoutPlace& place,
-                                             const CheckoutStation& station,
+                                             const Pose& station_from_basket,
                                              const EpisodeSpec& spec,
                                              const std::vector<SharedEpisodeGoods>& goods);
 

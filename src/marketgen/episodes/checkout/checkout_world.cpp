@@ -27,12 +27,10 @@ std::string basket_geom(std::size_t box) {
 }
 
 // A free body, as heavy as its row says.
-void add_loose_basket(mjSpec& spec,
-                      const CheckoutStation& station,
-                      const Pose& store_from_station) {
+void add_loose_basket(mjSpec& spec, const CheckoutStation& station, const Pose& store_from_basket) {
   mjsBody* body = mjs_addBody(mjs_findBody(&spec, "world"), nullptr);
   mjs_setName(body->element, basket_name);
-  physics::set_pose(body->pos, body->quat, store_from_station * station.basket_pose());
+  physics::set_pose(body->pos, body->quat, store_from_basket);
   mjs_setName(mjs_addFreeJoint(body)->element, basket_name);
   const std::vector<physics::ContainerBox> boxes = station.basket_boxes();
   double volume = 0;
@@ -99,7 +97,8 @@ Result<void> CheckoutWorld::check_reset(const EpisodeSpec& spec, const CheckoutP
 
 Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
                                   const std::vector<catalog::Product>& products,
-                                  std::shared_ptr<const CheckoutPlace> lane) {
+                                  std::shared_ptr<const CheckoutPlace> lane,
+                                  const std::optional<Perturbation>& perturbation) {
   MARKETGEN_CHECK(check_reset(spec, lane.get()));
   item_goods_.clear();
   for (const EpisodeItem& item : spec.items) {
@@ -109,17 +108,21 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
     MARKETGEN_TRY(SharedEpisodeGoods goods, episode_goods(*row, frictions_));
     item_goods_.push_back(std::move(goods));
   }
-  spec_ = spec;
   place_ = lane ? std::move(lane) : room_;
   station_from_store_ = inverse(store_from_station());
   first_item_ = static_cast<std::uint32_t>(place_->surroundings.products.size());
-  std::unique_ptr<scene::Scene> scene = checkout_scene(*place_, station_, spec_, item_goods_);
+  perturbation_ = perturbation;
+  basket_start_ = station_.basket_pose();
+  return perturbation_ ? begin_perturbed(spec) : begin(spec);
+}
+
+Result<void> CheckoutWorld::begin(const EpisodeSpec& spec) {
+  spec_ = spec;
+  std::unique_ptr<scene::Scene> scene = checkout_scene(*place_, basket_start_, spec_, item_goods_);
   MARKETGEN_TRY(physics::World world, make_world(*scene));
   world_ = std::make_unique<physics::World>(std::move(world));
   scene_ = std::move(scene);
-  const Pose store_from_basket = store_from_station() * station_.basket_pose();
-  for (std::size_t i = 0; i < item_goods_.size(); ++i)
-    MARKETGEN_CHECK(world_->place(product_of(i), store_from_basket * spec_.items[i].pose()));
+  MARKETGEN_CHECK(place_items(spec_.items));
   const mjModel& m = world_->model();
   basket_place_ = m.jnt_qposadr[mj_name2id(&m, mjOBJ_JOINT, basket_name)];
   MARKETGEN_TRY(controller_, physics::RobotController::start(*world_, *robot_));
@@ -129,16 +132,26 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
   return {};
 }
 
+Result<void> CheckoutWorld::place_items(const std::vector<EpisodeItem>& items) {
+  const Pose store_from_basket = store_from_station() * basket_start_;
+  for (std::size_t i = 0; i < item_goods_.size(); ++i)
+    MARKETGEN_CHECK(world_->place(product_of(i), store_from_basket * items[i].pose()));
+  return {};
+}
+
 Result<std::unique_ptr<CheckoutWorld>> CheckoutWorld::twin() const {
   std::unique_ptr<CheckoutWorld> twin(new CheckoutWorld(frictions_));
   twin->station_ = station_;
   twin->robot_ = std::make_unique<robots::Robot>(*robot_);
   twin->arm_ = arm_;
   twin->room_ = room_;
-  std::vector<catalog::Product> products;
-  for (const SharedEpisodeGoods& goods : item_goods_)
-    products.push_back(goods->product);
-  MARKETGEN_CHECK(twin->reset(spec_, products, place_ == room_ ? nullptr : place_));
+  twin->place_ = place_;
+  twin->station_from_store_ = station_from_store_;
+  twin->first_item_ = first_item_;
+  twin->item_goods_ = item_goods_;
+  twin->perturbation_ = perturbation_;
+  twin->basket_start_ = basket_start_;
+  MARKETGEN_CHECK(twin->begin(spec_));
   return twin;
 }
 
@@ -156,6 +169,10 @@ Result<physics::World> CheckoutWorld::make_world(const scene::Scene& scene) cons
   const bool alone = place_ == room_;
   physics::WorldOptions options;
   options.frictions = frictions_;
+  if (perturbation_) {
+    options.frictions = perturbation_->frictions(frictions_);
+    options.mass_factors = perturbation_->mass_factors(scene.catalog);
+  }
   options.keep_commands = false;
   options.loose = item_rows();
   options.pool = std::max(1, static_cast<int>(item_goods_.size()) + (alone ? 0 : pool_at_lane));
@@ -163,7 +180,7 @@ Result<physics::World> CheckoutWorld::make_world(const scene::Scene& scene) cons
   options.actor_materials = counter_materials(station_, *robot_, place);
   options.add_actors = [&](mjSpec_& made) -> Result<void> {
     MARKETGEN_CHECK(physics::add_robot(made, *robot_, place));
-    add_loose_basket(made, station_, store_from_station());
+    add_loose_basket(made, station_, store_from_station() * basket_start_);
     return {};
   };
   return physics::World::create(scene, std::move(options));

@@ -6,6 +6,7 @@
 // Station frame (episodes/checkout/checkout_station.h), SI units.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_goods.h"
 #include "episodes/episode_watch.h"
+#include "episodes/perturbation.h"
 #include "episodes/track_world.h"
 #include "scene/scene.h"
 
@@ -30,9 +32,12 @@ class CheckoutWorld : public TrackWorld {
   // catalog.unknown_sku for an item without a row in `products`; robot.unknown when the episode is
   // for another robot or station; episode.other_store when it is at another lane; assets.*,
   // physics.failed.
+  // With a perturbation basket and items come to lie a little elsewhere: each item as far of what
+  // is drawn for it as it meets nothing, all then left to settle; spec() tells where they lie.
   Result<void> reset(const EpisodeSpec& spec,
                      const std::vector<catalog::Product>& products,
-                     std::shared_ptr<const CheckoutPlace> lane = nullptr);
+                     std::shared_ptr<const CheckoutPlace> lane = nullptr,
+                     const std::optional<Perturbation>& perturbation = {});
 
   // Another world of the same episode, at its beginning: restore() brings it where this one is.
   Result<std::unique_ptr<CheckoutWorld>> twin() const;
@@ -86,7 +91,14 @@ class CheckoutWorld : public TrackWorld {
   explicit CheckoutWorld(std::vector<catalog::FrictionRow> frictions)
       : frictions_(std::move(frictions)) {}
   Result<void> check_reset(const EpisodeSpec& spec, const CheckoutPlace* lane) const;
+  Result<void> begin(const EpisodeSpec& spec);
+  Result<void> place_items(const std::vector<EpisodeItem>& items);
   Result<physics::World> make_world(const scene::Scene& scene) const;
+  // ---- perturbed_checkout.cpp ----
+  Result<void> begin_perturbed(const EpisodeSpec& spec);
+  Result<std::vector<EpisodeItem>> apart(const EpisodeSpec& spec, double most);
+  bool halve_pressed(std::vector<double>& shares) const;
+  Result<std::optional<EpisodeSpec>> settled(EpisodeSpec spec);
   std::vector<std::uint32_t> item_rows() const;
   Result<void> move(const agent::Action& action);
   EpisodeWatch::Moment moment() const;
@@ -100,6 +112,8 @@ class CheckoutWorld : public TrackWorld {
   std::vector<catalog::FrictionRow> frictions_;
 
   EpisodeSpec spec_;
+  std::optional<Perturbation> perturbation_;
+  Pose basket_start_;  // station_from_container
   std::vector<SharedEpisodeGoods> item_goods_;
   std::shared_ptr<const CheckoutPlace> room_, place_;  // place_: of the episode
   Pose station_from_store_;

@@ -43,13 +43,16 @@ class CheckoutSampler {
   CheckoutSampler(const std::vector<catalog::Product>& stock,
                   CheckoutWorld& world,
                   const CheckoutCertifier& certify,
+                  const EpisodeProver& prove,
                   Seed seed)
-      : stock_(stock), world_(world), certify_(certify), seed_(seed) {
+      : stock_(stock), world_(world), certify_(certify), judge_(prove), seed_(seed) {
     for (const catalog::Product& product : stock_)
       shapes_[product.archetype].push_back(&product);
   }
 
-  // Empty when too few stay in the basket.
+  const CandidateJudge& judge() const { return judge_; }
+
+  // Empty when it is not kept, for the reason that the judge has.
   Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, int number) {
     Stream draw = seed_.child("basket", static_cast<std::uint64_t>(number)).stream();
     const auto kinds = static_cast<int>(stock_.size());
@@ -58,7 +61,7 @@ class CheckoutSampler {
     const std::vector<const catalog::Product*> drawn = draw_products(targets + others, draw);
     MARKETGEN_CHECK(pour(drawn, seed_.child("pour", static_cast<std::uint64_t>(number)), spec));
     if (static_cast<int>(spec.items.size()) < targets + std::min(others, min_others))
-      return std::optional<EpisodeSpec>{};
+      return refused("spilled");
     std::vector<std::string> names;
     for (int i = 0; i < targets; ++i) {
       const std::string& sku = spec.items[static_cast<std::size_t>(i)].sku;
@@ -68,7 +71,7 @@ class CheckoutSampler {
     spec.instruction =
         fmt::format("Put these from the basket on the unloading area: {}.", fmt::join(names, "; "));
     MARKETGEN_TRY(const bool rests, settle(spec));
-    if (!rests) return std::optional<EpisodeSpec>{};
+    if (!rests) return refused("restless");
     return certified(std::move(spec), seed_.child("witness", static_cast<std::uint64_t>(number)));
   }
 
@@ -101,18 +104,13 @@ class CheckoutSampler {
     std::vector<std::pair<std::size_t, EpisodeItem>> inside;
     for (std::size_t i = 0; i < order.size(); ++i) {
       const Pose& p = settled.items[i].container_from_product;
-      if (settled.items[i].inside) inside.emplace_back(order[i], item_at(drawn[order[i]]->sku, p));
+      if (settled.items[i].inside)
+        inside.emplace_back(order[i], EpisodeItem::at(drawn[order[i]]->sku, p));
     }
     std::ranges::sort(inside, {}, [](const auto& entry) { return entry.first; });
     for (auto& [index, item] : inside)
       spec.items.push_back(std::move(item));
     return {};
-  }
-
-  static EpisodeItem item_at(const std::string& sku, const Pose& p) {
-    return {sku,
-            {p.position.x, p.position.y, p.position.z},
-            {p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z}};
   }
 
   // Lets go in the station, and notes where things lie then. False when they do not rest inside.
@@ -129,26 +127,35 @@ class CheckoutSampler {
       const bool in = std::abs(middle.x) < container.top_x_m / 2 &&
                       std::abs(middle.y) < container.top_y_m / 2 && middle.z > 0;
       if (!in || world_.watched(i).speed_m_s > still_m_s) return false;
-      spec.items[i] = item_at(spec.items[i].sku, pose);
+      spec.items[i] = EpisodeItem::at(spec.items[i].sku, pose);
     }
     return world_.deepest_overlap_m() <= max_overlap_m;
   }
 
-  // Empty when no way through is found.
+  std::optional<EpisodeSpec> refused(const std::string& reason) {
+    judge_.refuse(reason);
+    return std::nullopt;
+  }
+
   Result<std::optional<EpisodeSpec>> certified(EpisodeSpec spec, Seed seed) {
     spec.certificate.proved = {"settled"};
-    if (!certify_) return std::optional(std::move(spec));
-    MARKETGEN_TRY(auto witness, certify_(world_, seed));
-    if (!witness) return std::optional<EpisodeSpec>{};
-    for (const char* shown : {"order", "grasp", "reach", "approach", "place"})
-      spec.certificate.proved.emplace_back(shown);
-    spec.certificate.witness = std::move(*witness);
-    return std::optional(std::move(spec));
+    if (certify_) {
+      MARKETGEN_TRY(auto witness, certify_(world_, seed));
+      if (!witness && !judge_.proves()) return refused("no_witness");
+      if (witness) {
+        for (const char* shown : {"order", "grasp", "reach", "approach", "place"})
+          spec.certificate.proved.emplace_back(shown);
+        spec.certificate.witness = std::move(*witness);
+      }
+    }
+    MARKETGEN_TRY(const bool kept, judge_.keep(spec));
+    return kept ? std::optional(std::move(spec)) : std::nullopt;
   }
 
   const std::vector<catalog::Product>& stock_;
   CheckoutWorld& world_;
   const CheckoutCertifier& certify_;
+  CandidateJudge judge_;
   Seed seed_;
   std::map<std::string, std::vector<const catalog::Product*>> shapes_;
 };
@@ -194,7 +201,8 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const EpisodeOrigin& origin,
                                     Seed seed,
                                     int index,
-                                    const CheckoutCertifier& certify) {
+                                    const CheckoutCertifier& certify,
+                                    const EpisodeProver& prove) {
   if (stock.size() < min_stock)
     return Error{"episode.impossible",
                  origin.store,
@@ -209,7 +217,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   spec.robot = world.station().robot;
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
-  CheckoutSampler sampler(stock, world, certify, own);
+  CheckoutSampler sampler(stock, world, certify, prove, own);
   for (int number = 0; number < max_baskets; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);
@@ -217,8 +225,10 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   return Error{
       "episode.impossible",
       spec.id,
-      fmt::format("in {} baskets drawn, too few goods stayed inside, or could be taken out again",
-                  max_baskets)};
+      fmt::format("in {} baskets drawn, too few goods stayed inside, or could be taken out again "
+                  "({})",
+                  max_baskets,
+                  sampler.judge().spoken())};
 }
 
 }  // namespace marketgen::episodes

@@ -53,14 +53,17 @@ using CheckoutCertifier = std::function<Result<std::optional<std::vector<Witness
 // Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes,
 // of a small stock at most a third of it targets;
 // dropped into the basket one after another, and settled. What spills is left out; drawn anew when
-// too few stay, or `certify` finds no way through (empty: not asked for). Errors:
-// episode.impossible (too few kinds of goods); those of CheckoutWorld and of `certify`.
+// too few stay, or `certify` finds no way through (empty: not asked for). With `prove` a basket
+// needs no planned way, but is drawn anew when it cannot be done in physics. Errors:
+// episode.impossible (too few kinds of goods, too many baskets drawn); those of CheckoutWorld, of
+// `certify` and of `prove`.
 Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const std::vector<catalog::Product>& stock,
                                     const std::vector<catalog::FrictionRow>& frictions,
                                     const EpisodeOrigin& origin,
                                     Seed seed,
                                     int index,
-                                    const CheckoutCertifier& certify = {});
+                                    const CheckoutCertifier& certify = {},
+                                    const EpisodeProver& prove = {});
 
 }  // namespace marketgen::episodes

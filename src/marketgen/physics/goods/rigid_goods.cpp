@@ -10,6 +10,7 @@
 #include "base/shared_objects.h"
 #include "io/json.h"
 #include "physics/goods/product_bodies.h"
+#include "physics/goods/slot.h"
 
 namespace marketgen::physics {
 namespace {
@@ -67,6 +68,19 @@ Result<SharedRigidGoods> rigid_goods(const catalog::Product& product, GoodsUse u
   return made.get<const RigidGoods>(
       fmt::format("{} {}", static_cast<int>(use), io::write_json_line(product)),
       [&] { return compiled_alone(product, use); });
+}
+
+Result<SharedRigidGoods> with_mass(const RigidGoods& goods, double factor) {
+  auto other = std::make_shared<RigidGoods>();
+  const mjModel* const from = goods.model.get();
+  mjModel* made = nullptr;
+  MARKETGEN_CHECK(guarded("goods", [&made, from] { made = mj_copyModel(nullptr, from); }));
+  other->model.reset(made);
+  scale_mass(*made, factor);
+  other->product_from_body = goods.product_from_body;
+  other->bounds = goods.bounds;
+  other->hollow = goods.hollow;
+  return SharedRigidGoods(std::move(other));
 }
 
 }  // namespace marketgen::physics

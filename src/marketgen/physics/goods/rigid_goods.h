@@ -24,4 +24,7 @@ struct RigidGoods {
 Result<std::shared_ptr<const RigidGoods>> rigid_goods(const catalog::Product& product,
                                                       GoodsUse use);
 
+// A copy of so many times the mass, evenly through the pack. Error physics.failed.
+Result<std::shared_ptr<const RigidGoods>> with_mass(const RigidGoods& goods, double factor);
+
 }  // namespace marketgen::physics

@@ -90,4 +90,17 @@ void copy_tree(mjModel& to, int body, const mjModel& from, int first_mesh) {
   }
 }
 
+void scale_mass(mjModel& model, double factor) {
+  const auto scale = [](mjtNum* values, mjtSize count, double by) {
+    for (mjtSize i = 0; i < count; ++i)
+      values[i] *= by;
+  };
+  scale(model.body_mass, model.nbody, factor);
+  scale(model.body_subtreemass, model.nbody, factor);
+  scale(model.body_inertia, 3 * model.nbody, factor);
+  scale(model.body_invweight0, 2 * model.nbody, 1 / factor);
+  scale(model.dof_invweight0, model.nv, 1 / factor);
+  scale(model.dof_M0, model.nv, factor);
+}
+
 }  // namespace marketgen::physics

@@ -15,4 +15,8 @@ namespace marketgen::physics {
 // body.
 void copy_tree(mjModel& to, int body, const mjModel& from, int first_mesh = 0);
 
+// The same bodies of so many times the density: `model` is of goods alone. What MuJoCo derives of
+// masses goes with them, or against them.
+void scale_mass(mjModel& model, double factor);
+
 }  // namespace marketgen::physics

@@ -73,7 +73,8 @@ class StoreBuilder {
 
   Result<void> add_goods(StoreModel& made) {
     for (const catalog::Product& product : scene_.catalog) {
-      MARKETGEN_TRY(const StandingGoods goods, standing_goods(product));
+      MARKETGEN_TRY(StandingGoods goods, standing_goods(product));
+      if (!options_.mass_factors.empty()) goods.mass_kg *= options_.mass_factors[made.goods.size()];
       made.goods.push_back(goods);
     }
     for (const std::uint32_t row : options_.loose) {
@@ -267,6 +268,19 @@ class StoreBuilder {
   int pieces_a_body_ = assets::PieceLimits{}.max_pieces;  // of the pool: what any product may need
 };
 
+Result<void> check_masses(const scene::Scene& scene, const std::vector<double>& factors) {
+  if (!factors.empty() && factors.size() != scene.catalog.size())
+    return bad_option(
+        "mass_factors",
+        fmt::format(
+            "{} of them for {} rows of the catalogue", factors.size(), scene.catalog.size()));
+  for (const double factor : factors)
+    if (!(factor > 0 && std::isfinite(factor)))
+      return bad_option("mass_factors",
+                        fmt::format("{}; expected finite, positive numbers", factor));
+  return {};
+}
+
 Result<void> check_options(const scene::Scene& scene, const WorldOptions& options) {
   for (const std::uint32_t row : options.loose) {
     if (row >= scene.products.size())
@@ -292,6 +306,7 @@ Result<void> check_options(const scene::Scene& scene, const WorldOptions& option
                                     row.sliding,
                                     max_friction));
   }
+  MARKETGEN_CHECK(check_masses(scene, options.mass_factors));
   for (const WorldCup& cup : options.cups) {
     const bool sized = cup.radius_m > 0 && cup.seal_depth_m >= 0 && cup.pull_n >= 0;
     if (!sized || !std::isfinite(cup.radius_m + cup.seal_depth_m + cup.pull_n))

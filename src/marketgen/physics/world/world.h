@@ -54,7 +54,10 @@ struct WorldOptions {
   double wake_within_m = 0;  // wakes products this near to an actor before it touches them, 0..0.5
   bool articulated = true;   // doors, drawers, flaps and keys move; otherwise they stand at 0
   std::vector<catalog::FrictionRow> frictions =
-      {};                     // catalog.frictions; a pair without a row rubs as MuJoCo has it
+      {};  // catalog.frictions; a pair without a row rubs as MuJoCo has it
+  // By row of the scene's catalogue, what its packs' masses are multiplied by: they then weigh
+  // something else than their row says. Empty: 1.
+  std::vector<double> mass_factors = {};
   bool keep_commands = true;  // for commands(); a long run of a robot holds hundreds of megabytes
   // Adds robots, tools, tables: anything that is neither fixture nor product. Called once. Bodies
   // that it adds are "actors": a product that one of them touches is woken.
@@ -126,7 +129,8 @@ struct WorldSnapshot;
 
 class World {
  public:
-  // Errors: physics.failed (MuJoCo refuses the model), physics.bad_command (options), assets.*,
+  // Errors: physics.failed (MuJoCo refuses the model), physics.bad_command (options: numbers out of
+  // their ranges, another number of mass factors than of rows), assets.*,
   // catalog.bad_row (a product without mass or size), and those of add_actors.
   static Result<World> create(const scene::Scene& scene, WorldOptions options);
   World(World&&) noexcept;

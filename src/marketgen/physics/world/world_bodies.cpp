@@ -27,6 +27,7 @@ const SoftGoods* World::State::soft_goods(std::uint32_t product) {
     MARKETGEN_TRY(const std::optional<SoftPack> pack, soft_pack_of(scene.catalog[sku]));
     if (!pack) return std::optional<SoftGoods>();
     MARKETGEN_TRY(MujocoModel model, soft_model(*pack, goods.contact, scene.catalog[sku].sku));
+    if (const double factor = mass_factor(sku); factor != 1) scale_mass(*model, factor);
     return std::optional<SoftGoods>(SoftGoods{*pack, std::move(model)});
   };
   Result<std::optional<SoftGoods>> made = make();
@@ -45,6 +46,8 @@ const RigidRow* World::State::rigid_row(std::uint32_t product) {
   const std::pair key(sku, use_of(product));
   if (const auto known = rigid.find(key); known != rigid.end()) return &known->second;
   Result<std::shared_ptr<const RigidGoods>> made = rigid_goods(scene.catalog[sku], key.second);
+  if (const double factor = mass_factor(sku); made.ok() && factor != 1)
+    made = with_mass(**made, factor);
   if (!made.ok()) {
     fault = made.error();
     return nullptr;

@@ -117,6 +117,9 @@ struct World::State {
     return loose_rows[product] ? GoodsUse::bulk : GoodsUse::stocked;
   }
   const RigidRow& made_row(std::uint32_t product) const;  // that rigid_row() has made
+  double mass_factor(std::uint32_t sku) const {
+    return options.mass_factors.empty() ? 1 : options.mass_factors[sku];
+  }
   // Null for a rigid product, and when `fault` is set.
   const SoftGoods* soft_goods(std::uint32_t product);
   const RigidRow* rigid_row(std::uint32_t product);  // null when `fault` is set
