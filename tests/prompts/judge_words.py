@@ -11,7 +11,10 @@ GOODS_ALIASES = {
     "cola": [("cola mix", "soft drinks")], "doughnut": [("donut", None), ("berliner", "pastry")],
     "seaweed": [("seaweed snack", None)],
     "newspaper": [("newspaper", None)], "sandwich": [("sandwich", "ready meals")],
+    "ready meal": [("", "ready meals")], "soft drink": [("", "soft drinks")],
 }
+# What people say of how goods are kept, which no label says.
+KEPT = {"frozen": {"frozen"}, "canned": {"canned", "tinned"}}
 # Goods of that name that are something else.
 NOT_MEANT = {"egg": {"snacks"}}
 NOT_COWS = {"goat", "sheep", "oat", "soy", "soya", "almond", "coconut", "rice", "drink", "nut", "pea"}
@@ -28,6 +31,8 @@ def stem(word):
         return word[:-3] + "y"
     if word.endswith("ie") and len(word) > 4:
         return word[:-2] + "y"
+    if word.endswith(("ches", "shes", "xes", "oes")) and len(word) > 4 and word != "shoes":
+        return word[:-2]
     if word.endswith("s") and not word.endswith("ss") and len(word) > 3:
         return word[:-1]
     return word
@@ -38,7 +43,8 @@ def words_of(text):
 
 
 def is_named(product, wish):
-    """A wish for goods: its last word ends the product's name, its other words stand in name or variant."""
+    """A wish for goods: its last word ends the product's name, its other words stand in name or variant, or
+    say how it is kept."""
     wanted = words_of(wish)
     key = " ".join(wanted)
     if product["category"] in NOT_MEANT.get(key, ()):
@@ -52,7 +58,7 @@ def is_named(product, wish):
             return True
     if key in GOODS_ALIASES and GOODS_ALIASES[key][0][0] == "" or key == "sandwich":
         return False  # the subcategory decides
-    described = set(name) | set(words_of(product["variant"]))
+    described = set(name) | set(words_of(product["variant"])) | KEPT.get(product["category"], set())
     return bool(name) and name[-1] == wanted[-1] and all(w in described for w in wanted)
 
 

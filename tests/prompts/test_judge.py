@@ -5,6 +5,7 @@ import unittest
 import store_geometry as geometry
 from judge import judge, judge_cannot, judge_conflict
 from judge_looks import basic_colors, family_of, nearest_styles
+from judge_words import stem
 from score import wilson
 
 
@@ -208,6 +209,14 @@ class JudgeTest(unittest.TestCase):
         self.both("product", {"sku": "flour", "present": True, "zone": None}, {"sku": "flour", "present": True, "zone": "snacks"})
         self.both("product", {"sku": "eggs", "present": False, "zone": None}, {"sku": "cow's milk", "present": False, "zone": None})
         self.both("product", {"sku": "chips", "present": True, "zone": None}, {"sku": "almond milk", "present": True, "zone": None})
+
+    def test_goods_in_any_number_and_as_they_are_kept(self):
+        self.assertEqual(stem("sandwiches"), stem("sandwich"))
+        self.assertEqual(stem("mangoes"), stem("mango"))
+        self.store["goods"].append(product("Peach Halves", "canned", "fruit", ["canned"]))
+        self.store["goods"].append(product("Dumplings", "frozen", "frozen meals", ["frozen"], "Pork"))
+        self.both("product", {"sku": "frozen dumplings", "present": True, "zone": None}, {"sku": "frozen peas", "present": True, "zone": None})
+        self.both("product", {"sku": "tinned halves", "present": True, "zone": None}, {"sku": "frozen halves", "present": True, "zone": None})
 
     def test_endcaps(self):
         self.both("endcaps", {"wanted": False}, {"wanted": True})

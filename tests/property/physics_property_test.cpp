@@ -111,7 +111,7 @@ void expect_can_exist(const catalog::Product& product, physics::GoodsUse use) {
   expect_within(middle.z, middle.z, extent.low.z, extent.high.z, 0);
 }
 
-// All 2,462 rows: MARKETGEN_PROPERTY_GOODS=3000.
+// All 2,995 rows: MARKETGEN_PROPERTY_GOODS=3000.
 TEST(PhysicsProperty, BodiesOfRowsCanExist) {
   const std::vector<catalog::Product>& rows = committed_catalog().products;
   const std::size_t wanted =

@@ -1,6 +1,7 @@
 #include "intake/lexical_input.h"
 
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "intake/chinese_words.h"
@@ -40,6 +41,7 @@ class InputMaker {
       : tokens_(sentence), segments_(segments), lexicon_(lexicon), chinese_(sentence, lexicon) {}
 
   language::Input run() {
+    find_shared_heads();
     for (const Segment& segment : segments_)
       add_tokens(segment);
     for (std::size_t at = 0; at < tokens_.size(); ++at) {
@@ -76,15 +78,63 @@ class InputMaker {
         {static_cast<int>(first), static_cast<int>(last), std::string(category), std::move(what)});
   }
 
+  // "Oat, soy and almond milk": one word each, and what it is with the last word of the list.
+  void find_shared_heads() {
+    for (std::size_t at = 2; at < tokens_.size(); ++at) {
+      for (const Lexicon::Match& match : lexicon_.matches(tokens_, at)) {
+        if (match.row->sense == Sense::product && match.tokens >= 2)
+          share_head(at, tokens_[at + match.tokens - 1]);
+      }
+    }
+  }
+
+  void share_head(std::size_t first, const Token& head) {
+    while (first >= 2 && is_list_mark(first - 1)) {
+      const bool two = first >= 3 && is_list_mark(first - 2);  // ", and"
+      const std::size_t at = first - (two ? 3 : 2);
+      const LexiconRow* row = product_of(tokens_[at], head);
+      if (row == nullptr) return;
+      shared_heads_[at] = row;
+      first = at;
+    }
+  }
+
+  bool is_list_mark(std::size_t at) const {
+    const auto match = lexicon_.longest_match(tokens_, at);
+    return match && match->tokens == 1 && match->row->sense == Sense::separator &&
+           (match->row->value == "," || match->row->value == "and" || match->row->value == "or");
+  }
+
+  // What both words are together; nothing where the first says something by itself: a plural, or
+  // a zone.
+  const LexiconRow* product_of(const Token& word, const Token& head) const {
+    if (word.kind != TokenKind::word || (!word.han && word.text != word.stem)) return nullptr;
+    for (const Lexicon::Match& alone : lexicon_.matches({word}, 0))
+      if (alone.row->sense == Sense::zone) return nullptr;
+    const auto both = lexicon_.longest_match({word, head}, 0);
+    const bool goods = both && both->tokens == 2 && both->row->sense == Sense::product;
+    return goods ? both->row : nullptr;
+  }
+
+  static language::Meaning meaning_of(const LexiconRow& row) {
+    language::Meaning what;
+    if (!row.value.empty()) what.slots["value"] = row.value;
+    if (row.number != 0) what.slots["number"] = row.number;
+    if (!row.zone.empty()) what.slots["zone"] = row.zone;
+    return what;
+  }
+
   void add_rows(std::size_t at) {
+    const auto shared = shared_heads_.find(at);
+    if (shared != shared_heads_.end())
+      add(at, at + 1, name_of(Sense::product), meaning_of(*shared->second));
     const std::vector<Lexicon::Match> matches = lexicon_.matches(tokens_, at);
     for (const Lexicon::Match& match : matches) {
       const LexiconRow& row = *match.row;
       if (is_word_number(row) || chinese_.hides(at, at + match.tokens)) continue;
-      language::Meaning what;
-      if (!row.value.empty()) what.slots["value"] = row.value;
-      if (row.number != 0) what.slots["number"] = row.number;
-      if (!row.zone.empty()) what.slots["zone"] = row.zone;
+      const bool other_goods = row.sense == Sense::product && match.tokens == 1;
+      if (shared != shared_heads_.end() && other_goods) continue;
+      language::Meaning what = meaning_of(row);
       const bool is_has = row.sense == Sense::filler && row.value == has;
       const bool unknown = row.sense == Sense::ordinary;
       add(at,
@@ -95,7 +145,8 @@ class InputMaker {
                                      : name_of(row.sense),
           std::move(what));
     }
-    const bool known = !matches.empty() || chinese_.hides(at, at + 1);
+    const bool known =
+        !matches.empty() || shared != shared_heads_.end() || chinese_.hides(at, at + 1);
     if (!known && tokens_[at].kind == TokenKind::word) add(at, at + 1, "unknown", {});
   }
 
@@ -170,6 +221,7 @@ class InputMaker {
   const std::vector<Segment>& segments_;
   const Lexicon& lexicon_;
   ChineseWords chinese_;
+  std::map<std::size_t, const LexiconRow*> shared_heads_;  // by the token of the first word
   language::Input input_;
 };
 

@@ -1,6 +1,7 @@
 #include "intake/lexicon.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -71,6 +72,52 @@ std::string zone_using(const catalog::Catalog& catalog, const catalog::FixtureKi
              : "";
 }
 
+// Where goods of one name stand in several zones, that of fresh ones is meant before that of tins,
+// and that before the freezer.
+std::vector<const catalog::Product*> fresh_first(const catalog::Catalog& catalog) {
+  const auto rank = [](const catalog::Product* product) {
+    constexpr std::array<std::string_view, 2> kept = {"canned", "frozen"};
+    const auto at = std::ranges::find(kept, product->category);
+    if (at != kept.end()) return 2 + static_cast<int>(at - kept.begin());
+    return product->category == "produce" ? 0 : 1;
+  };
+  std::vector<const catalog::Product*> products;
+  for (const catalog::Product& product : catalog.products)
+    products.push_back(&product);
+  std::ranges::stable_sort(products, {}, rank);
+  return products;
+}
+
+// What people put before the name of goods that are kept so.
+std::vector<std::string> words_of_keeping(const std::string& category) {
+  if (category == "frozen") return {"frozen"};
+  if (category == "canned") return {"canned", "tinned"};
+  return {};
+}
+
+std::string last_word(const std::string& name) {
+  return name.substr(name.rfind(' ') + 1);  // all of it when it has one word
+}
+
+// What a variant says of its product when people put it before the name, or its last word: "basmati
+// rice", "whole milk" of fresh milk, "extra virgin olive oil". Each of its words, and
+// the first two and more of them.
+std::vector<std::string> kinds_in(const std::string& variant) {
+  constexpr std::size_t shortest = 3;  // letters
+  std::vector<std::string> kinds;
+  const std::vector<Token> tokens = tokenize(variant);
+  const bool plain = std::ranges::all_of(tokens, [](const Token& token) {
+    return token.kind == TokenKind::word && !token.han;
+  });
+  for (std::size_t last = 2; plain && last <= tokens.size(); ++last)
+    kinds.push_back(variant.substr(0, static_cast<std::size_t>(tokens[last - 1].span[1])));
+  for (const Token& token : tokens) {
+    const bool word = token.kind == TokenKind::word && !token.han;
+    if (word && token.text.size() >= shortest) kinds.push_back(token.text);
+  }
+  return kinds;
+}
+
 }  // namespace
 
 Result<Lexicon> Lexicon::load(const std::filesystem::path& folder) {
@@ -134,9 +181,14 @@ void Lexicon::add_if_new(Sense sense,
                          const std::string& words) {
   const std::vector<std::string> stems = stems_of(words);
   if (stems.empty()) return;
+  // "orange" and "plaster" are said of goods, too.
+  const auto may_be_goods = [&](const LexiconRow& row) {
+    return sense == Sense::product && (row.sense == Sense::color || row.sense == Sense::material);
+  };
   const auto list = phrases_.find(stems[0]);
-  if (list != phrases_.end() &&
-      std::ranges::any_of(list->second, [&](const Phrase& p) { return p.stems == stems; })) {
+  if (list != phrases_.end() && std::ranges::any_of(list->second, [&](const Phrase& p) {
+        return p.stems == stems && !may_be_goods(rows_[p.row]);
+      })) {
     return;
   }
   rows_.push_back({sense, value, 0, zone, {words}});
@@ -175,6 +227,27 @@ std::optional<std::string> Lexicon::corrected(std::string_view word) const {
   return std::nullopt;
 }
 
+void Lexicon::add_goods(const catalog::Catalog& catalog) {
+  const std::vector<const catalog::Product*> products = fresh_first(catalog);
+  for (const catalog::Product* product : products) {
+    const std::string zone = zone_selling(catalog, *product);
+    add_if_new(Sense::product, product->subcategory, zone, product->subcategory);
+    add_if_new(Sense::product, product->name, zone, product->name);
+    add_if_new(Sense::product, product->name, zone, product->name_zh);
+  }
+  for (const catalog::Product* product : products) {
+    const std::string zone = zone_selling(catalog, *product);
+    for (const std::string& kept : words_of_keeping(product->category))
+      add_if_new(Sense::product, product->name, zone, kept + " " + product->name);
+    for (const std::string& kind : kinds_in(product->variant)) {
+      for (const std::string& name : {product->name, last_word(product->name)}) {
+        const std::string phrase = kind + " " + name;
+        add_if_new(Sense::product, phrase, zone, phrase);
+      }
+    }
+  }
+}
+
 Lexicon Lexicon::with_words_of(const catalog::Catalog& catalog) const {
   Lexicon all = *this;
   for (const catalog::ZoneTypeRow& zone : catalog.zone_types) {
@@ -196,12 +269,7 @@ Lexicon Lexicon::with_words_of(const catalog::Catalog& catalog) const {
       all.add_if_new(Sense::style, style.id, "", word);
     }
   }
-  for (const catalog::Product& product : catalog.products) {
-    const std::string zone = zone_selling(catalog, product);
-    all.add_if_new(Sense::product, product.subcategory, zone, product.subcategory);
-    all.add_if_new(Sense::product, product.name, zone, product.name);
-    all.add_if_new(Sense::product, product.name, zone, product.name_zh);
-  }
+  all.add_goods(catalog);
   return all;
 }
 

@@ -1,7 +1,8 @@
 // The planner's dictionary: which words of a prompt mean what.
 //
 // Rows are data (data/lexicon/*.json). The catalogue adds the words it knows itself: keywords of
-// zone types, fixture kinds and styles, and names of products, their subcategories and categories.
+// zone types, fixture kinds and styles, and names of products, also with their variants ("basmati
+// rice") and how they are kept ("tinned peaches"), and their subcategories.
 // Rows of the lexicon win over the catalogue's words.
 #pragma once
 #include <filesystem>
@@ -118,6 +119,8 @@ class Lexicon {
   };
   Result<void> add_row(LexiconRow row, const std::string& where);
   void add_phrase(std::string_view words, std::size_t row);
+  // Names of goods, and what variants say of them.
+  void add_goods(const catalog::Catalog& catalog);
   void add_if_new(Sense sense,
                   const std::string& value,
                   const std::string& zone,

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "base/words.h"
 #include "intake/tokens.h"
 
 namespace marketgen::intake {

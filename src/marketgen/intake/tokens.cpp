@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "base/words.h"
 #include "intake/han.h"
 
 namespace marketgen::intake {
@@ -364,21 +365,6 @@ std::string fold(std::string_view text) {
     result.replace(at, curly_apostrophe.size(), "'");
   }
   return result;
-}
-
-std::string singular(std::string_view word) {
-  const auto without = [&](std::size_t letters) {
-    return std::string(word.substr(0, word.size() - letters));
-  };
-  if (word.size() < 4 || !word.ends_with('s')) return std::string(word);
-  if (word.ends_with("ss") || word.ends_with("us") || word.ends_with("is")) {
-    return std::string(word);
-  }
-  if (word.ends_with("ies") && word.size() > 4) return without(3) + "y";
-  for (const std::string_view ending : {"ches", "shes", "xes", "sses", "zes", "oes"}) {
-    if (word.ends_with(ending)) return without(2);
-  }
-  return without(1);
 }
 
 }  // namespace marketgen::intake

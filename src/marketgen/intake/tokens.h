@@ -35,8 +35,4 @@ std::vector<Token> tokenize(std::string_view prompt);
 // Folds one word or phrase as tokens are folded.
 std::string fold(std::string_view text);
 
-// The singular of a folded English word, by its ending: "berries" -> "berry", "dishes" -> "dish",
-// "checkouts" -> "checkout".
-std::string singular(std::string_view word);
-
 }  // namespace marketgen::intake

@@ -1,11 +1,10 @@
 #include "scene/assortment.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <tuple>
 
 #include "base/text.h"
+#include "base/words.h"
 #include "catalog/zone_goods.h"
 
 namespace marketgen::scene {
@@ -19,35 +18,55 @@ double volume_of(const catalog::Product& product) {
   return product.width_m() * product.depth_m() * product.height_m();
 }
 
-// Where "cola" is in "cola zero" and in "Cola": first byte and past the last, its plural's s
-// included. It is not in "chocolate".
-using Stretch = std::array<std::size_t, 2>;
-std::optional<Stretch> stretch_of_word(const std::string& text, const std::string& word) {
+// Whether "cola" is in "cola zero" and in "Colas". It is not in "chocolate".
+bool has_word(const std::string& text, const std::string& word) {
   const std::string where = lower_ascii(text), wanted = lower_ascii(word);
   const auto letter = [](char c) {
     return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
   };
-  std::optional<Stretch> last;
   for (std::size_t at = where.find(wanted); at != std::string::npos;
        at = where.find(wanted, at + 1)) {
     const bool starts = at == 0 || !letter(where[at - 1]);
     std::size_t end = at + wanted.size();
     if (end < where.size() && where[end] == 's') ++end;  // plural
-    if (starts && (end >= where.size() || !letter(where[end]))) last = {at, end};
+    if (starts && (end >= where.size() || !letter(where[end]))) return true;
   }
-  return last;
+  return false;
 }
 
-bool has_word(const std::string& text, const std::string& word) {
-  return stretch_of_word(text, word).has_value();
+// Both as spaced_words has them, and so they are below.
+bool stands_in(const std::string& words, const std::string& text) {
+  return text.find(words) != std::string::npos;
 }
 
-// 0: the word is the product's name; 1: its end; 2: in it; 3: elsewhere.
-int distance_of_name(const catalog::Product& product, const std::string& word) {
-  const std::optional<Stretch> stretch = stretch_of_word(product.name, word);
-  if (!stretch) return 3;
-  if ((*stretch)[1] < product.name.size()) return 2;
-  return (*stretch)[0] == 0 ? 0 : 1;
+// "basmati rice" is rice of the variant basmati: the last word ends the name, and the others stand
+// in name or variant.
+bool is_kind_of(const std::string& name, const std::string& variant, const std::string& wanted) {
+  const std::size_t last = wanted.rfind(' ', wanted.size() - 2);
+  if (last == 0 || !name.ends_with(wanted.substr(last))) return false;
+  for (std::size_t at = 0; at < last;) {
+    const std::size_t end = wanted.find(' ', at + 1);
+    const std::string word = wanted.substr(at, end - at + 1);
+    if (!stands_in(word, name) && !stands_in(word, variant)) return false;
+    at = end;
+  }
+  return true;
+}
+
+// How a word names a product, the nearest first.
+enum class Naming { name, end_of_name, in_name, variant, keyword, otherwise };
+
+Naming naming_of(const catalog::Product& product, const std::string& word) {
+  const std::string wanted = spaced_words(word), name = spaced_words(product.name);
+  if (wanted.empty()) return Naming::otherwise;
+  if (name == wanted) return Naming::name;
+  const std::string variant = spaced_words(product.variant);
+  if (name.ends_with(wanted) || is_kind_of(name, variant, wanted)) return Naming::end_of_name;
+  if (stands_in(wanted, name)) return Naming::in_name;
+  if (stands_in(wanted, variant)) return Naming::variant;
+  const bool keyword = std::ranges::any_of(
+      product.keywords, [&](const std::string& known) { return spaced_words(known) == wanted; });
+  return keyword ? Naming::keyword : Naming::otherwise;
 }
 
 // Categories and subcategories that a zone sells: its own list, or its type's.
@@ -67,6 +86,7 @@ GoodsLists lists_of(const plan::Zone& zone, const catalog::Catalog& catalog) {
 bool named_by(const catalog::Product& product, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word.empty()) continue;
+    if (naming_of(product, word) <= Naming::end_of_name) return true;
     for (const std::string* text : {&product.name,
                                     &product.variant,
                                     &product.brand,
@@ -85,15 +105,15 @@ std::vector<std::uint32_t> best_named(const plan::Zone& zone,
                                       const std::string& word,
                                       const catalog::Catalog& catalog) {
   std::vector<std::uint32_t> best;
-  int least = 0;
+  Naming least = Naming::otherwise;
   for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
     const catalog::Product& product = catalog.products[i];
     if (!named_by(product, {word}) || named_by(product, zone.stock.exclude)) continue;
     if (!sells(zone, product, catalog)) continue;
-    const int distance = distance_of_name(product, word);
-    if (!best.empty() && distance > least) continue;
-    if (distance < least) best.clear();
-    least = distance;
+    const Naming naming = naming_of(product, word);
+    if (naming > least) continue;
+    if (naming < least) best.clear();
+    least = naming;
     best.push_back(i);
   }
   return best;

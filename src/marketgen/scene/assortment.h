@@ -22,12 +22,13 @@ bool sells(const plan::Zone& zone,
            const catalog::Catalog& catalog);
 
 // True when one of the words names the product: its name, variant, brand, subcategory, category or
-// a keyword.
+// a keyword, or name and variant together ("basmati rice").
 bool named_by(const catalog::Product& product, const std::vector<std::string>& words);
 
 // Rows of catalog.products that `zone` sells and the word names best: the word is their name, or
-// else its end, or else in it, or else it names them otherwise. "ham" is cooked ham rather than
-// crisps with the taste of it.
+// else its end (or that and the variant: "basmati rice"), or else in it, or else in their variant,
+// or else a keyword, or else it names them otherwise. "ham" is cooked ham rather than crisps with
+// the taste of it, and "olive oil" that rather than truffle oil, which is made with it.
 std::vector<std::uint32_t> best_named(const plan::Zone& zone,
                                       const std::string& word,
                                       const catalog::Catalog& catalog);

@@ -61,14 +61,5 @@ TEST(Tokens, SentencesEndAtStopsAndBullets) {
   EXPECT_EQ(ends("a shop with\na bakery"), 0);  // wrapped, not ended
 }
 
-TEST(Tokens, SingularByEnding) {
-  EXPECT_EQ(intake::singular("checkouts"), "checkout");
-  EXPECT_EQ(intake::singular("bakeries"), "bakery");
-  EXPECT_EQ(intake::singular("dishes"), "dish");
-  EXPECT_EQ(intake::singular("glass"), "glass");
-  EXPECT_EQ(intake::singular("tomatoes"), "tomato");
-  EXPECT_EQ(intake::singular("bus"), "bus");
-}
-
 }  // namespace
 }  // namespace marketgen
