@@ -249,7 +249,7 @@ TEST(Plans, GoodsAskedForAreOnTheirZonesList) {
   const plan::Plan plan = plan_of("a 24 x 15 m supermarket with oat milk and doughnuts");
   ASSERT_TRUE(zone_of(plan, "dairy")->stock.must_stock.has_value());
   EXPECT_EQ(*zone_of(plan, "dairy")->stock.must_stock, std::vector<std::string>{"Oat Drink"});
-  EXPECT_EQ(*zone_of(plan, "bakery")->stock.must_stock, std::vector<std::string>{"Donut"});
+  EXPECT_EQ(*zone_of(plan, "bakery")->stock.must_stock, std::vector<std::string>{"Doughnuts"});
   EXPECT_FALSE(zone_of(plan, "snacks")->stock.must_stock.has_value());
 }
 
