@@ -18,7 +18,7 @@ namespace marketgen::render::raytrace {
 
 // Pixels a millimetre of a sheet in the library: 1.9 for a sheet of 200 x 200 mm, more for smaller
 // ones, which are looked at from nearer, less for larger ones. All sheets of the catalogue together
-// then take under 300 MB.
+// then take some 120 kB each.
 double label_px_per_mm(const assets::SheetSize& size);
 
 // What decides a product's sheet in the library: the key of cached_print().
