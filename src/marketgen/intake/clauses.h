@@ -6,8 +6,8 @@
 
 namespace marketgen::intake {
 
-// The words from one comma or full stop (no colon) to the next that hold `span`, without blanks around them.
-// All ranges: bytes of the prompt.
+// The words from one comma or full stop (no colon) to the next that hold `span`, without blanks
+// around them. All ranges: bytes of the prompt.
 IntRange clause_of(std::string_view prompt, IntRange span);
 
 // True when no full stop, line break or their like stands between the two.

@@ -106,9 +106,8 @@ std::vector<std::string> kinds_in(const std::string& variant) {
   constexpr std::size_t shortest = 3;  // letters
   std::vector<std::string> kinds;
   const std::vector<Token> tokens = tokenize(variant);
-  const bool plain = std::ranges::all_of(tokens, [](const Token& token) {
-    return token.kind == TokenKind::word && !token.han;
-  });
+  const bool plain = std::ranges::all_of(
+      tokens, [](const Token& token) { return token.kind == TokenKind::word && !token.han; });
   for (std::size_t last = 2; plain && last <= tokens.size(); ++last)
     kinds.push_back(variant.substr(0, static_cast<std::size_t>(tokens[last - 1].span[1])));
   for (const Token& token : tokens) {
