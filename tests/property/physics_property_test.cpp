@@ -305,7 +305,8 @@ Basket basket_with(const std::vector<physics::SharedGoodsBody>& items, Stream& d
 
 // Where a middle of mass is under the floor or in a wall; "" where it may be.
 std::string passed(Vec3 p) {
-  if (p.z < 0) return "under the floor";
+  constexpr double give_m = 0.005;  // what is thin gives for a moment under what falls on it
+  if (p.z < -give_m) return "under the floor";
   if (p.z > physics::checkout_basket.height_m) return "";
   const double x = std::abs(p.x) - physics::checkout_basket.top_x_m / 2;
   const double y = std::abs(p.y) - physics::checkout_basket.top_y_m / 2;
