@@ -68,6 +68,13 @@ Result<std::vector<StockedStore>> stocked_stores(std::vector<store::Store> opene
   return stores;
 }
 
+std::vector<catalog::Product> rows_of(std::map<std::string, catalog::Product> by_sku) {
+  std::vector<catalog::Product> rows;
+  for (auto& [sku, product] : by_sku)
+    rows.push_back(std::move(product));
+  return rows;
+}
+
 // The rows of what lies in the baskets and of what is asked for, by SKU.
 std::vector<catalog::Product> products_of(const std::vector<episodes::EpisodeSpec>& episodes,
                                           const std::vector<StockedStore>& stores) {
@@ -85,10 +92,7 @@ std::vector<catalog::Product> products_of(const std::vector<episodes::EpisodeSpe
     for (const episodes::EpisodeGoal& goal : spec.goals)
       add(goal.sku);
   }
-  std::vector<catalog::Product> rows;
-  for (auto& [sku, product] : products)
-    rows.push_back(std::move(product));
-  return rows;
+  return rows_of(std::move(products));
 }
 
 // Of all that the stores sell, by SKU: in physics, episodes are tried while they are drawn.
@@ -97,10 +101,7 @@ std::vector<catalog::Product> products_of(const std::vector<StockedStore>& store
   for (const StockedStore& store : stores)
     for (const catalog::Product& row : store.sampler->products())
       products.emplace(row.sku, row);
-  std::vector<catalog::Product> rows;
-  for (auto& [sku, product] : products)
-    rows.push_back(std::move(product));
-  return rows;
+  return rows_of(std::move(products));
 }
 
 // What decides the episodes, beside their number.
@@ -294,7 +295,7 @@ Result<void> write(const EpisodesFlags& flags) {
                 environments::environment_entry_of(track).sampler(arena, flags.tools, split));
   MARKETGEN_TRY(std::vector<StockedStore> stores,
                 stocked_stores(std::move(opened), *sampler, arena));
-  file.header.products = products_of(stores);
+  if (split == episodes::Split::certified) file.header.products = products_of(stores);
   MARKETGEN_TRY(const std::unique_ptr<episodes::EpisodeJournal> journal,
                 begin_journal(flags, draw_hash(flags, stores, catalog)));
   const std::size_t before = journal ? journal->before().size() : 0;

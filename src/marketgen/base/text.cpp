@@ -109,6 +109,13 @@ std::string lower_ascii(std::string_view text) {
   return lower;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t start = text.find_first_not_of(blanks);
+  if (start == std::string_view::npos) return {};
+  return text.substr(start, text.find_last_not_of(blanks) - start + 1);
+}
+
 std::string escaped_markup(std::string_view text) {
   std::string out;
   for (const char c : text) {

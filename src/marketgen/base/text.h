@@ -25,6 +25,8 @@ bool is_utf8(std::string_view bytes);
 std::string with_thousands(std::int64_t number);  // 1204112 -> "1,204,112"
 std::vector<std::string> split(std::string_view text, char separator);
 std::string lower_ascii(std::string_view text);
+// Without blanks, tabs and line ends around it.
+std::string_view trimmed(std::string_view text);
 // With & < > " as entities: what may stand in XML and HTML text and attributes.
 std::string escaped_markup(std::string_view text);
 

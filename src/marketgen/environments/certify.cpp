@@ -7,15 +7,6 @@
 namespace marketgen::environments {
 namespace {
 
-Result<episodes::EpisodeResult> run(Arena& arena,
-                                    const episodes::EpisodeSpec& spec,
-                                    const std::string& actor,
-                                    const std::optional<episodes::Perturbation>& perturbation) {
-  MARKETGEN_TRY(const auto world, arena.open(spec, perturbation));
-  MARKETGEN_TRY(const auto policy, arena.policy(actor, *world));
-  return run_policy(*world, *policy, actor);
-}
-
 episodes::RunLedger ledger_of(const episodes::EpisodeResult& result) {
   episodes::RunLedger ledger;
   ledger.hits = result.hits;
@@ -50,14 +41,16 @@ Result<episodes::ProofTrial> trial_of(Arena& arena,
                                       const CertificateRules& rules) {
   episodes::ProofTrial trial;
   trial.by = actor;
-  MARKETGEN_TRY(const episodes::EpisodeResult nominal, run(arena, spec, actor, {}));
+  MARKETGEN_TRY(const episodes::EpisodeResult nominal, run_episode(arena, spec, actor));
   trial.nominal = ledger_of(nominal);
   if (!trial.nominal.strict) return trial;
   const int may_fail = rules.replays - rules.needed;
   for (int replay = 0; replay < rules.replays; ++replay) {
     if (trial.held == rules.needed || trial.tried - trial.held > may_fail) break;
-    MARKETGEN_TRY(const episodes::EpisodeResult result,
-                  run(arena, spec, actor, replay_perturbation(spec, rules.perturbation, replay)));
+    MARKETGEN_TRY(
+        const episodes::EpisodeResult result,
+        run_episode(
+            arena, spec, actor, nullptr, replay_perturbation(spec, rules.perturbation, replay)));
     add(result, trial);
   }
   return trial;

@@ -82,12 +82,14 @@ Result<episodes::EpisodeResult> run_policy(episodes::TrackWorld& world,
   return run.judged(end);
 }
 
-Result<episodes::EpisodeResult> run_episode(Arena& arena,
-                                            const episodes::EpisodeSpec& spec,
-                                            const std::string& policy_name,
-                                            EpisodeWatcher* watcher) {
+Result<episodes::EpisodeResult> run_episode(
+    Arena& arena,
+    const episodes::EpisodeSpec& spec,
+    const std::string& policy_name,
+    EpisodeWatcher* watcher,
+    const std::optional<episodes::Perturbation>& perturbation) {
   const auto began = std::chrono::steady_clock::now();
-  MARKETGEN_TRY(const std::unique_ptr<episodes::TrackWorld> world, arena.open(spec));
+  MARKETGEN_TRY(const std::unique_ptr<episodes::TrackWorld> world, arena.open(spec, perturbation));
   MARKETGEN_TRY(const std::unique_ptr<agent::Policy> policy, arena.policy(policy_name, *world));
   MARKETGEN_TRY(episodes::EpisodeResult result, run_policy(*world, *policy, policy_name, watcher));
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

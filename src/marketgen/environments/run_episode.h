@@ -1,5 +1,6 @@
 // Runs an episode with a policy.
 #pragma once
+#include <optional>
 #include <string>
 
 #include "environments/arena.h"
@@ -31,10 +32,13 @@ Result<episodes::EpisodeResult> run_policy(episodes::TrackWorld& world,
                                            const std::string& name,
                                            EpisodeWatcher* watcher = nullptr);
 
-// The same with a world and a policy of the arena's. Errors: those, too.
-Result<episodes::EpisodeResult> run_episode(Arena& arena,
-                                            const episodes::EpisodeSpec& spec,
-                                            const std::string& policy,
-                                            EpisodeWatcher* watcher = nullptr);
+// The same with a world and a policy of the arena's, which may be perturbed (Arena::open). Errors:
+// those, too.
+Result<episodes::EpisodeResult> run_episode(
+    Arena& arena,
+    const episodes::EpisodeSpec& spec,
+    const std::string& policy,
+    EpisodeWatcher* watcher = nullptr,
+    const std::optional<episodes::Perturbation>& perturbation = {});
 
 }  // namespace marketgen::environments

@@ -177,10 +177,6 @@ char lowered(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-bool has_any_word(std::string_view text, Words words) {
-  return std::ranges::any_of(words, [&](std::string_view word) { return has_word(text, word); });
-}
-
 std::string_view without_blanks(std::string_view text) {
   return text.substr(0, text.find_last_not_of(" \t\r\"") + 1);
 }
@@ -237,6 +233,10 @@ bool has_word(std::string_view text, std::string_view word) {
     const bool ends = past == text.end() || !is_latin(*past) || !is_latin(word.back());
     if (begins && ends) return true;
   }
+}
+
+bool has_any_word(std::string_view text, Words words) {
+  return std::ranges::any_of(words, [&](std::string_view word) { return has_word(text, word); });
 }
 
 std::string_view text_at(std::string_view prompt, IntRange span) {

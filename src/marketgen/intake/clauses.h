@@ -1,5 +1,6 @@
 // Clauses of a prompt, and the words in them that say how they stand to what was said before.
 #pragma once
+#include <span>
 #include <string_view>
 
 #include "base/fields.h"
@@ -18,6 +19,9 @@ std::string_view text_at(std::string_view prompt, IntRange span);
 // Whether the lower-case `word` stands in the text, as a whole word and in any case; Chinese has no
 // gaps between words.
 bool has_word(std::string_view text, std::string_view word);
+
+// Whether any of the words does.
+bool has_any_word(std::string_view text, std::span<const std::string_view> words);
 
 // "My first sketch had ten aisles", "instead of six lanes": what stands at `span` is no longer
 // wanted.

@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "intake/clauses.h"
+#include "intake/fixture_wishes.h"
 #include "intake/goods_words.h"
 
 namespace marketgen::intake {
@@ -30,10 +31,6 @@ bool apart(const Wish& a, const Wish& b) {
 
 bool wants_some(const Wish& wish) {
   return bounds_of(wish)[0] > 0;
-}
-
-bool wants_none(const Wish& wish) {
-  return bounds_of(wish)[1] <= 0;
 }
 
 bool excepts(const Wish& wish, const std::string& zone) {
@@ -80,7 +77,7 @@ bool counts_differ(const Wish& a, const Wish& b, const Surroundings&) {
 }
 
 bool fixtures_are_banned(const Wish& count, const Wish& runs, const Surroundings&) {
-  return count.subject == runs.subject && wants_none(count) && wants_some(runs) &&
+  return count.subject == runs.subject && asks_for_none(count) && wants_some(runs) &&
          (count.second_object.empty() || count.second_object == runs.second_object);
 }
 
@@ -96,14 +93,13 @@ constexpr Family families[] = {{{"fridges", "coolers", "refrigerators", "冷柜"
 
 // "No freezers" and "three chest freezers".
 bool families_clash(const Wish& a, const Wish& b) {
-  if (wants_none(a) == wants_none(b)) return false;
-  const Wish& none = wants_none(a) ? a : b;
-  const Wish& some = wants_none(a) ? b : a;
+  if (asks_for_none(a) == asks_for_none(b)) return false;
+  const Wish& none = asks_for_none(a) ? a : b;
+  const Wish& some = asks_for_none(a) ? b : a;
   if (!wants_some(some) || !none.second_object.empty() || none.subject == some.subject)
     return false;
   return std::ranges::any_of(families, [&](const Family& family) {
-    const bool named = std::ranges::any_of(
-        family.words, [&](std::string_view word) { return has_word(none.text, word); });
+    const bool named = has_any_word(none.text, family.words);
     const bool plain =
         !names_any(none.text, {"chest", "glass", "island", "islands", "卧式", "立式", "岛"});
     const auto is_kind = [&](const std::string& kind) {
@@ -494,7 +490,7 @@ bool is_negative(const Wish& wish) {
   const bool counted = wish.kind == Kind::fixture_count || wish.kind == Kind::endcaps ||
                        (wish.kind == Kind::opening && wish.comparison == Comparison::at_most);
   return wish.kind == Kind::zone_absent || wish.kind == Kind::product_absent ||
-         (counted && wants_none(wish));
+         (counted && asks_for_none(wish));
 }
 
 NamedThings Surroundings::things_of(const Wish& wish) const {

@@ -145,28 +145,36 @@ bool is_refused(const Understanding& found,
   });
 }
 
+namespace {
+
+// A number of the kind that is said of no zone.
+template <class Suits>
+const plan::Requirement* whole_number(const Understanding& found,
+                                      Kind number,
+                                      std::string_view kind,
+                                      const Suits& suits) {
+  const auto wish = std::ranges::find_if(found.requirements, [&](const plan::Requirement& one) {
+    return one.kind == number && one.subject == kind && one.second_object.empty() &&
+           !asks_for_none(one) && suits(one);
+  });
+  return wish == found.requirements.end() ? nullptr : &*wish;
+}
+
+}  // namespace
+
 // Gondolas stand in many zones; other kinds belong to the one that their name implies.
 const plan::Requirement* runs_of_store(const Understanding& found, std::string_view kind) {
   if (kind != "gondola") return nullptr;
-  for (const plan::Requirement& wish : found.requirements) {
-    const bool whole = wish.kind == Kind::run_count && wish.subject == kind &&
-                       wish.second_object.empty() && !asks_for_none(wish);
-    if (whole) return &wish;
-  }
-  return nullptr;
+  return whole_number(found, Kind::run_count, kind, [](const plan::Requirement&) { return true; });
 }
 
 const plan::Requirement* count_of_store(const Understanding& found, std::string_view kind) {
   const bool of_many =
       std::ranges::any_of(kinds_of_many_zones, [&](const auto& one) { return one.first == kind; });
   if (!of_many) return nullptr;
-  for (const plan::Requirement& wish : found.requirements) {
-    const bool whole = wish.kind == Kind::fixture_count && wish.subject == kind &&
-                       wish.second_object.empty() && !asks_for_none(wish) &&
-                       wish.comparison != plan::Comparison::at_least;
-    if (whole) return &wish;
-  }
-  return nullptr;
+  return whole_number(found, Kind::fixture_count, kind, [](const plan::Requirement& wish) {
+    return wish.comparison != plan::Comparison::at_least;
+  });
 }
 
 bool wants_no_tills(const Understanding& found) {

@@ -1,13 +1,11 @@
 #include "intake/goods_words.h"
 
-#include <algorithm>
-
 #include "intake/clauses.h"
 
 namespace marketgen::intake {
 
 bool names_any(const std::string& text, std::initializer_list<std::string_view> words) {
-  return std::ranges::any_of(words, [&](std::string_view word) { return has_word(text, word); });
+  return has_any_word(text, {words.begin(), words.size()});
 }
 
 bool names_fish(const std::string& text) {

@@ -78,7 +78,6 @@ constexpr StatementKind statement_kinds[] = {
     {"absent", interpret_absent},
     {"absent_at", interpret_absent_at},
     {"replaced", interpret_replaced},
-    {"so_many_in", interpret_so_many_in},
     {"absent_but", interpret_absent_but},
     {"only", interpret_only},
     {"only_named", interpret_only_named},
@@ -120,7 +119,6 @@ constexpr StatementKind statement_kinds[] = {
     {"none_of_stock", interpret_none_of_stock},
     {"floor_of_shop", interpret_floor_of_shop},
     {"doors_shared", interpret_doors_shared},
-    {"only_tills", interpret_only_tills},
     {"runs_each", interpret_runs_each},
     {"count_of_it", interpret_count_of_it},
 };

@@ -130,7 +130,6 @@ bool interpret_mention(Reading& reading, const language::Meaning& statement);
 bool interpret_absent(Reading& reading, const language::Meaning& statement);
 bool interpret_absent_at(Reading& reading, const language::Meaning& statement);
 bool interpret_replaced(Reading& reading, const language::Meaning& statement);
-bool interpret_so_many_in(Reading& reading, const language::Meaning& statement);
 bool interpret_absent_but(Reading& reading, const language::Meaning& statement);
 bool interpret_only(Reading& reading, const language::Meaning& statement);
 bool interpret_only_named(Reading& reading, const language::Meaning& statement);
@@ -159,7 +158,6 @@ bool interpret_doors_at(Reading& reading, const language::Meaning& statement);
 bool interpret_doors_shared(Reading& reading, const language::Meaning& statement);
 bool interpret_placed_each(Reading& reading, const language::Meaning& statement);
 bool interpret_runs_each(Reading& reading, const language::Meaning& statement);
-bool interpret_only_tills(Reading& reading, const language::Meaning& statement);
 bool interpret_surfaces(Reading& reading, const language::Meaning& statement);
 bool interpret_none_of_stock(Reading& reading, const language::Meaning& statement);
 

@@ -74,11 +74,8 @@ bool interpret_lacking(Reading& reading, const Meaning& statement) {
   const std::string zone = things.back()->text("zone");
   for (const MeaningPtr& thing : statement.parts("without")) {
     PlaceNoun noun = noun_of(*thing);
-    noun.negated = true;
-    noun.counted = false;
     if (noun.kind == NounKind::fixture && !zone.empty()) noun.zone = zone;
-    noun.span = joined(statement.span, noun.span);
-    add_mention(reading, noun);
+    add_none(reading, noun, joined(statement.span, noun.span));
   }
   return true;
 }
@@ -135,13 +132,6 @@ bool interpret_doors_shared(Reading& reading, const Meaning& statement) {
     any = interpret_doors_at(reading, lot) || any;
   }
   return any;
-}
-
-// "收银只要自助": no tills with a cashier.
-bool interpret_only_tills(Reading& reading, const Meaning& statement) {
-  interpret_mention(reading, statement);
-  reading.add(Kind::zone_absent, statement.span).subject = "checkout";
-  return true;
 }
 
 // "货架黑色、钢制": each word for itself.

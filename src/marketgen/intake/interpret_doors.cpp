@@ -65,14 +65,21 @@ bool add_door(Reading& reading, const PlaceNoun& door, const Parts& places) {
   return first.has_value();
 }
 
-// "Two emergency exits on the west wall": as many are there. One is said of any door.
-bool add_doors(Reading& reading, const Meaning& door, const Parts& places) {
+// "Two emergency exits on the west wall": so many are there, where they are in one place.
+bool add_doors(Reading& reading,
+               const Meaning& door,
+               const Parts& places,
+               std::optional<double> count) {
   std::vector<plan::Requirement>& wishes = reading.found.requirements;
   const std::size_t made = wishes.size();
   const bool any = add_door(reading, noun_of(door), places);
-  if (door.has("count") && wishes.size() == made + 1)
-    wishes.back().value = door.parts("count").front()->number("value");
+  if (count && wishes.size() == made + 1) wishes.back().value = *count;
   return any;
+}
+
+std::optional<double> count_of(const Meaning& door) {
+  if (!door.has("count")) return std::nullopt;
+  return door.parts("count").front()->number("value");
 }
 
 }  // namespace
@@ -86,7 +93,7 @@ bool place_doors(Reading& reading, const Meaning& statement, const Parts& doors)
     const bool end =
         one_place &&
         is_end_of_known_wall(reading, noun_of(*door), *at.front()->parts("objects").front());
-    any = end || add_doors(reading, *door, at) || any;
+    any = end || add_doors(reading, *door, at, count_of(*door)) || any;
   }
   return any;
 }
@@ -96,12 +103,8 @@ bool interpret_doors(Reading& reading, const Meaning& statement) {
   const MeaningPtr& door = statement.parts("things").front();
   if (door->has("count")) add_count(reading, *door);
   reading.memory->last_door = door;
-  std::vector<plan::Requirement>& wishes = reading.found.requirements;
-  for (const MeaningPtr& part : statement.parts("parts")) {
-    const std::size_t made = wishes.size();
-    add_door(reading, noun_of(*door), part->parts("at"));
-    if (wishes.size() == made + 1) wishes.back().value = part->number("number");
-  }
+  for (const MeaningPtr& part : statement.parts("parts"))
+    add_doors(reading, *door, part->parts("at"), part->number("number"));
   return true;
 }
 

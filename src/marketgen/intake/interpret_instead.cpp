@@ -1,6 +1,4 @@
 // What is not there, or stands in place of something else.
-#include <algorithm>
-
 #include "intake/place_nouns.h"
 
 namespace marketgen::intake {
@@ -9,20 +7,6 @@ namespace {
 using language::Meaning;
 using language::MeaningPtr;
 using language::Parts;
-
-void add_none(Reading& reading, const Meaning& thing, IntRange span) {
-  PlaceNoun noun = noun_of(thing);
-  noun.negated = true;
-  noun.counted = false;
-  noun.span = span;
-  add_mention(reading, noun);
-}
-
-bool is_equipment(const Reading& reading, const Meaning& thing) {
-  const catalog::FixtureKind* kind =
-      thing.is("type", "fixture") ? reading.catalog.fixture_kind(thing.text("name")) : nullptr;
-  return kind != nullptr && kind->role == catalog::FixtureRole::equipment;
-}
 
 }  // namespace
 
@@ -34,12 +18,14 @@ bool interpret_absent_at(Reading& reading, const Meaning& statement) {
   const bool furniture = zone != nullptr && !zone->text("zone").empty() &&
                          are_furniture(reading, statement.parts("things"));
   if (furniture) {
-    add_none(reading, standing_in(*thing, zone->text("zone")), statement.span);
+    add_none(reading, noun_of(standing_in(*thing, zone->text("zone"))), statement.span);
     mention(reading, *zone);
     return true;
   }
-  if (is_equipment(reading, *thing) || zone != nullptr) {
-    add_none(reading, *thing, statement.span);
+  const catalog::FixtureKind* kind = fixture_kind_of(reading, *thing);
+  const bool equipment = kind != nullptr && kind->role == catalog::FixtureRole::equipment;
+  if (equipment || zone != nullptr) {
+    add_none(reading, noun_of(*thing), statement.span);
     if (zone != nullptr) mention(reading, *zone);
     return true;
   }
@@ -60,33 +46,11 @@ bool interpret_replaced(Reading& reading, const Meaning& statement) {
                                            : std::string();
   const IntRange span = {statement.span[0], things.front()->span[0]};
   for (const MeaningPtr& thing : old)
-    add_none(reading, furniture && said ? standing_in(*thing, zone) : *thing, span);
+    add_none(reading, noun_of(furniture && said ? standing_in(*thing, zone) : *thing), span);
   for (const MeaningPtr& thing : things)
     mention(reading, furniture && !zone.empty() ? standing_in(*thing, zone) : *thing);
   if (said != nullptr) mention(reading, *said);
   remember(reading, things);
-  return true;
-}
-
-// "Forty pallets in the drinks section and fifteen in dry goods", "and another for fish": of the
-// fixture that was named last, or that the statement names.
-bool interpret_so_many_in(Reading& reading, const Meaning& statement) {
-  const MeaningPtr fixture =
-      statement.has("fixture") ? statement.parts("fixture").front() : last_fixture(reading);
-  const Meaning& zone = *statement.parts("zone").front();
-  if (!fixture || zone.text("zone").empty()) return false;
-  Meaning standing = standing_in(*fixture, zone.text("zone"));
-  standing.span = statement.span;
-  standing.slots.erase("runs");
-  standing.slots.erase("count");
-  plan::Requirement count = reading.wish(plan::RequirementKind::fixture_count, statement.span);
-  count.subject = standing.text("name");
-  count.object = count.second_object = zone.text("zone");
-  Meaning one;
-  one.slots["value"] = 1.0;
-  add_number(
-      reading, count, statement.has("count") ? *statement.parts("count").front() : one, true);
-  mention(reading, zone);
   return true;
 }
 

@@ -180,17 +180,10 @@ bool interpret_absent(Reading& reading, const Meaning& statement) {
   const Parts things = answer ? resolved(reading, said) : said;
   if (things.empty()) return false;
   for (const MeaningPtr& thing : things) {
-    PlaceNoun noun = noun_of(*thing);
-    noun.negated = true;
-    noun.counted = false;
-    if (answer) {
-      forget_mentions(reading, *thing);
-      noun.span = statement.span;
-    } else if (thing == things.front()) {
-      noun.span = joined(statement.span, noun.span);
-    }
-    if (!answer) noun.span[1] = thing->span[1];
-    add_mention(reading, noun);
+    if (answer) forget_mentions(reading, *thing);
+    const int begin =
+        thing == things.front() ? std::min(statement.span[0], thing->span[0]) : thing->span[0];
+    add_none(reading, noun_of(*thing), answer ? statement.span : IntRange{begin, thing->span[1]});
   }
   return true;
 }
@@ -291,8 +284,7 @@ bool stand_at_door(Reading& reading, const Parts& things, const Meaning& place) 
                   place.is("relation", "at") || place.is("relation", "in");
   const bool one_door = by && doors.size() == 1 && doors.front()->is("type", "opening");
   const bool equipment = std::ranges::all_of(things, [&](const MeaningPtr& thing) {
-    const catalog::FixtureKind* kind =
-        thing->is("type", "fixture") ? reading.catalog.fixture_kind(thing->text("name")) : nullptr;
+    const catalog::FixtureKind* kind = fixture_kind_of(reading, *thing);
     return kind != nullptr && kind->role == catalog::FixtureRole::equipment &&
            thing->text("zone").empty() && kind->generator != "pillar";
   });

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <unordered_set>
 
 #include "base/text.h"
 #include "io/file.h"
@@ -95,24 +96,45 @@ std::vector<std::string> words_of_keeping(const std::string& category) {
   return {};
 }
 
-std::string last_word(const std::string& name) {
-  return name.substr(name.rfind(' ') + 1);  // all of it when it has one word
+// Words with their stems, which are made once and put together: a variant stands before many names.
+struct Words {
+  std::string text;
+  std::vector<std::string> stems;
+};
+
+Words words_of(std::string text) {
+  std::vector<std::string> stems = stems_of(text);
+  return {std::move(text), std::move(stems)};
+}
+
+Words put_together(const Words& first, const Words& then) {
+  Words both{first.text + " " + then.text, first.stems};
+  both.stems.insert(both.stems.end(), then.stems.begin(), then.stems.end());
+  return both;
+}
+
+Words last_word(const std::string& name) {
+  return words_of(name.substr(name.rfind(' ') + 1));  // all of it when it has one word
 }
 
 // What a variant says of its product when people put it before the name, or its last word: "basmati
 // rice", "whole milk" of fresh milk, "extra virgin olive oil". Each of its words, and
 // the first two and more of them.
-std::vector<std::string> kinds_in(const std::string& variant) {
+std::vector<Words> kinds_in(const std::string& variant) {
   constexpr std::size_t shortest = 3;  // letters
-  std::vector<std::string> kinds;
+  std::vector<Words> kinds;
   const std::vector<Token> tokens = tokenize(variant);
   const bool plain = std::ranges::all_of(
       tokens, [](const Token& token) { return token.kind == TokenKind::word && !token.han; });
-  for (std::size_t last = 2; plain && last <= tokens.size(); ++last)
-    kinds.push_back(variant.substr(0, static_cast<std::size_t>(tokens[last - 1].span[1])));
+  for (std::size_t last = 2; plain && last <= tokens.size(); ++last) {
+    Words& kind = kinds.emplace_back();
+    kind.text = variant.substr(0, static_cast<std::size_t>(tokens[last - 1].span[1]));
+    for (std::size_t i = 0; i < last; ++i)
+      kind.stems.push_back(tokens[i].stem);
+  }
   for (const Token& token : tokens) {
     const bool word = token.kind == TokenKind::word && !token.han;
-    if (word && token.text.size() >= shortest) kinds.push_back(token.text);
+    if (word && token.text.size() >= shortest) kinds.push_back(words_of(token.text));
   }
   return kinds;
 }
@@ -148,7 +170,7 @@ Result<void> Lexicon::add_row(LexiconRow row, const std::string& where) {
   const std::size_t index = rows_.size();
   rows_.push_back(std::move(row));
   for (const std::string& words : rows_[index].words) {
-    const std::vector<std::string> stems = stems_of(words);
+    std::vector<std::string> stems = stems_of(words);
     if (stems.empty()) return Error{"catalog.bad_row", where, "a phrase has no words"};
     const std::vector<Phrase>& list = phrases_[stems[0]];
     const auto known = std::ranges::find(list, stems, &Phrase::stems);
@@ -159,13 +181,12 @@ Result<void> Lexicon::add_row(LexiconRow row, const std::string& where) {
                    "the phrase \"" + words + "\" already means \"" + rows_[known->row].value +
                        "\"; a phrase has one meaning"};
     }
-    add_phrase(words, index);
+    add_phrase(std::move(stems), index);
   }
   return {};
 }
 
-void Lexicon::add_phrase(std::string_view words, std::size_t row) {
-  std::vector<std::string> stems = stems_of(words);
+void Lexicon::add_phrase(std::vector<std::string> stems, std::size_t row) {
   for (const std::string& stem : stems)
     vocabulary_.try_emplace(stem, letters_of(stem));
   std::vector<Phrase>& list = phrases_[stems[0]];
@@ -178,7 +199,14 @@ void Lexicon::add_if_new(Sense sense,
                          const std::string& value,
                          const std::string& zone,
                          const std::string& words) {
-  const std::vector<std::string> stems = stems_of(words);
+  add_if_new(sense, value, zone, words, stems_of(words));
+}
+
+void Lexicon::add_if_new(Sense sense,
+                         const std::string& value,
+                         const std::string& zone,
+                         const std::string& words,
+                         std::vector<std::string> stems) {
   if (stems.empty()) return;
   // "orange" and "plaster" are said of goods, too.
   const auto may_be_goods = [&](const LexiconRow& row) {
@@ -191,7 +219,7 @@ void Lexicon::add_if_new(Sense sense,
     return;
   }
   rows_.push_back({sense, value, 0, zone, {words}});
-  add_phrase(words, rows_.size() - 1);
+  add_phrase(std::move(stems), rows_.size() - 1);
 }
 
 std::vector<Lexicon::Match> Lexicon::matches(const std::vector<Token>& tokens,
@@ -228,20 +256,28 @@ std::optional<std::string> Lexicon::corrected(std::string_view word) const {
 
 void Lexicon::add_goods(const catalog::Catalog& catalog) {
   const std::vector<const catalog::Product*> products = fresh_first(catalog);
+  std::unordered_set<std::string> known;  // many products share a name, and many a variant
+  const auto add = [&](const catalog::Product& product, const std::string& value, Words words) {
+    if (known.insert(words.text).second)
+      add_if_new(Sense::product,
+                 value,
+                 zone_selling(catalog, product),
+                 words.text,
+                 std::move(words.stems));
+  };
   for (const catalog::Product* product : products) {
-    const std::string zone = zone_selling(catalog, *product);
-    add_if_new(Sense::product, product->subcategory, zone, product->subcategory);
-    add_if_new(Sense::product, product->name, zone, product->name);
-    add_if_new(Sense::product, product->name, zone, product->name_zh);
+    add(*product, product->subcategory, words_of(product->subcategory));
+    add(*product, product->name, words_of(product->name));
+    add(*product, product->name, words_of(product->name_zh));
   }
   for (const catalog::Product* product : products) {
-    const std::string zone = zone_selling(catalog, *product);
+    const Words name = words_of(product->name), last = last_word(product->name);
     for (const std::string& kept : words_of_keeping(product->category))
-      add_if_new(Sense::product, product->name, zone, kept + " " + product->name);
-    for (const std::string& kind : kinds_in(product->variant)) {
-      for (const std::string& name : {product->name, last_word(product->name)}) {
-        const std::string phrase = kind + " " + name;
-        add_if_new(Sense::product, phrase, zone, phrase);
+      add(*product, product->name, put_together(words_of(kept), name));
+    for (const Words& kind : kinds_in(product->variant)) {
+      for (const Words* noun : {&name, &last}) {
+        const Words phrase = put_together(kind, *noun);
+        add(*product, phrase.text, phrase);
       }
     }
   }

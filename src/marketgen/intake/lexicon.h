@@ -118,13 +118,18 @@ class Lexicon {
     std::size_t row;
   };
   Result<void> add_row(LexiconRow row, const std::string& where);
-  void add_phrase(std::string_view words, std::size_t row);
+  void add_phrase(std::vector<std::string> stems, std::size_t row);
   // Names of goods, and what variants say of them.
   void add_goods(const catalog::Catalog& catalog);
   void add_if_new(Sense sense,
                   const std::string& value,
                   const std::string& zone,
                   const std::string& words);
+  void add_if_new(Sense sense,
+                  const std::string& value,
+                  const std::string& zone,
+                  const std::string& words,
+                  std::vector<std::string> stems);
 
   std::vector<LexiconRow> rows_;
   std::map<std::string, std::vector<Phrase>, std::less<>> phrases_;  // by first stem, longest first

@@ -286,11 +286,25 @@ Result<std::unique_ptr<Planner>> offline_planner() {
   return std::unique_ptr<Planner>(std::make_unique<OfflinePlanner>(std::move(planner)));
 }
 
+std::shared_ptr<const Language> OfflinePlanner::language_with(
+    const catalog::Catalog& catalog) const {
+  const auto made = [&] {
+    return std::make_shared<const Language>(language_.with_words_of(catalog));
+  };
+  if (catalog.content_hash.empty()) return made();  // nobody knows when its rows change
+  const std::scoped_lock lock(kept_->mutex);
+  if (kept_->content_hash != catalog.content_hash) {
+    kept_->language = made();
+    kept_->content_hash = catalog.content_hash;
+  }
+  return kept_->language;
+}
+
 Result<Planned> OfflinePlanner::plan(const Brief& brief,
                                      const catalog::Catalog& catalog,
                                      Seed seed,
                                      const Concessions& concessions) const {
-  Understanding found = understand(brief.prompt, language_.with_words_of(catalog), catalog);
+  Understanding found = understand(brief.prompt, *language_with(catalog), catalog);
   apply_flags(brief, found);
   apply_photos(brief, catalog, found);
   house_fixtures(found, catalog);

@@ -1,6 +1,10 @@
 // The planner that needs no network: words to wishes by a lexicon and rules, wishes to a plan by
 // seeded search.
 #pragma once
+#include <memory>
+#include <mutex>
+#include <string>
+
 #include "intake/brief.h"
 #include "intake/language.h"
 
@@ -20,7 +24,18 @@ class OfflinePlanner : public Planner {
                        const Concessions& concessions) const override;
 
  private:
+  // With the catalogue's own words. Making it takes longer than reading a prompt, and a store is
+  // planned several times: it is kept until another catalogue comes.
+  std::shared_ptr<const Language> language_with(const catalog::Catalog& catalog) const;
+
+  struct Kept {
+    std::mutex mutex;
+    std::string content_hash;  // of the catalogue
+    std::shared_ptr<const Language> language;
+  };
+
   Language language_;
+  std::shared_ptr<Kept> kept_ = std::make_shared<Kept>();
 };
 
 }  // namespace marketgen::intake

@@ -183,10 +183,14 @@ language::Meaning standing_in(const language::Meaning& fixture, const std::strin
   return standing;
 }
 
+const catalog::FixtureKind* fixture_kind_of(const Reading& reading,
+                                            const language::Meaning& thing) {
+  return thing.is("type", "fixture") ? reading.catalog.fixture_kind(thing.text("name")) : nullptr;
+}
+
 bool are_furniture(const Reading& reading, const language::Parts& things) {
   return std::ranges::all_of(things, [&](const language::MeaningPtr& thing) {
-    const catalog::FixtureKind* kind =
-        thing->is("type", "fixture") ? reading.catalog.fixture_kind(thing->text("name")) : nullptr;
+    const catalog::FixtureKind* kind = fixture_kind_of(reading, *thing);
     const bool baskets = kind != nullptr && kind->kind == "basket_stack";
     return kind != nullptr && (kind->role == catalog::FixtureRole::shelving || baskets);
   });
@@ -253,6 +257,13 @@ void add_mention(Reading& reading, const PlaceNoun& noun) {
     case NounKind::place:
       return;  // every shop has walls; where things are is said by relations
   }
+}
+
+void add_none(Reading& reading, PlaceNoun noun, IntRange span) {
+  noun.negated = true;
+  noun.counted = false;
+  noun.span = span;
+  add_mention(reading, noun);
 }
 
 bool names_far(std::string_view relation, bool negated) {

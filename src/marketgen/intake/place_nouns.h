@@ -35,6 +35,8 @@ PlaceNoun noun_of(const language::Meaning& said);
 // The noun is wanted, or not: zone_present, product_absent, fixture_count, endcaps; with a number,
 // how many.
 void add_mention(Reading& reading, const PlaceNoun& noun);
+// There is to be none of it: said at `span`.
+void add_none(Reading& reading, PlaceNoun noun, IntRange span);
 void mention(Reading& reading, const language::Meaning& said);
 void add_count(Reading& reading, const language::Meaning& said);
 // "two rows of six chest freezers": how many lines, and how many in all.
@@ -42,6 +44,9 @@ void add_runs(Reading& reading, const language::Meaning& said);
 
 // The fixtures stand in that zone: they are counted there, not in the one that their name implies.
 language::Meaning standing_in(const language::Meaning& fixture, const std::string& zone);
+
+// Null for what is no fixture.
+const catalog::FixtureKind* fixture_kind_of(const Reading& reading, const language::Meaning& thing);
 
 // Fixtures that goods lie or stand on, and none besides.
 bool are_furniture(const Reading& reading, const language::Parts& things);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
+
 namespace marketgen::intake {
 namespace {
 
@@ -24,14 +26,9 @@ std::vector<Line> lines_of(std::string_view prompt) {
   return lines;
 }
 
-std::string_view trimmed(std::string_view prompt, const Line& line) {
-  std::string_view text = prompt.substr(static_cast<std::size_t>(line.first),
-                                        static_cast<std::size_t>(line.last - line.first));
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t start = text.find_first_not_of(blanks);
-  if (start == std::string_view::npos) return {};
-  text.remove_prefix(start);
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
+std::string_view text_of(std::string_view prompt, const Line& line) {
+  return trimmed(prompt.substr(static_cast<std::size_t>(line.first),
+                               static_cast<std::size_t>(line.last - line.first)));
 }
 
 bool is_row(std::string_view text) {
@@ -139,10 +136,10 @@ std::vector<Token> with_tables_spelled_out(std::string_view prompt,
                                            const Lexicon& lexicon) {
   const std::vector<Line> lines = lines_of(prompt);
   for (std::size_t at = lines.size(); at-- > 1;) {
-    if (!is_rule(trimmed(prompt, lines[at])) || !is_row(trimmed(prompt, lines[at - 1]))) continue;
+    if (!is_rule(text_of(prompt, lines[at])) || !is_row(text_of(prompt, lines[at - 1]))) continue;
     std::vector<Row> rows = {row_of(tokens, lines[at - 1])};
     std::size_t last = at + 1;
-    for (; last < lines.size() && is_row(trimmed(prompt, lines[last])); ++last)
+    for (; last < lines.size() && is_row(text_of(prompt, lines[last])); ++last)
       rows.push_back(row_of(tokens, lines[last]));
     const int start = lines[at - 1].first, end = lines[last - 1].last;
     const auto first =

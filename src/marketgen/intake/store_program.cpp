@@ -6,11 +6,21 @@
 
 #include "intake/candidate.h"
 #include "intake/floor_size.h"
+#include "intake/store_numbers.h"
 #include "intake/store_size.h"
 #include "intake/zone_sizes.h"
 #include "layout/floor.h"
 
 namespace marketgen::intake {
+
+Stance stance_of(const catalog::ZoneTypeRow& type, const catalog::FixtureKind* kind) {
+  if (kind == nullptr) return Stance::wall;
+  if (kind->role != catalog::FixtureRole::shelving) return Stance::front;
+  const bool counter = kind->generator == "serve_over";  // staff stand between it and a wall
+  if (kind->against_wall || counter) return Stance::wall;
+  return kind->double_sided || type.anchor == "center" ? Stance::central : Stance::hall;
+}
+
 namespace {
 
 using Kind = plan::RequirementKind;
@@ -26,14 +36,6 @@ constexpr double checkout_zones_share = 0.09;    // tills take their own floor f
 
 bool is_till(std::string_view type) {
   return type == "checkout" || type == "self_checkout";
-}
-
-Stance stance_of(const catalog::ZoneTypeRow& type, const catalog::FixtureKind* kind) {
-  if (kind == nullptr) return Stance::wall;
-  if (kind->role != catalog::FixtureRole::shelving) return Stance::front;
-  const bool counter = kind->generator == "serve_over";  // staff stand between it and a wall
-  if (kind->against_wall || counter) return Stance::wall;
-  return kind->double_sided || type.anchor == "center" ? Stance::central : Stance::hall;
 }
 
 // How many zones of each type the wishes name, in the order in which they name them.
@@ -328,79 +330,6 @@ void grow_floor(StoreProgram& program, const Understanding& found) {
   }
   const double front_mm = std::min(tills_mm / front_share, max_store_side_mm);
   program.width_mm = std::max(program.width_mm, rounded_mm(front_mm));
-}
-
-// Runs that are counted in the whole store are shared among the zones that have such shelves, in
-// proportion to their floor; what gets none lines walls.
-// A number of one kind that is said of the store as a whole.
-struct StoreNumber {
-  const catalog::FixtureKind* kind = nullptr;
-  const catalog::FixtureKind* instead = nullptr;  // in zones for which none is left
-  int number = 0;
-  bool runs = false;  // straight lines, else modules
-  int sides = 0;      // of the lines
-};
-
-KindWish part_of(const StoreNumber& said, int number) {
-  KindWish wish{said.kind, std::nullopt, 0, std::nullopt, said.sides};
-  if (said.runs)
-    wish.runs = number;
-  else
-    wish.count = wish.least = number;
-  return wish;
-}
-
-// By their floors; at least one each where there are so many.
-void share_among_zones(StoreProgram& program, const StoreNumber& said) {
-  std::vector<ProgramZone*> open;
-  int left = said.number;
-  double floor_m2 = 0;
-  for (ProgramZone& zone : program.zones) {
-    if (zone.kind != said.kind) continue;
-    if (const std::optional<int> own = said.runs ? zone.main.runs : zone.main.count) {
-      left -= *own;
-      continue;
-    }
-    if (!said.runs && zone.main.runs) continue;  // its lines are counted
-    open.push_back(&zone);
-    floor_m2 += zone.target_m2;
-  }
-  std::ranges::stable_sort(open, std::greater<>(), [](ProgramZone* z) { return z->target_m2; });
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    ProgramZone& zone = *open[i];
-    const auto others = static_cast<int>(open.size() - i) - 1;
-    const double share = floor_m2 > 0 ? zone.target_m2 / floor_m2 : 1;
-    const int fair = i + 1 == open.size() ? left : static_cast<int>(std::lround(left * share));
-    const int number =
-        std::clamp(fair, std::min(1, left), std::max(std::min(1, left), left - others));
-    floor_m2 -= zone.target_m2;
-    left -= std::max(0, number);
-    if (number > 0) {
-      zone.main = part_of(said, number);
-      if (!said.runs) zone.count = number;
-      continue;
-    }
-    zone.kind = said.instead;
-    zone.stance = stance_of(*zone.type, zone.kind);
-  }
-}
-
-void share_numbers_of_store(StoreProgram& program,
-                            const Understanding& found,
-                            const catalog::Catalog& catalog) {
-  for (const auto& [name, instead] : kinds_of_many_zones) {
-    StoreNumber said{catalog.fixture_kind(name), catalog.fixture_kind(instead)};
-    if (said.kind == nullptr || said.instead == nullptr) continue;
-    if (const plan::Requirement* runs = runs_of_store(found, name)) {
-      said.runs = true;
-      said.number = static_cast<int>(runs->value);
-      said.sides = static_cast<int>(runs->second_value);
-      share_among_zones(program, said);
-    } else if (const plan::Requirement* count = count_of_store(found, name)) {
-      said.number = static_cast<int>(count->value);
-      share_among_zones(program, said);
-    }
-  }
 }
 
 // Lanes by the profile's habit; never so many that the front has no room for an entrance.

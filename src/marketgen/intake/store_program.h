@@ -20,6 +20,9 @@ enum class Stance {
   front     // tills and service: between entrance and exit
 };
 
+// `kind`: of the zone's main fixtures; null: it has none.
+Stance stance_of(const catalog::ZoneTypeRow& type, const catalog::FixtureKind* kind);
+
 struct ProgramZone {
   std::string id;
   const catalog::ZoneTypeRow* type = nullptr;

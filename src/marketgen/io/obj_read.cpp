@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "io/model_parts.h"
 
 // parse_obj: Wavefront OBJ and the MTL library that it names.
@@ -26,11 +27,7 @@ class Line {
     return word;
   }
   // What is left, without blanks around it: names may hold blanks.
-  std::string_view remainder() const {
-    const std::size_t start = rest_.find_first_not_of(" \t\r");
-    if (start == std::string_view::npos) return {};
-    return rest_.substr(start, rest_.find_last_not_of(" \t\r") - start + 1);
-  }
+  std::string_view remainder() const { return trimmed(rest_); }
 
  private:
   std::string_view rest_;

@@ -36,11 +36,7 @@ std::vector<std::string_view> names_of_providers() {
 // The variable's value without the blanks that copying brings; empty when it is not set.
 std::string from_environment(std::string_view variable) {
   const char* value = std::getenv(std::string(variable).c_str());
-  if (value == nullptr) return {};
-  const std::string_view text = value;
-  const std::size_t start = text.find_first_not_of(" \t\r\n");
-  if (start == std::string_view::npos) return {};
-  return std::string(text.substr(start, text.find_last_not_of(" \t\r\n") - start + 1));
+  return value == nullptr ? std::string() : std::string(trimmed(value));
 }
 
 bool is_printable(std::string_view text) {

@@ -53,12 +53,6 @@ std::size_t take_body(char* bytes, std::size_t size, std::size_t count, void* to
   return length;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t start = text.find_first_not_of(" \t\r\n");
-  if (start == std::string_view::npos) return {};
-  return text.substr(start, text.find_last_not_of(" \t\r\n") - start + 1);
-}
-
 std::size_t take_header(char* bytes, std::size_t size, std::size_t count, void* to) {
   Inbox& inbox = *static_cast<Inbox*>(to);
   const std::size_t length = size * count;

@@ -41,9 +41,12 @@ bool stands_in(const std::string& words, const std::string& text) {
 
 // "basmati rice" is rice of the variant basmati: the last word ends the name, and the others stand
 // in name or variant.
-bool is_kind_of(const std::string& name, const std::string& variant, const std::string& wanted) {
+bool is_kind_of(const catalog::Product& product,
+                const std::string& name,
+                const std::string& wanted) {
   const std::size_t last = wanted.rfind(' ', wanted.size() - 2);
   if (last == 0 || !name.ends_with(wanted.substr(last))) return false;
+  const std::string variant = spaced_words(product.variant);
   for (std::size_t at = 0; at < last;) {
     const std::size_t end = wanted.find(' ', at + 1);
     const std::string word = wanted.substr(at, end - at + 1);
@@ -53,17 +56,35 @@ bool is_kind_of(const std::string& name, const std::string& variant, const std::
   return true;
 }
 
+// A word for goods, as it was said and as spaced_words has it: it is asked of every product.
+struct GoodsWord {
+  std::string said, spaced;
+};
+
+std::vector<GoodsWord> goods_words(const std::vector<std::string>& words) {
+  std::vector<GoodsWord> made;
+  for (const std::string& word : words)
+    if (!word.empty()) made.push_back({word, spaced_words(word)});
+  return made;
+}
+
 // How a word names a product, the nearest first.
 enum class Naming { name, end_of_name, in_name, variant, keyword, otherwise };
 
-Naming naming_of(const catalog::Product& product, const std::string& word) {
-  const std::string wanted = spaced_words(word), name = spaced_words(product.name);
+// `name`: the product's, as spaced_words has it.
+bool ends_name(const catalog::Product& product,
+               const std::string& name,
+               const std::string& wanted) {
+  return !wanted.empty() && (name.ends_with(wanted) || is_kind_of(product, name, wanted));
+}
+
+Naming naming_of(const catalog::Product& product, const std::string& wanted) {
+  const std::string name = spaced_words(product.name);
   if (wanted.empty()) return Naming::otherwise;
   if (name == wanted) return Naming::name;
-  const std::string variant = spaced_words(product.variant);
-  if (name.ends_with(wanted) || is_kind_of(name, variant, wanted)) return Naming::end_of_name;
+  if (ends_name(product, name, wanted)) return Naming::end_of_name;
   if (stands_in(wanted, name)) return Naming::in_name;
-  if (stands_in(wanted, variant)) return Naming::variant;
+  if (stands_in(wanted, spaced_words(product.variant))) return Naming::variant;
   const bool keyword = std::ranges::any_of(
       product.keywords, [&](const std::string& known) { return spaced_words(known) == wanted; });
   return keyword ? Naming::keyword : Naming::otherwise;
@@ -81,36 +102,43 @@ GoodsLists lists_of(const plan::Zone& zone, const catalog::Catalog& catalog) {
   return {type->categories, type->subcategories};
 }
 
-}  // namespace
-
-bool named_by(const catalog::Product& product, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    if (word.empty()) continue;
-    if (naming_of(product, word) <= Naming::end_of_name) return true;
+bool is_named(const catalog::Product& product, const std::vector<GoodsWord>& words) {
+  if (words.empty()) return false;
+  const std::string name = spaced_words(product.name);
+  for (const GoodsWord& word : words) {
+    if (ends_name(product, name, word.spaced)) return true;
     for (const std::string* text : {&product.name,
                                     &product.variant,
                                     &product.brand,
                                     &product.subcategory,
                                     &product.category}) {
-      if (has_word(*text, word)) return true;
+      if (has_word(*text, word.said)) return true;
     }
     for (const std::string& keyword : product.keywords) {
-      if (has_word(keyword, word)) return true;
+      if (has_word(keyword, word.said)) return true;
     }
   }
   return false;
 }
 
+}  // namespace
+
+bool named_by(const catalog::Product& product, const std::vector<std::string>& words) {
+  return is_named(product, goods_words(words));
+}
+
 std::vector<std::uint32_t> best_named(const plan::Zone& zone,
                                       const std::string& word,
                                       const catalog::Catalog& catalog) {
+  const std::vector<GoodsWord> wanted = goods_words({word});
+  const std::vector<GoodsWord> excluded = goods_words(zone.stock.exclude);
   std::vector<std::uint32_t> best;
   Naming least = Naming::otherwise;
   for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
     const catalog::Product& product = catalog.products[i];
-    if (!named_by(product, {word}) || named_by(product, zone.stock.exclude)) continue;
     if (!sells(zone, product, catalog)) continue;
-    const Naming naming = naming_of(product, word);
+    if (!is_named(product, wanted) || is_named(product, excluded)) continue;
+    const Naming naming = naming_of(product, wanted.front().spaced);
     if (naming > least) continue;
     if (naming < least) best.clear();
     least = naming;
@@ -130,12 +158,12 @@ std::vector<std::uint32_t> assortment_of(const plan::Zone& zone,
                                          catalog::Storage temperature,
                                          const catalog::Catalog& catalog) {
   const std::vector<std::string>& categories = lists_of(zone, catalog).categories;
-
+  const std::vector<GoodsWord> excluded = goods_words(zone.stock.exclude);
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
     const catalog::Product& product = catalog.products[i];
     if (!catalog::keeps(temperature, product.storage) || !sells(zone, product, catalog)) continue;
-    if (!named_by(product, zone.stock.exclude)) rows.push_back(i);
+    if (!is_named(product, excluded)) rows.push_back(i);
   }
   std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
     const catalog::Product& p = catalog.products[a];

@@ -168,10 +168,6 @@ void remove_items(Scene& scene, const std::vector<std::uint8_t>& drop) {
   scene.products = std::move(kept);
 }
 
-}  // namespace
-
-namespace {
-
 bool is_on_top(const Scene& scene, const Facing& facing, std::uint32_t i) {
   return i + 1 == facing.first_product + facing.product_count ||
          scene.products[i + 1].position_m[2] <= scene.products[i].position_m[2];
@@ -186,31 +182,33 @@ bool can_change(const Scene& scene,
          (scene.products[i].flags & product_front_row) != 0 && is_on_top(scene, facing, i);
 }
 
-const plan::Zone* zone_of(const Scene& scene, const plan::Plan& plan, const Facing& facing) {
+// The plan's zone of a facing; null unless something is to be misplaced there.
+const plan::Zone* untidy_zone(const Scene& scene, const plan::Plan& plan, const Facing& facing) {
   const layout::Fixture& fixture = scene.layout.fixtures[scene.shelves[facing.shelf].fixture];
-  return plan::find_zone(plan, fixture.zone);
+  const plan::Zone* zone = plan::find_zone(plan, fixture.zone);
+  return zone != nullptr && zone->stock.misplaced > 0 ? zone : nullptr;
 }
 
-// How many in the front rows of a zone there are for each that can be another product: a share of
-// misplaced goods is one of all that shoppers see.
-std::map<std::string, double> seen_for_each(const Scene& scene,
+// The chance of an item that can be another product: a share of misplaced goods is one of all that
+// shoppers see in the front rows of the zone.
+std::map<const plan::Zone*, double> chances(const Scene& scene,
                                             const plan::Plan& plan,
                                             const catalog::Catalog& catalog) {
-  std::map<std::string, std::array<double, 2>> counts;
+  std::map<const plan::Zone*, std::array<double, 2>> counts;  // seen; of these, that can change
   for (const Facing& facing : scene.facings) {
-    const plan::Zone* zone = zone_of(scene, plan, facing);
-    if (zone == nullptr || zone->stock.misplaced <= 0) continue;
-    std::array<double, 2>& count = counts[zone->id];
+    const plan::Zone* zone = untidy_zone(scene, plan, facing);
+    if (zone == nullptr) continue;
+    auto& [seen, changeable] = counts[zone];
     for (std::uint32_t i = facing.first_product; i < facing.first_product + facing.product_count;
          ++i) {
-      count[0] += (scene.products[i].flags & product_front_row) != 0 ? 1 : 0;
-      count[1] += can_change(scene, facing, i, catalog) ? 1 : 0;
+      seen += (scene.products[i].flags & product_front_row) != 0 ? 1 : 0;
+      changeable += can_change(scene, facing, i, catalog) ? 1 : 0;
     }
   }
-  std::map<std::string, double> factors;
+  std::map<const plan::Zone*, double> chances;
   for (const auto& [zone, count] : counts)
-    factors[zone] = count[1] > 0 ? count[0] / count[1] : 0;
-  return factors;
+    chances[zone] = count[1] > 0 ? std::min(1.0, zone->stock.misplaced * (count[0] / count[1])) : 0;
+  return chances;
 }
 
 }  // namespace
@@ -219,12 +217,14 @@ void misplace_items(Scene& scene,
                     const plan::Plan& plan,
                     const catalog::Catalog& catalog,
                     Seed seed) {
-  const std::map<std::string, double> factors = seen_for_each(scene, plan, catalog);
+  const auto is_untidy = [](const plan::Zone& zone) { return zone.stock.misplaced > 0; };
+  if (std::ranges::none_of(plan.zones, is_untidy)) return;
+  const std::map<const plan::Zone*, double> chance_in = chances(scene, plan, catalog);
   for (const Facing& facing : scene.facings) {
+    const plan::Zone* zone = untidy_zone(scene, plan, facing);
+    if (zone == nullptr) continue;
+    const double chance = chance_in.at(zone);
     const layout::Fixture& fixture = scene.layout.fixtures[scene.shelves[facing.shelf].fixture];
-    const plan::Zone* zone = zone_of(scene, plan, facing);
-    if (zone == nullptr || zone->stock.misplaced <= 0) continue;
-    const double chance = std::min(1.0, zone->stock.misplaced * factors.at(zone->id));
     const std::uint64_t shelf =
         facing.shelf - scene.fixtures[scene.shelves[facing.shelf].fixture].first_shelf;
     Stream draw = seed.child("misplaced", fixture.id)
