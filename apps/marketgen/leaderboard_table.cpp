@@ -28,8 +28,8 @@ void print_entry(const evaluation::LeaderboardEntry& entry) {
       entry.spl ? with_interval(entry.spl->value, *entry.spl) : "",
       with_interval(entry.clean.share, entry.clean),
       with_interval(entry.violations.share, entry.violations),
-      to_best ? p_value(to_best->p_strict) : "",
-      to_best ? p_value(to_best->p_partial) : "",
+      to_best ? p_value(to_best->p_strict_holm) : "",
+      to_best ? p_value(to_best->p_partial_holm) : "",
       entry.commit);
 }
 
@@ -63,7 +63,7 @@ void print_leaderboard(const evaluation::Leaderboard& board) {
   say("episodes {}, version {}, realism {}\n", board.episodes_hash, board.version, board.realism);
   for (const evaluation::LeaderboardTrack& track : board.tracks) {
     const evaluation::LeaderboardEntry& best = track.entries.front();
-    say("\n{}: {} episodes of {} stores; percent with 95 % intervals; p against {}\n",
+    say("\n{}: {} episodes of {} stores; percent with 95 % intervals; p against {} (Holm)\n",
         name_of(track.track),
         best.episodes,
         best.stores,

@@ -11,7 +11,9 @@
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
+#include "evaluation/differences_table.h"
 #include "evaluation/leaderboard.h"
+#include "evaluation/tracks_table.h"
 #include "intake/photos_file.h"
 #include "io/flatbuffer.h"
 #include "io/json.h"
@@ -66,6 +68,13 @@ std::vector<Document> documents() {
       {"market-leaderboard-1",
        "Policies side by side on the same episodes",
        type_of<evaluation::Leaderboard>()},
+      {"market-tracks-1",
+       "Policies on all tracks, beside published scores",
+       type_of<evaluation::TracksTable>()},
+      {"market-differences-1",
+       "What a change is worth, on the same episodes",
+       type_of<evaluation::DifferencesTable>()},
+      {"market-published-1", "Scores that others have published", type_of<evaluation::Published>()},
       {"market-camera-1",
        "Where a picture is taken from, and its lens",
        type_of<render::CameraFile>()},

@@ -3,8 +3,11 @@
 #include <nanobind/stl/vector.h>
 
 #include "binding.h"
+#include "evaluation/differences_table.h"
 #include "evaluation/leaderboard_page.h"
 #include "evaluation/merge_runs.h"
+#include "evaluation/tracks_table.h"
+#include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
 
@@ -30,11 +33,34 @@ std::string leaderboard(const std::vector<std::string>& folders, const std::stri
   }));
 }
 
+// market-tracks/1, or market-differences/1 of what varies: "truth" or "realism".
+std::string tracks_table(const std::vector<std::string>& folders) {
+  return value_or_raise(without_interpreter([&]() -> Result<std::string> {
+    MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs, evaluation::read_runs(folders));
+    MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+    MARKETGEN_TRY(const evaluation::Published published, evaluation::load_published(data));
+    MARKETGEN_TRY(const evaluation::TracksTable table, evaluation::tracks_table(runs, published));
+    return io::write_json(table);
+  }));
+}
+
+std::string differences_table(const std::vector<std::string>& folders, const std::string& varied) {
+  return value_or_raise(without_interpreter([&]() -> Result<std::string> {
+    MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs, evaluation::read_runs(folders));
+    MARKETGEN_TRY(
+        const evaluation::DifferencesTable table,
+        evaluation::differences_table(runs, value_named<evaluation::Varied>(varied).value()));
+    return io::write_json(table);
+  }));
+}
+
 }  // namespace
 
 void add_rankings(nb::module_& module) {
   module.def("merge", &merge);
   module.def("leaderboard", &leaderboard);
+  module.def("tracks_table", &tracks_table);
+  module.def("differences_table", &differences_table);
 }
 
 }  // namespace marketgen::python

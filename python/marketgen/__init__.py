@@ -20,7 +20,7 @@ from .errors import Error, IsolationWarning, StoreWarning
 from .evaluation import Evaluation, Policy, evaluate
 from .photos import read_photo
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch
-from .rankings import leaderboard, merge
+from .rankings import leaderboard, merge, tables
 from .store import Store, generate, open_store
 
 _core.use_python(sys.executable or "")  # its helper processes have this environment's packages
@@ -56,4 +56,5 @@ __all__ = [
     "policies",
     "read_photo",
     "render_batch",
+    "tables",
 ]

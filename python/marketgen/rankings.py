@@ -36,3 +36,19 @@ def leaderboard(results: Sequence[PathLike], *, html: PathLike | None = None) ->
     """
     page = "" if html is None else arguments.a_path("html", html)
     return json.loads(_core.leaderboard(arguments.paths("results", results), page))
+
+
+def tables(kind: str, results: Sequence[PathLike]) -> dict[str, Any]:
+    """Results in the form that papers print; `marketgen tables` from Python, which also writes LaTeX, Markdown and CSV.
+
+    kind     "tracks": policies on all tracks beside published scores; "swap": one policy with the truth in the place of
+             modules (evaluate("classical+target")) beside itself; "realism": one policy at several levels beside itself at ideal
+    results  folders of evaluate() or merge(); complete ones only
+
+    Returns a market-tracks/1, or a market-differences/1. Raises Error results.*, io.*, json.*.
+    """
+    chosen = arguments.a_name("kind", kind, ("tracks", "swap", "realism"))
+    folders = arguments.paths("results", results)
+    if chosen == "tracks":
+        return json.loads(_core.tracks_table(folders))
+    return json.loads(_core.differences_table(folders, "truth" if chosen == "swap" else "realism"))

@@ -130,7 +130,10 @@ CALLS = {
         lambda on: marketgen.merge(on.tasks, on.folder),
         lambda on: marketgen.leaderboard("oracle"),
         lambda on: marketgen.leaderboard([]),
+        lambda on: marketgen.tables("tracks", []),
+        lambda on: marketgen.tables("swap", "classical"),
     ],
+    "kind": [lambda on: marketgen.tables("table2", [on.folder]), lambda on: marketgen.tables(2, [on.folder])],
     "html": [lambda on: marketgen.leaderboard([on.folder], html=3)],
     "policy_files": [lambda on: marketgen.evaluate(on.tasks, policy_files="weights.pt", folder=on.folder)],
     "num_envs": [lambda on: marketgen.make_vec(CHECKOUT, 0, store=on.store)],
@@ -190,7 +193,7 @@ def test_every_public_function_is_tried_above():
     import inspect
 
     functions = [marketgen.generate, marketgen.open_store, marketgen.read_photo, marketgen.evaluate, marketgen.render_batch]
-    functions += [marketgen.merge, marketgen.leaderboard]
+    functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables]
     functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py

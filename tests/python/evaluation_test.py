@@ -42,6 +42,11 @@ def test_shards_are_joined_and_ranked(tasks, tmp_path):
     assert [(entry["policy"], entry["floor"], entry["episodes"]) for entry in entries] == [("random", True, 2), ("stops", False, 2)]
     assert entries[1]["to_best"]["p_strict"] == 1
     assert "stops" in (tmp_path / "board.html").read_text()
+    rows = marketgen.tables("tracks", [joined.folder, tmp_path / "stops"])["rows"]
+    assert {row["policy"] for row in rows if not row["source"]} == {"random", "stops"} and any(row["source"] == "paper" for row in rows)
+    with pytest.raises(marketgen.Error) as refused:
+        marketgen.tables("swap", [joined.folder])
+    assert refused.value.code == "usage.bad_flag"
 
 
 @pytest.mark.parametrize("act_limit_s", [0, 120])

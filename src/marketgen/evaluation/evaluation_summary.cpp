@@ -98,6 +98,25 @@ std::vector<ScoredEpisode> strict_scores(const std::vector<episodes::EpisodeResu
   return scores;
 }
 
+std::vector<ScoredEpisode> differences(const std::vector<ScoredEpisode>& these,
+                                       const std::vector<ScoredEpisode>& others) {
+  std::vector<ScoredEpisode> all = these;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].score -= others[i].score;
+  return all;
+}
+
+std::optional<Estimate> spl_of(const std::vector<episodes::EpisodeResult>& results) {
+  std::vector<ScoredEpisode> scores;
+  bool is_driven = false;
+  for (const episodes::EpisodeResult& result : results) {
+    scores.push_back({store_of(result), result.spl});
+    is_driven = is_driven || result.shortest_m > 0;
+  }
+  if (!is_driven) return std::nullopt;
+  return estimate_of(scores);
+}
+
 EvaluationSummary summarize(const std::vector<episodes::EpisodeResult>& all) {
   EvaluationSummary summary;
   std::vector<std::string> errors;

@@ -1,5 +1,6 @@
 // Sums up what became of many episodes: what `summary.json` holds.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,11 @@ const std::string& store_of(const episodes::EpisodeResult& result);
 std::vector<ScoredEpisode> goal_scores(const std::vector<episodes::EpisodeResult>& results);
 std::vector<ScoredEpisode> partial_scores(const std::vector<episodes::EpisodeResult>& results);
 std::vector<ScoredEpisode> strict_scores(const std::vector<episodes::EpisodeResult>& results);
+// Scores of the same episodes in the same order: what the first has more than the others.
+std::vector<ScoredEpisode> differences(const std::vector<ScoredEpisode>& these,
+                                       const std::vector<ScoredEpisode>& others);
+// None of episodes that have no way to go.
+std::optional<Estimate> spl_of(const std::vector<episodes::EpisodeResult>& results);
 
 // Of the results that have no error; `unfinished` is the caller's to add.
 EvaluationSummary summarize(const std::vector<episodes::EpisodeResult>& all);

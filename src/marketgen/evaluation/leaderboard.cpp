@@ -11,30 +11,11 @@
 namespace marketgen::evaluation {
 namespace {
 
-std::vector<ScoredEpisode> differences(const std::vector<ScoredEpisode>& these,
-                                       const std::vector<ScoredEpisode>& others) {
-  std::vector<ScoredEpisode> all = these;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i].score -= others[i].score;
-  return all;
-}
-
 // Of one run on one track.
 struct RankedRun {
   LeaderboardEntry entry;
   std::vector<episodes::EpisodeResult> results;
 };
-
-std::optional<Estimate> spl_of(const std::vector<episodes::EpisodeResult>& results) {
-  std::vector<ScoredEpisode> scores;
-  bool is_driven = false;
-  for (const episodes::EpisodeResult& result : results) {
-    scores.push_back({store_of(result), result.spl});
-    is_driven = is_driven || result.shortest_m > 0;
-  }
-  if (!is_driven) return std::nullopt;
-  return estimate_of(scores);
-}
 
 RankedRun ranked(const FinishedRun& run, episodes::Track track) {
   RankedRun made{{}, results_of(run, track)};
@@ -58,6 +39,19 @@ RankedRun ranked(const FinishedRun& run, episodes::Track track) {
   return made;
 }
 
+// For how many are compared.
+void correct(LeaderboardTrack& track,
+             double PairedComparison::*measured,
+             double PairedComparison::*corrected) {
+  std::vector<double> p;
+  for (const LeaderboardEntry& entry : track.entries)
+    if (entry.to_best) p.push_back((*entry.to_best).*measured);
+  p = holm(p);
+  std::size_t next = 0;
+  for (LeaderboardEntry& entry : track.entries)
+    if (entry.to_best) (*entry.to_best).*corrected = p[next++];
+}
+
 LeaderboardTrack track_of(const std::vector<FinishedRun>& runs, episodes::Track track) {
   std::vector<RankedRun> all;
   for (const FinishedRun& run : runs)
@@ -76,6 +70,8 @@ LeaderboardTrack track_of(const std::vector<FinishedRun>& runs, episodes::Track 
     }
     made.entries.push_back(run.entry);
   }
+  correct(made, &PairedComparison::p_strict, &PairedComparison::p_strict_holm);
+  correct(made, &PairedComparison::p_partial, &PairedComparison::p_partial_holm);
   return made;
 }
 

@@ -17,6 +17,7 @@ struct PairedComparison {
   std::string against;
   int only_this = 0, only_other = 0;
   double p_strict = 1, p_partial = 1;
+  double p_strict_holm = 1, p_partial_holm = 1;
   std::vector<PowerRow> power;
 
   static constexpr auto fields = field_list(
@@ -27,6 +28,12 @@ struct PairedComparison {
       field("p_partial",
             &PairedComparison::p_partial,
             "of partial scores: signs of the stores' sums flipped"),
+      field("p_strict_holm",
+            &PairedComparison::p_strict_holm,
+            "p_strict, corrected for how many are compared with the best"),
+      field("p_partial_holm",
+            &PairedComparison::p_partial_holm,
+            "p_partial, corrected for how many are compared with the best"),
       field("power", &PairedComparison::power, "episodes needed, both run on the same ones"));
 };
 // Both have the same episodes in the same order.

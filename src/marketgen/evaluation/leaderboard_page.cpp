@@ -41,7 +41,8 @@ std::string entry_row(const LeaderboardEntry& entry) {
   row += share_cell(entry.strict) + estimate_cell(entry.partial) + share_cell(entry.goals) +
          estimate_cell(entry.spl) + share_cell(entry.clean) + share_cell(entry.violations);
   if (!entry.to_best) return row + "<td colspan=\"2\">best</td></tr>";
-  return row + p_cell(entry.to_best->p_strict) + p_cell(entry.to_best->p_partial) + "</tr>";
+  return row + p_cell(entry.to_best->p_strict_holm) + p_cell(entry.to_best->p_partial_holm) +
+         "</tr>";
 }
 
 std::string power_row(const std::string& name,

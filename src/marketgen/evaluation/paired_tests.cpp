@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "base/seed.h"
 
@@ -59,6 +60,20 @@ double sign_flip_test(const std::vector<double>& differences) {
   for (int i = 0; i < sign_flip_draws; ++i)
     as_far += is_as_far(sum_with_drawn_signs(differences, draw), measured) ? 1 : 0;
   return (as_far + 1.0) / (sign_flip_draws + 1.0);
+}
+
+std::vector<double> holm(const std::vector<double>& p) {
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return p[i]; });
+  std::vector<double> corrected(p.size());
+  double at_least = 0;
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const double tests_left = static_cast<double>(p.size() - rank);
+    at_least = std::max(at_least, std::min(1.0, tests_left * p[order[rank]]));
+    corrected[order[rank]] = at_least;
+  }
+  return corrected;
 }
 
 }  // namespace marketgen::evaluation

@@ -16,4 +16,9 @@ constexpr int sign_flip_draws = 10'000;
 // them. So n stores give no p below 2 / 2^n. 1 of no stores.
 double sign_flip_test(const std::vector<double>& differences);
 
+// The p-values of several tests, each corrected for how many there are (Holm, Scandinavian Journal
+// of Statistics 6, 1979): of true hypotheses any is rejected with at most the probability that is
+// asked for. In the same order; at most 1.
+std::vector<double> holm(const std::vector<double>& p);
+
 }  // namespace marketgen::evaluation

@@ -26,6 +26,14 @@ Result<void> check_alike(const FinishedRun& first,
   return {};
 }
 
+Likeness same_realism(const RunRecord& a, const RunRecord& b) {
+  return {"realism", a.realism, b.realism, "run both with the same realism"};
+}
+
+Likeness same_version(const RunRecord& a, const RunRecord& b) {
+  return {"version", a.version, b.version, "run both with the same version of marketgen"};
+}
+
 Result<void> check_same_task(const FinishedRun& first, const FinishedRun& other) {
   const RunRecord &a = first.record, &b = other.record;
   return check_alike(
@@ -36,16 +44,28 @@ Result<void> check_same_task(const FinishedRun& first, const FinishedRun& other)
         std::string(name_of(a.split)),
         std::string(name_of(b.split)),
         "run both policies on one file of episodes"},
-       {"version", a.version, b.version, "run both with the same version of marketgen"},
-       {"realism", a.realism, b.realism, "run both with the same realism"}});
+       same_version(a, b)});
 }
 
 }  // namespace
 
-Result<void> check_same_episodes(const std::vector<FinishedRun>& runs) {
+Result<void> check_same_but_realism(const std::vector<FinishedRun>& runs) {
   for (const FinishedRun& run : runs)
     MARKETGEN_CHECK(check_same_task(runs.front(), run));
   return {};
+}
+
+Result<void> check_same_world(const std::vector<FinishedRun>& runs) {
+  for (const FinishedRun& run : runs) {
+    const RunRecord &a = runs.front().record, &b = run.record;
+    MARKETGEN_CHECK(check_alike(runs.front(), run, {same_version(a, b), same_realism(a, b)}));
+  }
+  return {};
+}
+
+Result<void> check_same_episodes(const std::vector<FinishedRun>& runs) {
+  MARKETGEN_CHECK(check_same_but_realism(runs));
+  return check_same_world(runs);
 }
 
 Result<void> check_one_run(const std::vector<FinishedRun>& runs) {
@@ -55,7 +75,8 @@ Result<void> check_one_run(const std::vector<FinishedRun>& runs) {
     MARKETGEN_CHECK(check_alike(
         runs.front(),
         run,
-        {{"policy", a.policy, b.policy, "name the shards of one policy"},
+        {same_realism(a, b),
+         {"policy", a.policy, b.policy, "name the shards of one policy"},
          {"commit", a.commit(), b.commit(), "run all shards with the same build of marketgen"}}));
   }
   return {};

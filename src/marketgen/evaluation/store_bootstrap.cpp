@@ -32,6 +32,10 @@ double drawn_ratio(const std::vector<Cluster>& clusters, Stream& draw) {
   return ratio(score, weight);
 }
 
+bool by_sums(const Cluster& a, const Cluster& b) {
+  return a.score != b.score ? a.score < b.score : a.weight < b.weight;
+}
+
 }  // namespace
 
 std::vector<Cluster> clusters_of(const std::vector<ScoredEpisode>& episodes) {
@@ -54,20 +58,26 @@ std::vector<Cluster> clusters_of(const std::vector<ScoredEpisode>& episodes) {
 }
 
 Estimate estimate_of(const std::vector<ScoredEpisode>& episodes) {
-  std::vector<Cluster> clusters = clusters_of(episodes);
-  const double value = total_ratio(clusters);
-  if (clusters.empty()) return {};
-  const auto by_sums = [](const Cluster& a, const Cluster& b) {
-    return a.score != b.score ? a.score < b.score : a.weight < b.weight;
-  };
-  std::ranges::sort(clusters, by_sums);
-  Stream draw = Seed(1).child("store_bootstrap").stream();
-  std::vector<double> ratios;
-  for (int i = 0; i < bootstrap_draws; ++i)
-    ratios.push_back(drawn_ratio(clusters, draw));
-  std::ranges::sort(ratios);
+  return estimate_of_mean({episodes});
+}
+
+Estimate estimate_of_mean(const std::vector<std::vector<ScoredEpisode>>& lists) {
+  const auto share = 1.0 / static_cast<double>(std::max<std::size_t>(lists.size(), 1));
+  double value = 0;
+  std::vector<double> means(bootstrap_draws, 0);
+  for (std::size_t list = 0; list < lists.size(); ++list) {
+    std::vector<Cluster> clusters = clusters_of(lists[list]);
+    value += share * total_ratio(clusters);
+    std::ranges::sort(clusters, by_sums);
+    const Seed seed(1);
+    Stream draw =
+        (list == 0 ? seed.child("store_bootstrap") : seed.child("store_bootstrap", list)).stream();
+    for (double& mean : means)
+      mean += share * drawn_ratio(clusters, draw);
+  }
+  std::ranges::sort(means);
   constexpr auto outside = static_cast<std::size_t>(0.025 * bootstrap_draws);
-  return {value, ratios[outside], ratios[ratios.size() - 1 - outside]};
+  return {value, means[outside], means[means.size() - 1 - outside]};
 }
 
 }  // namespace marketgen::evaluation

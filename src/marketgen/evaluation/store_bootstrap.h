@@ -38,5 +38,7 @@ std::vector<Cluster> clusters_of(const std::vector<ScoredEpisode>& episodes);
 // the same interval. Of no episodes: 0. Where all clusters are alike the interval has no width,
 // whatever their number.
 Estimate estimate_of(const std::vector<ScoredEpisode>& episodes);
+// The mean of several such ratios, each of a list of episodes of its own and drawn by itself.
+Estimate estimate_of_mean(const std::vector<std::vector<ScoredEpisode>>& lists);
 
 }  // namespace marketgen::evaluation

@@ -1,0 +1,103 @@
+// marketgen tables: results as the tables that papers print.
+#include <fmt/ranges.h>
+
+#include "command.h"
+#include "evaluation/differences_table.h"
+#include "evaluation/tracks_table.h"
+#include "io/file.h"
+#include "io/json.h"
+#include "io/output.h"
+
+namespace marketgen::app {
+namespace {
+
+struct TablesFlags {
+  CommonFlags common;
+  std::vector<std::string> folders;
+  std::string format = "text", output;
+};
+
+using Action = std::function<Result<std::string>(const TablesFlags&)>;
+
+Result<evaluation::TableFormat> format_named(const std::string& name) {
+  using evaluation::TableFormat;
+  if (const auto format = value_named<TableFormat>(name)) return *format;
+  return Error{"usage.bad_flag",
+               "--format",
+               fmt::format("there is no format \"{}\"; there are: {}",
+                           name,
+                           fmt::join(names_of(TableFormat{}), ", "))};
+}
+
+template <class Table>
+Result<std::string> text_of(const Table& table, const TablesFlags& flags) {
+  if (flags.common.json) return io::write_json(table);
+  MARKETGEN_TRY(const evaluation::TableFormat format, format_named(flags.format));
+  return evaluation::written(evaluation::text_of(table), format);
+}
+
+Result<std::string> tracks(const TablesFlags& flags) {
+  MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs,
+                evaluation::read_runs(flags.folders));
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const evaluation::Published published, evaluation::load_published(data));
+  MARKETGEN_TRY(const evaluation::TracksTable table, evaluation::tracks_table(runs, published));
+  return text_of(table, flags);
+}
+
+Result<std::string> differences(const TablesFlags& flags, evaluation::Varied varied) {
+  MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs,
+                evaluation::read_runs(flags.folders));
+  MARKETGEN_TRY(const evaluation::DifferencesTable table,
+                evaluation::differences_table(runs, varied));
+  return text_of(table, flags);
+}
+
+Result<void> print_or_put(const TablesFlags& flags, const Action& action) {
+  io::Outputs outputs;
+  MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
+  MARKETGEN_CHECK(format_named(flags.format));
+  MARKETGEN_TRY(const std::string text, action(flags));
+  if (flags.output.empty()) {
+    fmt::print("{}", text);
+    return {};
+  }
+  MARKETGEN_CHECK(outputs.put(flags.output, text));
+  return outputs.commit();
+}
+
+}  // namespace
+
+Run add_tables(CLI::App& app) {
+  auto flags = std::make_shared<TablesFlags>();
+  auto action = std::make_shared<Action>(tracks);
+  CLI::App* command = app.add_subcommand(
+      "tables", "Results as tables for papers: tracks beside published scores, swaps, realism");
+  command->require_subcommand(1);
+  const auto add = [&](const char* name, const char* what, Action run) {
+    CLI::App* sub = command->add_subcommand(name, what);
+    sub->callback([action, run] { *action = run; });
+    sub->add_option("results", flags->folders, "folders of eval or merge")->required();
+    sub->add_option("--format", flags->format, "text, markdown, latex or csv")
+        ->capture_default_str();
+    add_output(*sub, "-o,--output", flags->output, "file for the table");
+    add_common_flags(*sub, flags->common, Takes::json);
+  };
+  add("tracks",
+      "Policies on all tracks, and what others have published (the paper's table 2)",
+      tracks);
+  add("swap",
+      "One policy with the truth in the place of modules (eval --truth), beside itself",
+      [](const TablesFlags& given) { return differences(given, evaluation::Varied::truth); });
+  add("realism",
+      "One policy at several levels of realism, beside itself at ideal",
+      [](const TablesFlags& given) { return differences(given, evaluation::Varied::realism); });
+  command->footer(
+      "Example:  marketgen tables tracks checkout-run aisle-run --format latex -o table.tex");
+  return [flags, action] {
+    const auto done = print_or_put(*flags, *action);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app
