@@ -36,6 +36,10 @@ Result<void> check_same_task(const FinishedRun& first, const FinishedRun& other)
         std::string(name_of(a.split)),
         std::string(name_of(b.split)),
         "run both policies on one file of episodes"},
+       {"instructions",
+        a.instructions,
+        b.instructions,
+        "run both policies on one file of episodes"},
        {"version", a.version, b.version, "run both with the same version of marketgen"},
        {"realism", a.realism, b.realism, "run both with the same realism"}});
 }
