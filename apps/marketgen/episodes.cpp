@@ -29,7 +29,7 @@ struct EpisodesFlags {
   CommonFlags common;
   std::vector<std::string> folders;
   std::string track = "checkout", tools, output;
-  std::string split = "planned";
+  std::string split = "planned", instructions = "words";
   int count = 10;
   bool resume = false;
 };
@@ -110,7 +110,7 @@ std::string draw_hash(const EpisodesFlags& flags,
                       const catalog::Catalog& catalog) {
   Hasher hasher;
   hasher.add(program_version).add(catalog.content_hash).add(flags.track).add(flags.tools);
-  hasher.add(flags.split);
+  hasher.add(flags.split).add(flags.instructions);
   hasher.add(std::to_string(flags.common.seed));
   for (const StockedStore& from : stores)
     hasher.add(from.store.scene_hash).add(from.store.plan_hash);
@@ -254,6 +254,15 @@ Result<episodes::Split> split_named(const std::string& name) {
                            fmt::join(names_of(episodes::Split{}), ", "))};
 }
 
+Result<episodes::Instructions> instructions_named(const std::string& name) {
+  if (const auto instructions = value_named<episodes::Instructions>(name)) return *instructions;
+  return Error{"usage.bad_flag",
+               "--instructions",
+               fmt::format("there are no instructions in \"{}\"; there are: {}",
+                           name,
+                           fmt::join(names_of(episodes::Instructions{}), ", "))};
+}
+
 void finish_header(const EpisodesFlags& flags,
                    episodes::Split split,
                    std::vector<StockedStore>& stores,
@@ -289,10 +298,12 @@ Result<void> write(const EpisodesFlags& flags) {
   }
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
   MARKETGEN_TRY(const episodes::Split split, split_named(flags.split));
+  MARKETGEN_TRY(const episodes::Instructions instructions, instructions_named(flags.instructions));
   episodes::EpisodeFile file;
   environments::Arena arena(data, file.header, catalog);
-  MARKETGEN_TRY(const auto sampler,
-                environments::environment_entry_of(track).sampler(arena, flags.tools, split));
+  MARKETGEN_TRY(
+      const auto sampler,
+      environments::environment_entry_of(track).sampler(arena, flags.tools, split, instructions));
   MARKETGEN_TRY(std::vector<StockedStore> stores,
                 stocked_stores(std::move(opened), *sampler, arena));
   if (split == episodes::Split::certified) file.header.products = products_of(stores);
@@ -337,6 +348,13 @@ Run add_episodes(CLI::App& app) {
           "what every episode is shown to be: planned (a way through it), certified (done "
           "in physics, in ten perturbed worlds, too: minutes an episode), paper (a way to the "
           "place, front row), all (nothing)")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--instructions",
+          flags->instructions,
+          "how goals are told: words (a text that fits one product on offer) or ids (SKUs, "
+          "too)")
       ->capture_default_str();
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(whole_number(1, 100000))

@@ -216,7 +216,8 @@ Run add_eval(CLI::App& app) {
   command
       ->add_option("--truth",
                    flags->truth,
-                   "modules of classical in whose place the truth stands: masks, target, grasp")
+                   "modules of classical in whose place the truth stands: masks, target, grasp, "
+                   "language")
       ->delimiter(',');
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(whole_number(0, 1024));

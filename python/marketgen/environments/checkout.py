@@ -33,7 +33,7 @@ class CheckoutUnloading(TaskEnv):
     Ends when the agent stops (terminated) or the time is over (truncated); judged 2 s later:
     `info` then has success, goal_fraction and the whole `result` (market-result/1). Before, only `instruction`, `time_s` and, in
     pd_ee_*, the tool's cuts;
-    that of a reset also `products`: SKUs by their numbers in segmentation.
+    that of a reset also, with segmentation or obs_mode="state", `products`: SKUs by their numbers in segmentation.
     """
 
     track = "checkout"

@@ -115,10 +115,12 @@ class TaskEnv(gymnasium.Env):
 
     def info_of_reset(self, text: str) -> dict[str, Any]:
         self._episode = json.loads(text)
-        info = self._info() | {"products": self.setup.products_of(self.environment, self._episode["scene_hash"])}
+        info = self._info()
+        if self.setup.shows_truth:
+            info |= {"products": self.setup.products_of(self.environment, self._episode["scene_hash"])}
         layout = self.setup.map_of(self.environment)
         if layout is not None:
-            info |= {"map": layout, "categories": self._episode.get("categories", [])}
+            info |= {"map": layout, "categories": json.loads(self.environment.task()).get("categories", [])}
         return info
 
     def step(self, action):

@@ -134,6 +134,8 @@ class TaskSetup:
         self.track, self.station, self.tools = track, station, wanted["tools"]
         self.control_mode, self.reward_mode = wanted["control_mode"], wanted["reward_mode"]
         self.stop_action, self.obs_mode = bool(wanted["stop_action"]), wanted["obs_mode"]
+        # Object numbers, or the true state, without their products would be of no use; else nothing tells a SKU.
+        self.shows_truth = bool(wanted["segmentation"]) or self.obs_mode == "state"
         self.ground = ground_of(track, store, wanted["episodes"])
         self.has_file = store is None
         first = self.new_environment()

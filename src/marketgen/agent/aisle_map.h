@@ -2,6 +2,7 @@
 //
 // Of goods the map knows nothing. Store frame, metres.
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,9 +26,9 @@ struct ShelfBoard {
   bool has_door = false;                           // between it and the aisle
 };
 
-// Middle of all products of the category that a goal's SKU belongs to.
+// Middle of all products of the category that a goal's product belongs to.
 struct CategoryHint {
-  std::string sku;
+  std::size_t goal = 0;  // number of the task's goal
   Vec2 position;
 };
 

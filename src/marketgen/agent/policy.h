@@ -43,10 +43,12 @@ struct Action {
   bool stop = false;                     // the agent says that it has done: no more steps
 };
 
-// So many of this product of the catalogue, whichever of them.
+// So many of this product of the catalogue, whichever of them. Told by its SKU or, with
+// instructions in words, by a text alone; the other one is empty then.
 struct TaskGoal {
   std::string sku;
   int count = 1;
+  std::string text = {};
 };
 
 // What the agent is told before it begins.

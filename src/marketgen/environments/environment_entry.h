@@ -29,7 +29,8 @@ class EnvironmentEntry {
   virtual Result<std::unique_ptr<EpisodeSampler>> sampler(
       Arena& arena,
       const std::string& tools,
-      episodes::Split split = episodes::Split::planned) const = 0;
+      episodes::Split split = episodes::Split::planned,
+      episodes::Instructions instructions = episodes::Instructions::words) const = 0;
 };
 
 #define MARKETGEN_TRACK(name, Type) const EnvironmentEntry& name##_environment_entry();

@@ -14,9 +14,10 @@ namespace marketgen::environments {
 // A module of `classical` in whose place the truth may stand, which shows what that module costs.
 // masks: which pixels belong together; in a store, where on a shelf something stands. target: which
 // of them is asked for, and how it lies. grasp: where it can be held, past what truly stands there.
-enum class TrueModule { masks, target, grasp };
-constexpr std::array<std::string_view, 3> names_of(TrueModule) {
-  return {"masks", "target", "grasp"};
+// language: which product the words of a goal mean.
+enum class TrueModule { masks, target, grasp, language };
+constexpr std::array<std::string_view, 4> names_of(TrueModule) {
+  return {"masks", "target", "grasp", "language"};
 }
 
 struct PolicyName {

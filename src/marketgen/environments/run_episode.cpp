@@ -6,6 +6,7 @@
 
 #include "base/interrupt.h"
 #include "environments/episode_run.h"
+#include "episodes/told_goals.h"
 
 namespace marketgen::environments {
 namespace {
@@ -61,8 +62,8 @@ std::optional<Break> act_out(EpisodeRun& run, agent::Policy& policy, EpisodeWatc
 
 agent::Task task_of(const episodes::EpisodeSpec& spec) {
   agent::Task task{spec.instruction, spec.limit_s};
-  for (const episodes::EpisodeGoal& goal : spec.goals)
-    task.goals.push_back({goal.sku, goal.count});
+  for (const episodes::ToldGoal& goal : episodes::told_goals(spec))
+    task.goals.push_back({goal.sku.value_or(""), goal.count, goal.text.value_or("")});
   return task;
 }
 

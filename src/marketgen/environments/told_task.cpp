@@ -10,8 +10,8 @@ ToldTask told_task(const episodes::EpisodeSpec& spec) {
   task.tools = spec.tools;
   task.cameras = spec.cameras;
   task.instruction = spec.instruction;
-  task.goals = spec.goals;
-  task.categories = spec.categories;
+  task.goals = episodes::told_goals(spec);
+  task.categories = episodes::told_categories(spec);
   task.limit_s = spec.limit_s;
   return task;
 }

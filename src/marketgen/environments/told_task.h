@@ -2,14 +2,15 @@
 //
 // It is all that leaves the process that simulates, beside observations. Made of what is named
 // here, never of an episode with something taken away: what a later episode has besides (poses,
-// seeds, a witness, ids and hashes by which a store can be found) does not get out unnoticed.
+// seeds, a witness, ids and hashes by which a store can be found) does not get out unnoticed. With
+// instructions in words it has no SKU of a goal.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/fields.h"
-#include "episodes/episode_spec.h"
+#include "episodes/told_goals.h"
 
 namespace marketgen::environments {
 
@@ -20,8 +21,8 @@ struct ToldTask {
   std::string robot, tools;
   std::vector<std::string> cameras;
   std::string instruction;
-  std::vector<episodes::EpisodeGoal> goals;
-  std::vector<episodes::CategoryPlace> categories;
+  std::vector<episodes::ToldGoal> goals;
+  std::vector<episodes::ToldCategory> categories;
   double limit_s = 0;
 
   static constexpr auto fields = field_list(

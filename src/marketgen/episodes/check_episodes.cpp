@@ -36,11 +36,24 @@ Result<void> check_items(const EpisodeSpec& spec, const std::string& where) {
   return {};
 }
 
+// In words each goal has a text.
+Result<void> check_told(const EpisodeSpec& spec,
+                        const EpisodeGoal& goal,
+                        const std::string& where) {
+  if (spec.instructions == Instructions::ids) return {};
+  if (goal.text && !goal.text->empty()) return {};
+  return bad_value(where + "/goals",
+                   "\"" + goal.sku +
+                       "\" has no text, and the instructions are in words: write one, or leave "
+                       "\"instructions\" out");
+}
+
 Result<void> check_goals(const EpisodeSpec& spec, const std::string& where) {
   if (spec.goals.empty())
     return Error{"episode.impossible", where + "/goals", "asks for nothing; expected a goal"};
   std::set<std::string_view> asked;
   for (const EpisodeGoal& goal : spec.goals) {
+    MARKETGEN_CHECK(check_told(spec, goal, where));
     if (!asked.insert(goal.sku).second)
       return bad_value(where + "/goals",
                        "asks twice for \"" + goal.sku + "\": make it one goal with their count");

@@ -44,13 +44,25 @@ struct EpisodeItem {
   }
 };
 
+// How an agent is told what is asked for. ids: by SKU. words: by words that fit one product on
+// offer; of SKUs it is told nothing.
+enum class Instructions { ids, words };
+constexpr std::array<std::string_view, 2> names_of(Instructions) {
+  return {"ids", "words"};
+}
+
 // So many of this product, whichever of them.
 struct EpisodeGoal {
   std::string sku;
   int count = 1;
+  std::optional<std::string> text = {};  // instructions in words: what the agent is told of it
   static constexpr auto fields =
       field_list(field("sku", &EpisodeGoal::sku, "product", identifier()),
-                 field("count", &EpisodeGoal::count, "how many", range(1, 100)));
+                 field("count", &EpisodeGoal::count, "how many", range(1, 100)),
+                 field("text",
+                       &EpisodeGoal::text,
+                       "with instructions in words: how it is named to the agent",
+                       at_most_bytes(400)));
 };
 
 // Where products of a goal's category stand: what the agent knows beforehand.
@@ -74,8 +86,10 @@ struct EpisodeSpec {
   std::optional<std::string> lane;     // a room of its own when absent
   std::uint64_t seed = 0;
   std::string instruction;
+  Instructions instructions = Instructions::ids;
   std::vector<EpisodeItem> items;
   std::vector<EpisodeGoal> goals;
+  bool look_alikes = false;
   FloorPlaceRow start;
   std::vector<CategoryPlace> categories;
   std::vector<std::string> cameras;
@@ -104,8 +118,12 @@ struct EpisodeSpec {
             reference()),
       field("seed", &EpisodeSpec::seed, "of what the policy draws"),
       field("instruction", &EpisodeSpec::instruction, "what the agent is told", required()),
+      field("instructions", &EpisodeSpec::instructions, "how goals are told: by SKU or in words"),
       field("items", &EpisodeSpec::items, "checkout: what lies in the basket", at_most_items(64)),
       field("goals", &EpisodeSpec::goals, "what is to be done", required(), at_most_items(16)),
+      field("look_alikes",
+            &EpisodeSpec::look_alikes,
+            "checkout: something in the basket is easily taken for a goal"),
       field("start", &EpisodeSpec::start, "aisle: where the robot stands"),
       field("categories",
             &EpisodeSpec::categories,

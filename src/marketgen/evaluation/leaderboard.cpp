@@ -114,6 +114,7 @@ Result<Leaderboard> leaderboard_of(const std::vector<FinishedRun>& runs) {
   board.realism = record.realism;
   board.episodes_hash = record.episodes_hash;
   board.split = record.split;
+  board.instructions = record.instructions;
   for (const episodes::Track track : tracks_of(runs.front()))
     board.tracks.push_back(track_of(runs, track));
   return board;

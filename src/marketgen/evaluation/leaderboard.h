@@ -80,7 +80,7 @@ struct LeaderboardTrack {
 
 struct Leaderboard {
   std::string schema = "market-leaderboard/1";
-  std::string version, realism, episodes_hash;
+  std::string version, realism, episodes_hash, instructions;
   episodes::Split split = episodes::Split::planned;
   std::vector<LeaderboardTrack> tracks;
   static constexpr auto fields = field_list(
@@ -89,6 +89,9 @@ struct Leaderboard {
       field("realism", &Leaderboard::realism, "of all runs"),
       field("episodes_hash", &Leaderboard::episodes_hash, "of the file of episodes"),
       field("split", &Leaderboard::split, "what the file's episodes were shown to be"),
+      field("instructions",
+            &Leaderboard::instructions,
+            "how the file's goals are told: ids, words, or ids and words"),
       field("tracks", &Leaderboard::tracks, "that the file has"));
 };
 

@@ -100,12 +100,14 @@ std::string percent_with_interval(double value, double low, double high) {
 }
 
 std::string leaderboard_sections(const Leaderboard& board) {
-  std::string out =
-      fmt::format("<p class=\"sub\">episodes {} · split {} · version {} · realism {}</p>",
-                  escaped_markup(board.episodes_hash),
-                  name_of(board.split),
-                  escaped_markup(board.version),
-                  escaped_markup(board.realism));
+  std::string out = fmt::format(
+      "<p class=\"sub\">episodes {} · split {} · instructions in {} · version {} "
+      "· realism {}</p>",
+      escaped_markup(board.episodes_hash),
+      name_of(board.split),
+      escaped_markup(board.instructions),
+      escaped_markup(board.version),
+      escaped_markup(board.realism));
   for (const LeaderboardTrack& track : board.tracks)
     out += track_section(track);
   return out;

@@ -153,13 +153,14 @@ std::string run_section(const FinishedRun& run,
   const RunRecord& record = run.record;
   std::string out = fmt::format(
       "<section><h1>{}</h1><p class=\"sub\">{} episodes · version {} · commit {} · realism {} · "
-      "split {} · file of episodes {}</p>",
+      "split {} · instructions in {} · file of episodes {}</p>",
       escaped_markup(record.policy),
       record.episodes.size(),
       escaped_markup(record.version),
       escaped_markup(record.commit()),
       escaped_markup(record.realism),
       name_of(record.split),
+      escaped_markup(record.instructions),
       escaped_markup(record.episodes_hash));
   return out + figures(run) + failures(run, strips) + ledger_table(run.results) +
          time_lines(run.results) + goods_tables(run.results, catalog) + "</section>";

@@ -1,6 +1,7 @@
 #include "evaluation/run_record.h"
 
 #include <charconv>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,6 +20,13 @@ int whole_number_of(std::string_view text) {
   int number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
   return read.ec == std::errc{} && read.ptr == text.data() + text.size() ? number : 0;
+}
+
+std::string instructions_of(const episodes::EpisodeFile& file) {
+  std::set<std::string_view> told;
+  for (const episodes::EpisodeSpec& spec : file.episodes)
+    told.insert(name_of(spec.instructions));
+  return fmt::format("{}", fmt::join(told, " and "));
 }
 
 }  // namespace
@@ -48,6 +56,7 @@ RunRecord record_of(const episodes::EpisodeFile& file,
   const std::string commit = source_commit;
   record.commits = {commit.empty() ? "unknown" : commit};
   record.split = file.header.split;
+  record.instructions = instructions_of(file);
   record.shard = shard;
   Hasher hasher;
   for (const episodes::EpisodeSpec& spec : file.episodes) {

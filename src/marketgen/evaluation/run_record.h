@@ -43,6 +43,7 @@ struct RunRecord {
   std::string realism = "ideal";
   std::string episodes_hash;
   episodes::Split split = episodes::Split::planned;
+  std::string instructions = "ids";  // of the file's episodes: ids, words, or "ids and words"
   Shard shard;
   std::vector<RunEpisode> episodes;
 
@@ -61,6 +62,9 @@ struct RunRecord {
             "over all episodes of the file, in their order",
             required()),
       field("split", &RunRecord::split, "what the file's episodes were shown to be"),
+      field("instructions",
+            &RunRecord::instructions,
+            "how the file's goals are told: ids, words, or ids and words"),
       field("shard", &RunRecord::shard, "the part of the file that was run"),
       field("episodes", &RunRecord::episodes, "all of the file", required()));
   std::string commit() const;  // of the commits, as one text

@@ -44,6 +44,10 @@ Result<void> check_same_task(const FinishedRun& first, const FinishedRun& other)
         std::string(name_of(a.split)),
         std::string(name_of(b.split)),
         "run both policies on one file of episodes"},
+       {"instructions",
+        a.instructions,
+        b.instructions,
+        "run both policies on one file of episodes"},
        same_version(a, b)});
 }
 

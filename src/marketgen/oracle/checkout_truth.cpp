@@ -1,6 +1,7 @@
 #include "oracle/checkout_truth.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -37,8 +38,7 @@ std::vector<perception::FoundProduct> TrueTargets::find(
   std::vector<perception::FoundProduct> found;
   for (std::size_t number = 0; number < wanted.size(); ++number) {
     const perception::ProductLook& look = *wanted[number].look;
-    std::optional<perception::FoundProduct> best;
-    double most = 0;
+    std::vector<std::pair<double, perception::FoundProduct>> of_product;
     for (std::size_t item = 0; item < world_.item_count(); ++item) {
       if (world_.goods(item).product.sku != look.sku()) continue;
       const Pose pose = world_.item_pose(item);
@@ -47,11 +47,13 @@ std::vector<perception::FoundProduct> TrueTargets::find(
       evidence.score = 1;
       const double worth =
           evidence.seen + (unloading.holds(pose.position.x, pose.position.y) ? 1 : 0);
-      if (best && worth <= most) continue;
-      best = perception::FoundProduct{number, 0, 0, {pose, evidence}};
-      most = worth;
+      of_product.push_back({worth, {number, 0, 0, {pose, evidence}}});
     }
-    if (best) found.push_back(*best);
+    std::ranges::stable_sort(
+        of_product, std::greater<>{}, [](const auto& each) { return each.first; });
+    const auto count = std::min(of_product.size(), static_cast<std::size_t>(wanted[number].count));
+    for (std::size_t i = 0; i < count; ++i)
+      found.push_back(of_product[i].second);
   }
   return found;
 }

@@ -20,8 +20,8 @@ class TrueMasks : public perception::MaskSource {
   const episodes::CheckoutEyes& eyes_;
 };
 
-// Where the items lie, seen or not. Of several of one product the one that is unloaded, or else the
-// one that shows most. `world` must outlive it.
+// Where the items lie, seen or not. Of more of one product than are wanted those that are unloaded,
+// or else those that show most. `world` must outlive it.
 class TrueTargets : public perception::TargetChoice {
  public:
   explicit TrueTargets(const episodes::CheckoutWorld& world) : world_(world) {}

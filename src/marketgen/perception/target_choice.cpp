@@ -129,11 +129,12 @@ std::vector<FoundProduct> CatalogueMatching::find(const std::vector<WantedProduc
       all, std::greater<>{}, [](const FoundProduct& f) { return f.pose.evidence.score; });
   // The surest first: where one product lies, no other does.
   for (const FoundProduct& product : all) {
+    if (std::ranges::count(found, product.look, &FoundProduct::look) >= wanted[product.look].count)
+      continue;
     const Vec3 at = middle_of(*wanted[product.look].look, product.pose.base_from_product);
     const bool taken = std::ranges::any_of(found, [&](const FoundProduct& other) {
-      return other.look == product.look ||
-             length(middle_of(*wanted[other.look].look, other.pose.base_from_product) - at) <
-                 same_place_m;
+      return length(middle_of(*wanted[other.look].look, other.pose.base_from_product) - at) <
+             same_place_m;
     });
     if (!taken) found.push_back(product);
   }

@@ -18,6 +18,7 @@ struct MaskedView {
 struct WantedProduct {
   const ProductLook* look = nullptr;
   std::vector<const ProductLook*> rivals = {};
+  int count = 1;  // as many of it may be found
 };
 
 struct FoundProduct {
@@ -29,8 +30,8 @@ struct FoundProduct {
 class TargetChoice {
  public:
   virtual ~TargetChoice() = default;
-  // Those of `wanted` that lie there, each at most once, best first. What is not likely is left
-  // out: an agent that takes something rather than nothing takes the wrong thing.
+  // Those of `wanted` that lie there, each at most `count` times, best first. What is not likely is
+  // left out: an agent that takes something rather than nothing takes the wrong thing.
   virtual std::vector<FoundProduct> find(const std::vector<WantedProduct>& wanted,
                                          const std::vector<ViewCloud>& views,
                                          const std::vector<MaskedView>& masked) const = 0;

@@ -4,8 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "base/progress.h"
 #include "policy/aisle_sight.h"
 #include "policy/aisle_tour.h"
+#include "policy/goal_skus.h"
 #include "skills/plan_failure.h"
 
 namespace marketgen::policy {
@@ -61,7 +65,7 @@ class ClassicalAisle : public agent::Policy {
     body_.start(first);
     stops_ = view_stops(map_);
     seen_.assign(stops_.size(), false);
-    for (const agent::TaskGoal& goal : task.goals)
+    for (std::size_t goal = 0; goal < task.goals.size(); ++goal)
       MARKETGEN_CHECK(learn(goal));
     return {};
   }
@@ -153,20 +157,30 @@ class ClassicalAisle : public agent::Policy {
 
   // ---- What it is to know ----
 
-  Result<void> learn(const agent::TaskGoal& asked) {
+  // What its words mean most likely; what cannot be read is not found.
+  Result<void> learn(std::size_t number) {
+    const agent::TaskGoal& asked = task_.goals[number];
     Goal goal;
-    goal.sku = asked.sku;
     goal.wanted = asked.count;
-    MARKETGEN_TRY(const agent::KnownProduct* known, setup_.products->product(asked.sku));
+    const auto skus = goal_skus(asked, modules_.language.get());
+    if (!skus.ok() && skus.error().code != not_understood) return skus.error();
+    if (!skus.ok()) {
+      log_debug(fmt::format("classical: {}", to_string(skus.error())));
+      goal.tries = max_tries;
+      goals_.push_back(std::move(goal));
+      return {};
+    }
+    goal.sku = skus->front();
+    MARKETGEN_TRY(const agent::KnownProduct* known, setup_.products->product(goal.sku));
     MARKETGEN_TRY(goal.look, setup_.looks->of(known->product, *setup_.products));
     for (const catalog::Product* rival : rivals_of(known->product)) {
       MARKETGEN_TRY(const perception::ProductLook* look,
                     setup_.looks->of(*rival, *setup_.products));
       goal.rivals.push_back(look);
     }
-    const auto hint = std::ranges::find(setup_.hints, asked.sku, &agent::CategoryHint::sku);
+    const auto hint = std::ranges::find(setup_.hints, number, &agent::CategoryHint::goal);
     if (hint == setup_.hints.end())
-      return Error{"episode.impossible", asked.sku, "nothing says where its category stands"};
+      return Error{"episode.impossible", goal.sku, "nothing says where its category stands"};
     goal.hint = hint->position;
     goals_.push_back(std::move(goal));
     return {};

@@ -10,6 +10,7 @@
 #include "agent/eyes.h"
 #include "agent/known_products.h"
 #include "agent/policy.h"
+#include "perception/goal_reader.h"
 #include "perception/look_library.h"
 #include "perception/shelf_choice.h"
 #include "perception/shelf_grasps.h"
@@ -20,13 +21,15 @@ namespace marketgen::policy {
 
 // Its modules; each may be another.
 struct ClassicalAisleModules {
+  std::unique_ptr<perception::GoalReader> language;
   std::unique_ptr<perception::SpotSource> spots;
   std::unique_ptr<perception::ShelfChoice> choice;
   std::unique_ptr<perception::ShelfGraspSource> grasps;
 };
 
 // What the agent is given. Eyes, catalogue, its looks, map and robot must outlive the policy.
-// Modules that are null are its own: SweptSpots, UprightMatching, FrontGrasps.
+// Modules that are null are its own: SweptSpots, UprightMatching, FrontGrasps. Without `language`
+// goals must be told by SKU.
 struct ClassicalAisleSetup {
   agent::Eyes* eyes = nullptr;  // "head_camera"; base frame: that of the robot's base
   agent::KnownProducts* products = nullptr;

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <set>
 
 #include <fmt/format.h>
 
 #include "base/progress.h"
 #include "geometry/rotation_axes.h"
 #include "policy/checkout_sight.h"
+#include "policy/sought_goals.h"
 #include "skills/basket_moves.h"
 #include "skills/hand_reach.h"
 #include "skills/place_search.h"
@@ -25,7 +24,7 @@ constexpr double calming_s = 0.25, opening_s = 0.35;
 constexpr double wider_m = 0.014;  // than what was held, when it is let go
 constexpr double min_left_s = 8;   // no new grasp with less time left
 constexpr int max_cleared = 8;
-constexpr std::size_t patch_points = 160, others_tried = 4, likenesses_tried = 8;
+constexpr std::size_t others_tried = 4, likenesses_tried = 8;
 constexpr double min_other_score = 0.25;
 constexpr double measured_within_m = 0.004;  // of a point of the cameras: noise and their grid
 constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
@@ -56,16 +55,7 @@ class ClassicalCheckout : public agent::Policy {
     task_ = task;
     arm_.start(first);
     MARKETGEN_CHECK(learn_catalogue());
-    for (const agent::TaskGoal& goal : task.goals) {
-      if (goal.count != 1)
-        return Error{"episode.impossible", goal.sku, "classical takes one of each product so far"};
-      const auto known = std::ranges::find(catalogue_, goal.sku, &perception::ProductLook::sku);
-      if (known == catalogue_.end())
-        return Error{"catalog.unknown_sku", goal.sku, "the agent's catalogue has no such product"};
-      looks_.push_back(*known);
-      wanted_.push_back({*known, perception::rivals_of(**known, catalogue_)});
-    }
-    return {};
+    return goals_.learn(task.goals, modules_.language.get(), catalogue_);
   }
 
   Result<agent::Action> act(const agent::Observation& now) override {
@@ -142,27 +132,17 @@ class ClassicalCheckout : public agent::Policy {
                              setup_.place,
                              *modules_.masks,
                              *modules_.targets,
-                             wanted_));
+                             goals_.wanted()));
+    if (goals_.wanted().empty()) {
+      goals_.narrow(sight_, catalogue_);
+      sight_.found = modules_.targets->find(goals_.wanted(), sight_.views, sight_.masked);
+    }
     sight_.points = without_robot(sight_.points, *setup_.robot, now_);
     if (now_.time_s + min_left_s > task_.limit_s) {
       stop("Timeout");
       return {};
     }
     return choose();
-  }
-
-  static Vec3 middle_of(const perception::ProductLook& look, const Pose& base_from_product) {
-    return base_from_product * to_double((look.low() + look.high()) * 0.5F);
-  }
-
-  // What was put down counts as there until it is seen elsewhere.
-  bool is_there(std::size_t goal) const {
-    for (const perception::FoundProduct& found : sight_.found) {
-      if (found.look != goal) continue;
-      const Vec3 at = middle_of(*looks_[goal], found.pose.base_from_product);
-      return setup_.place.unloading.holds(at.x, at.y);
-    }
-    return put_down_.contains(goal);
   }
 
   // ---- What to take next ----
@@ -187,6 +167,10 @@ class ClassicalCheckout : public agent::Policy {
       return {};
     }
     if (targets.empty() && failure_ == "None") note("NotFound");
+    if (!may_find_more()) {
+      stop("NotFound");
+      return {};
+    }
     for (const double borne : {tight_m, tightest_m}) {
       MARKETGEN_TRY(const bool begun, take_one_of(targets, borne));
       if (begun) return {};
@@ -202,23 +186,33 @@ class ClassicalCheckout : public agent::Policy {
   // Those that are not there yet and were found, what lies open first. True when all are there.
   bool due_targets(std::vector<Choice>& targets) const {
     bool all_there = true;
-    for (std::size_t goal = 0; goal < looks_.size(); ++goal) {
+    for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
       if (is_there(goal)) continue;
       all_there = false;
-      const auto tried = tries_.find(goal);
-      if (tried != tries_.end() && tried->second >= tries_an_item) continue;
-      for (const perception::FoundProduct& found : sight_.found)
-        if (found.look == goal)
-          targets.push_back({looks_[goal],
+      if (goals_.tries(goal) >= tries_an_item * goals_.count(goal)) continue;
+      for (const perception::FoundProduct* found : goals_.found_of(sight_, goal))
+        if (!goals_.is_unloaded(*found, setup_.place.unloading))
+          targets.push_back({&goals_.look_of(*found),
                              goal,
-                             found.pose.base_from_product,
-                             found.pose.evidence.seen,
+                             found->pose.base_from_product,
+                             found->pose.evidence.seen,
                              nullptr,
                              {},
                              {}});
     }
     std::ranges::stable_sort(targets, std::greater<>{}, &Choice::seen);
     return all_there;
+  }
+
+  bool is_there(std::size_t goal) const {
+    return goals_.there_of(sight_, goal, setup_.place.unloading) >= goals_.count(goal);
+  }
+
+  // Something is missing of which it is known what it is.
+  bool may_find_more() const {
+    for (std::size_t goal = 0; goal < goals_.size(); ++goal)
+      if (goals_.is_read(goal) && !is_there(goal)) return true;
+    return false;
   }
 
   Result<bool> take_one_of(std::vector<Choice>& choices, double borne_m) {
@@ -249,7 +243,7 @@ class ClassicalCheckout : public agent::Policy {
     const perception::ViewCloud& cloud = sight_.views[masked.view];
     std::vector<std::pair<double, perception::SurfacePatch>> ranked;
     for (const perception::Mask& mask : masked.masks) {
-      perception::SurfacePatch patch = perception::patch_of(cloud, mask, patch_points);
+      perception::SurfacePatch patch = perception::patch_of(cloud, mask, sight_patch_points);
       const Vec3 at = inverse(setup_.place.base_from_basket) * to_double(patch.middle);
       const Vec3 half = setup_.place.inner_half;
       if (std::abs(at.x) > half.x || std::abs(at.y) > half.y || is_of_target(patch)) continue;
@@ -269,8 +263,8 @@ class ClassicalCheckout : public agent::Policy {
 
   bool is_of_target(const perception::SurfacePatch& patch) const {
     return std::ranges::any_of(sight_.found, [&](const perception::FoundProduct& found) {
-      const auto left =
-          perception::other_points(patch.points, *looks_[found.look], found.pose.base_from_product);
+      const auto left = perception::other_points(
+          patch.points, goals_.look_of(found), found.pose.base_from_product);
       return left.size() < patch.points.size() * 7 / 10;
     });
   }
@@ -279,7 +273,7 @@ class ClassicalCheckout : public agent::Policy {
   std::optional<Choice> recognised(const perception::SurfacePatch& patch) const {
     std::vector<std::pair<double, const perception::ProductLook*>> alike;
     for (const perception::ProductLook* look : catalogue_)
-      if (patch.diagonal_m < look->diagonal_m() * 1.1F + 0.015F)
+      if (is_of_size(patch, *look))
         alike.emplace_back(perception::color_likeness(patch.colors, *look), look);
     std::ranges::stable_sort(
         alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
@@ -357,7 +351,7 @@ class ClassicalCheckout : public agent::Policy {
     force_n_ = grasp.force_n;
     others_ = choice.others;
     if (goal_)
-      ++tries_[*goal_];
+      goals_.note_taken(*goal_, *choice.look);
     else
       ++cleared_;
     step_ = Step::closed;
@@ -435,7 +429,7 @@ class ClassicalCheckout : public agent::Policy {
         arm_.wait(calming_s, 0, force_n_);
         arm_.wait(opening_s, opening, force_n_);
         step_back(opening);
-        if (goal_) put_down_.insert(*goal_);
+        if (goal_) goals_.note_put_down(*goal_);
         step_ = Step::go_to_look;
         return;
       }
@@ -470,13 +464,10 @@ class ClassicalCheckout : public agent::Policy {
   skills::BasketWalls walls_;
   agent::Task task_;
   agent::Observation now_;
-  std::vector<const perception::ProductLook*> looks_;  // of the goals, in their order
-  std::vector<perception::WantedProduct> wanted_;
+  SoughtGoals goals_;
   Step step_ = Step::go_to_look;
   Sight sight_;
-  std::map<std::size_t, int> tries_;  // by goal
-  std::set<std::size_t> put_down_;    // goals that were let go over the area
-  std::optional<std::size_t> goal_;   // that is being taken; none: something in the way
+  std::optional<std::size_t> goal_;  // that is being taken; none: something in the way
   const perception::ProductLook* held_look_ = nullptr;
   std::vector<const perception::ProductLook*> catalogue_;  // the whole of it
   int cleared_ = 0;

@@ -10,6 +10,7 @@
 #include "agent/policy.h"
 #include "agent/workplace.h"
 #include "base/seed.h"
+#include "perception/goal_reader.h"
 #include "perception/grasp_source.h"
 #include "perception/look_library.h"
 #include "perception/target_choice.h"
@@ -20,6 +21,7 @@ namespace marketgen::policy {
 
 // Its modules; each may be another.
 struct ClassicalModules {
+  std::unique_ptr<perception::GoalReader> language;
   std::unique_ptr<perception::MaskSource> masks;
   std::unique_ptr<perception::PoseSource> poses;
   std::unique_ptr<perception::TargetChoice> targets;
@@ -27,7 +29,8 @@ struct ClassicalModules {
 };
 
 // What the agent is given. Eyes, catalogue, its looks and robot must outlive the policy. Modules
-// that are null are its own: GeometricMasks, SweptPoses, CatalogueMatching, FittedGrasps.
+// that are null are its own: GeometricMasks, SweptPoses, CatalogueMatching, FittedGrasps. Without
+// `language` goals must be told by SKU.
 struct ClassicalSetup {
   agent::Eyes* eyes = nullptr;
   agent::KnownProducts* products = nullptr;

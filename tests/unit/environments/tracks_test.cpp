@@ -82,7 +82,8 @@ TEST_P(EachTrack, HasEveryPolicy) {
                            "oracle-plain",
                            "oracle-thorough",
                            "classical",
-                           "classical+masks+target+grasp"}) {
+                           "classical+masks+target+grasp",
+                           "classical+language"}) {
     const auto policy = arena().policy(name, *world);
     EXPECT_TRUE(policy.ok()) << name << ": " << to_string(policy.error());
   }

@@ -132,9 +132,10 @@ TEST(TruthModules, AnEpisodeRunsWithAllOfThem) {
   episodes::EpisodeSpec& spec = file.episodes.front();
   spec.limit_s = 20;
   environments::Arena arena(data_rows(), file.header, committed_catalog());
-  const auto result = environments::run_episode(arena, spec, "classical+masks+target+grasp");
+  const auto result =
+      environments::run_episode(arena, spec, "classical+masks+target+grasp+language");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
-  EXPECT_EQ(result->policy, "classical+masks+target+grasp");
+  EXPECT_EQ(result->policy, "classical+masks+target+grasp+language");
   EXPECT_TRUE(result->detail.empty()) << result->detail;
 }
 

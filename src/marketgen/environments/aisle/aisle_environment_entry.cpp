@@ -45,12 +45,17 @@ class AisleSampling : public EpisodeSampler {
   AisleSampling(Arena& arena,
                 std::string tools,
                 std::shared_ptr<episodes::GraspBook> book,
-                episodes::Split split)
-      : arena_(arena), tools_(std::move(tools)), book_(std::move(book)), split_(split) {}
+                episodes::Split split,
+                episodes::Instructions instructions)
+      : arena_(arena),
+        tools_(std::move(tools)),
+        book_(std::move(book)),
+        split_(split),
+        instructions_(instructions) {}
 
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(auto store, shared_aisle_store(arena_, origin.scene_hash, tools_));
-    MARKETGEN_TRY(auto sampler, episodes::AisleSampler::make(store, book_, split_));
+    MARKETGEN_TRY(auto sampler, episodes::AisleSampler::make(store, book_, split_, instructions_));
     episodes::EpisodeProver in_physics;
     if (split_ == episodes::Split::certified)
       in_physics = [this](const episodes::EpisodeSpec& spec) { return prove(arena_, spec); };
@@ -64,6 +69,7 @@ class AisleSampling : public EpisodeSampler {
   std::string tools_;
   std::shared_ptr<episodes::GraspBook> book_;
   episodes::Split split_;
+  episodes::Instructions instructions_;
 };
 
 class AisleEnvironmentEntry : public EnvironmentEntry {
@@ -84,12 +90,14 @@ class AisleEnvironmentEntry : public EnvironmentEntry {
     return make_aisle_environment(std::move(ground), options);
   }
 
-  Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
-                                                  const std::string& tools,
-                                                  episodes::Split split) const override {
+  Result<std::unique_ptr<EpisodeSampler>> sampler(
+      Arena& arena,
+      const std::string& tools,
+      episodes::Split split,
+      episodes::Instructions instructions) const override {
     MARKETGEN_TRY(auto book, episodes::open_aisle_book(arena.data(), arena.catalog(), tools));
     return std::unique_ptr<EpisodeSampler>(
-        std::make_unique<AisleSampling>(arena, tools, std::move(book), split));
+        std::make_unique<AisleSampling>(arena, tools, std::move(book), split, instructions));
   }
 };
 

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include "collect/collect_plan.h"
+#include "environments/goal_readers.h"
 #include "environments/track_policies.h"
 #include "episodes/aisle/aisle_senses.h"
+#include "episodes/episode_origin.h"
 #include "episodes/pictured_products.h"
 #include "oracle/aisle_truth.h"
 #include "oracle/oracle_aisle.h"
@@ -16,12 +18,15 @@ namespace {
 class SensingCollector : public WrappedPolicy {
  public:
   SensingCollector(const episodes::AisleWorld& world,
-                   const std::vector<catalog::FrictionRow>& frictions,
+                   std::shared_ptr<const std::vector<catalog::Product>> stock,
+                   const catalog::Catalog& catalog,
                    perception::LookLibrary& looks)
       : world_(world),
         eyes_(world),
         map_(world.store()),
-        products_(world.store().scene.catalog, frictions),
+        stock_(std::move(stock)),
+        catalog_(catalog),
+        products_(world.store().scene.catalog, catalog.frictions),
         looks_(looks) {}
 
   Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
@@ -36,14 +41,15 @@ class SensingCollector : public WrappedPolicy {
     setup.hints = episodes::category_hints(world_.spec());
     setup.body = {
         &store.robot, &map_, store.basket, store.driving, episodes::commanded_dofs(store.robot)};
-    setup.modules = true_modules(name);
+    setup.modules = modules_of(name);
     policy_ = policy::make_classical_aisle(std::move(setup), seed);
     return {};
   }
 
  private:
-  policy::ClassicalAisleModules true_modules(const PolicyName& name) const {
+  policy::ClassicalAisleModules modules_of(const PolicyName& name) const {
     policy::ClassicalAisleModules modules;
+    modules.language = goal_reader(name, world_.spec(), *stock_, catalog_);
     if (name.knows(TrueModule::masks)) modules.spots = std::make_unique<oracle::TrueSpots>(world_);
     if (name.knows(TrueModule::target))
       modules.choice = std::make_unique<oracle::TrueShelfChoice>(world_);
@@ -55,6 +61,8 @@ class SensingCollector : public WrappedPolicy {
   const episodes::AisleWorld& world_;
   episodes::AisleEyes eyes_;
   episodes::StoreMap map_;
+  std::shared_ptr<const std::vector<catalog::Product>> stock_;  // what is read from
+  const catalog::Catalog& catalog_;
   episodes::PicturedProducts products_;
   perception::LookLibrary& looks_;
   robots::GraspTool tool_;
@@ -73,7 +81,10 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
                                                       const episodes::AisleWorld& world,
                                                       const PolicyName& asked,
                                                       Seed seed) {
-  auto policy = std::make_unique<SensingCollector>(world, arena.catalog().frictions, arena.looks());
+  auto stock = std::make_shared<const std::vector<catalog::Product>>(
+      episodes::store_stock(world.store().scene));
+  auto policy =
+      std::make_unique<SensingCollector>(world, std::move(stock), arena.catalog(), arena.looks());
   MARKETGEN_CHECK(policy->make(arena.data(), asked, seed));
   return std::unique_ptr<agent::Policy>(std::move(policy));
 }

@@ -17,9 +17,11 @@ class CheckoutStoreSampler : public StoreSampler {
                        episodes::EpisodeOrigin origin,
                        const scene::Scene& scene,
                        const episodes::CheckoutStation& station,
-                       episodes::Split split)
+                       episodes::Split split,
+                       episodes::Instructions instructions)
       : arena_(arena),
         origin_(std::move(origin)),
+        instructions_(instructions),
         stock_(episodes::checkout_stock(scene)),
         lanes_(episodes::checkout_lanes(scene, arena.catalog(), station)),
         exclusions_(episodes::checkout_exclusions(scene)) {
@@ -43,7 +45,8 @@ class CheckoutStoreSampler : public StoreSampler {
                                             seed,
                                             index,
                                             certify_,
-                                            prove_));
+                                            prove_,
+                                            instructions_));
     return episodes::at_a_lane(std::move(drawn), lanes_);
   }
   const std::vector<catalog::Product>& products() const override { return stock_; }
@@ -52,6 +55,7 @@ class CheckoutStoreSampler : public StoreSampler {
  private:
   Arena& arena_;
   episodes::EpisodeOrigin origin_;
+  episodes::Instructions instructions_;
   std::vector<catalog::Product> stock_;
   episodes::CheckoutLanes lanes_;
   episodes::EpisodeExclusions exclusions_;
@@ -61,17 +65,19 @@ class CheckoutStoreSampler : public StoreSampler {
 
 class CheckoutSampling : public EpisodeSampler {
  public:
-  CheckoutSampling(Arena& arena, episodes::Split split) : arena_(arena), split_(split) {}
+  CheckoutSampling(Arena& arena, episodes::Split split, episodes::Instructions instructions)
+      : arena_(arena), split_(split), instructions_(instructions) {}
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
     MARKETGEN_TRY(const auto station, episodes::load_checkout_station(arena_.data()));
-    return std::unique_ptr<StoreSampler>(
-        std::make_unique<CheckoutStoreSampler>(arena_, origin, *scene, station, split_));
+    return std::unique_ptr<StoreSampler>(std::make_unique<CheckoutStoreSampler>(
+        arena_, origin, *scene, station, split_, instructions_));
   }
 
  private:
   Arena& arena_;
   episodes::Split split_;
+  episodes::Instructions instructions_;
 };
 
 class CheckoutEnvironmentEntry : public EnvironmentEntry {
@@ -96,13 +102,16 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
     return make_checkout_environment(std::move(ground), options);
   }
 
-  Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
-                                                  const std::string& tools,
-                                                  episodes::Split split) const override {
+  Result<std::unique_ptr<EpisodeSampler>> sampler(
+      Arena& arena,
+      const std::string& tools,
+      episodes::Split split,
+      episodes::Instructions instructions) const override {
     if (!tools.empty())
       return Error{
           "usage.bad_flag", "--tools", "only robots in aisles have a choice; drop the flag"};
-    return std::unique_ptr<EpisodeSampler>(std::make_unique<CheckoutSampling>(arena, split));
+    return std::unique_ptr<EpisodeSampler>(
+        std::make_unique<CheckoutSampling>(arena, split, instructions));
   }
 };
 

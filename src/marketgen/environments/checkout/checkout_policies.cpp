@@ -1,4 +1,5 @@
 // Who acts in Checkout Unloading.
+#include "environments/goal_readers.h"
 #include "environments/track_policies.h"
 #include "episodes/checkout/checkout_senses.h"
 #include "episodes/pictured_products.h"
@@ -16,12 +17,13 @@ class SensingPolicy : public WrappedPolicy {
  public:
   SensingPolicy(const episodes::CheckoutWorld& world,
                 std::shared_ptr<const std::vector<catalog::Product>> stock,
-                const std::vector<catalog::FrictionRow>& frictions,
+                const catalog::Catalog& catalog,
                 perception::LookLibrary& looks)
       : world_(world),
         eyes_(world),
         stock_(std::move(stock)),
-        products_(*stock_, frictions),
+        catalog_(catalog),
+        products_(*stock_, catalog.frictions),
         looks_(looks) {}
 
   Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
@@ -33,14 +35,15 @@ class SensingPolicy : public WrappedPolicy {
     setup.robot = &world_.robot();
     setup.tool = tool_;
     setup.place = episodes::workplace_of(world_.station());
-    setup.modules = true_modules(name);
+    setup.modules = modules_of(name);
     MARKETGEN_TRY(policy_, policy::make_classical_checkout(std::move(setup), seed));
     return {};
   }
 
  private:
-  policy::ClassicalModules true_modules(const PolicyName& name) const {
+  policy::ClassicalModules modules_of(const PolicyName& name) const {
     policy::ClassicalModules modules;
+    modules.language = goal_reader(name, world_.spec(), *stock_, catalog_);
     if (name.knows(TrueModule::masks)) modules.masks = std::make_unique<oracle::TrueMasks>(eyes_);
     if (name.knows(TrueModule::target))
       modules.targets = std::make_unique<oracle::TrueTargets>(world_);
@@ -52,6 +55,7 @@ class SensingPolicy : public WrappedPolicy {
   const episodes::CheckoutWorld& world_;
   episodes::CheckoutEyes eyes_;
   std::shared_ptr<const std::vector<catalog::Product>> stock_;
+  const catalog::Catalog& catalog_;
   episodes::PicturedProducts products_;
   perception::LookLibrary& looks_;
   robots::GraspTool tool_;
@@ -91,8 +95,8 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
                                                       const PolicyName& asked,
                                                       Seed seed) {
   MARKETGEN_TRY(auto sold, arena.stock(world.spec().scene_hash));
-  auto policy = std::make_unique<SensingPolicy>(
-      world, std::move(sold), arena.catalog().frictions, arena.looks());
+  auto policy =
+      std::make_unique<SensingPolicy>(world, std::move(sold), arena.catalog(), arena.looks());
   MARKETGEN_CHECK(policy->make(arena.data(), asked, seed));
   return std::unique_ptr<agent::Policy>(std::move(policy));
 }

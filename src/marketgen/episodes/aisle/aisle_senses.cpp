@@ -1,6 +1,7 @@
 #include "episodes/aisle/aisle_senses.h"
 
 #include "collect/scene_obstacles.h"
+#include "episodes/told_goals.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -74,8 +75,8 @@ motion::Obstacles StoreMap::fixtures(Vec3 middle, double within_m) const {
 
 std::vector<agent::CategoryHint> category_hints(const EpisodeSpec& spec) {
   std::vector<agent::CategoryHint> hints;
-  for (const CategoryPlace& place : spec.categories)
-    hints.push_back({place.sku, {place.x_m, place.y_m}});
+  for (const ToldCategory& told : told_categories(spec))
+    hints.push_back({static_cast<std::size_t>(told.goal), {told.x_m, told.y_m}});
   return hints;
 }
 

@@ -65,7 +65,15 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
                  fmt::format("the track has \"{}\", not \"{}\"", station.robot, spec.robot)};
   MARKETGEN_CHECK(check_tools(station, spec.tools, spec.id));
   for (const EpisodeGoal& goal : spec.goals) {
-    if (store_->front_items(goal.sku).empty())
+    const auto reached = static_cast<int>(store_->front_items(goal.sku).size());
+    if (reached > 0 && reached < goal.count)
+      return Error{"episode.impossible",
+                   spec.id,
+                   fmt::format("asks for {} of \"{}\"; {} stand in front within reach",
+                               goal.count,
+                               goal.sku,
+                               reached)};
+    if (reached == 0)
       return Error{
           "catalog.unknown_sku", spec.id, "the store offers no \"" + goal.sku + "\" within reach"};
   }

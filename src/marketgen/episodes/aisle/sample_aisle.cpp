@@ -6,7 +6,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "collect/collect_plan.h"
 #include "collect/scene_obstacles.h"
@@ -46,11 +45,14 @@ struct AisleSampler::Witness {
 
 Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const AisleStore> store,
                                                          std::shared_ptr<GraspBook> book,
-                                                         Split split) {
+                                                         Split split,
+                                                         Instructions instructions) {
   std::unique_ptr<AisleSampler> made(new AisleSampler);
   made->store_ = std::move(store);
   made->book_ = std::move(book);
   made->split_ = split;
+  made->instructions_ = instructions;
+  made->offer_ = Offer(store_stock(made->store_->scene));
   const scene::Scene& scene = made->store_->scene;
   std::set<std::uint32_t> seen;
   for (const scene::SceneProduct& product : scene.products) {
@@ -179,6 +181,7 @@ Result<std::optional<WitnessPick>> AisleSampler::pick(const catalog::Product& pr
   MARKETGEN_TRY(options.grasps, studied_grasps(product, book_->tool(), book_->frictions(), grasps));
   for (std::size_t i = 0; i < std::min(rows.size(), max_rows); ++i) {
     const std::uint32_t row = rows[i];
+    if (std::ranges::find(witness.taken, row) != witness.taken.end()) continue;
     const auto plan = collect::plan_collect(
         store_->scene, row, store_->robot, book_->tool(), seed.child("pick", i), options);
     if (!plan.ok()) {
@@ -229,32 +232,53 @@ Result<std::optional<WitnessPick>> AisleSampler::pick_wider(const catalog::Produ
   return std::optional<WitnessPick>{};
 }
 
-// False when the split asks for more than is known of the product.
-Result<bool> AisleSampler::add_goal(const catalog::Product& product,
-                                    EpisodeSpec& spec,
-                                    Witness& witness,
-                                    Seed seed) {
-  if (split_ == Split::paper) {
-    const std::vector<std::uint32_t> rows = nearest_rows(product.sku, witness.axle);
-    if (rows.empty()) return false;
-    const PointMm stands = *store_->standing_place(rows.front());
-    witness.axle = {stands[0] * 1e-3, stands[1] * 1e-3, 0};
-  }
-  if (split_ == Split::planned || split_ == Split::certified) {
-    MARKETGEN_TRY(const std::vector<int> grasps, grasps_for(product));
-    if (grasps.empty()) return false;
-    MARKETGEN_TRY(auto found, pick(product, grasps, max_rows, witness, seed));
+// Of so many items of the product, how many the witness fetches one after the other.
+Result<int> AisleSampler::witnessed(
+    const catalog::Product& product, int count, EpisodeSpec& spec, Witness& witness, Seed seed) {
+  MARKETGEN_TRY(const std::vector<int> grasps, grasps_for(product));
+  if (grasps.empty()) return 0;
+  for (int item = 0; item < count; ++item) {
+    const Seed own = item == 0 ? seed : seed.child("item", static_cast<std::uint64_t>(item));
+    MARKETGEN_TRY(auto found, pick(product, grasps, max_rows, witness, own));
     if (!found && split_ == Split::certified) {
-      MARKETGEN_TRY(found, pick_wider(product, grasps, witness, seed));
+      MARKETGEN_TRY(found, pick_wider(product, grasps, witness, own));
       if (found && !spec.certificate.has(shown_by_wider_search))
         spec.certificate.proved.emplace_back(shown_by_wider_search);
     }
-    if (!found) return false;
+    if (!found) return item;
     spec.certificate.witness.push_back(*found);
   }
-  spec.goals.push_back({product.sku, 1});
+  return count;
+}
+
+// Of `count` items, or of as many as the split can have. False when that is none.
+Result<bool> AisleSampler::add_goal(
+    const catalog::Product& product, int count, EpisodeSpec& spec, Witness& witness, Seed seed) {
+  if (split_ == Split::planned || split_ == Split::certified) {
+    MARKETGEN_TRY(count, witnessed(product, count, spec, witness, seed));
+  } else if (split_ == Split::paper) {
+    const std::vector<std::uint32_t> rows = nearest_rows(product.sku, witness.axle);
+    count = std::min(count, static_cast<int>(rows.size()));
+    if (rows.empty()) return false;
+    const PointMm stands = *store_->standing_place(rows.front());
+    witness.axle = {stands[0] * 1e-3, stands[1] * 1e-3, 0};
+  } else {
+    count = std::min(count, static_cast<int>(store_->front_items(product.sku).size()));
+  }
+  if (count == 0) return false;
+  spec.goals.push_back({product.sku, count});
   spec.categories.push_back(category_place(product));
   return true;
+}
+
+// Whether words name it among all that the store sells; considered and left out if not.
+bool AisleSampler::can_be_told(const catalog::Product& product, Seed words) {
+  if (instructions_ == Instructions::ids ||
+      refer_to(offer_, offer_.number_of(product.sku), 1, words.child(product.sku)))
+    return true;
+  const std::scoped_lock lock(mutex_);
+  considered_.insert_or_assign(product.sku, std::string(not_told_apart));
+  return false;
 }
 
 std::optional<motion::FloorPlace> AisleSampler::draw_start(Stream& draw) const {
@@ -287,28 +311,32 @@ CategoryPlace AisleSampler::category_place(const catalog::Product& product) cons
 
 Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed seed) {
   Stream draw = seed.child("targets").stream();
-  const int wanted = draw.integer(min_goals, max_goals);
+  const bool two_of_a_kind = seed.child("counts").stream().chance(two_of_a_kind_share);
+  const int wanted =
+      std::min(draw.integer(min_goals, max_goals), two_of_a_kind ? max_goals - 1 : max_goals);
   const auto start = draw_start(draw);
   if (!start) return std::optional<EpisodeSpec>{};
   Witness witness{axle_of(store_->robot, upright(*start)), {}, {}};
   std::set<std::string> drawn;
-  std::vector<std::string> names;
+  const Seed words = seed.child("words");
+  int most = two_of_a_kind ? 2 : 1;  // items of the next goal
   for (int i = 0; i < max_skus_drawn && static_cast<int>(spec.goals.size()) < wanted; ++i) {
     auto shape = shapes_.begin();
     std::advance(shape, draw.integer(0, static_cast<int>(shapes_.size()) - 1));
     const auto& of_shape = shape->second;
     const catalog::Product& product =
         *of_shape[static_cast<std::size_t>(draw.integer(0, static_cast<int>(of_shape.size()) - 1))];
-    if (!drawn.insert(product.sku).second) continue;
+    if (!drawn.insert(product.sku).second || !can_be_told(product, words)) continue;
     MARKETGEN_TRY(
         const bool added,
-        add_goal(product, spec, witness, seed.child("witness", static_cast<std::uint64_t>(i))));
-    if (!added) continue;
-    names.push_back(spoken_product(product));
+        add_goal(
+            product, most, spec, witness, seed.child("witness", static_cast<std::uint64_t>(i))));
+    if (added && spec.goals.back().count == most) most = 1;
   }
   if (static_cast<int>(spec.goals.size()) < wanted) return std::optional<EpisodeSpec>{};
   spec.start = {start->position.x, start->position.y, start->heading * 180 / std::numbers::pi};
-  spec.instruction = fmt::format("Collect these into your basket: {}.", fmt::join(names, "; "));
+  if (!tell_goals(offer_, InstructionVerb::collect, words, spec))
+    return std::optional<EpisodeSpec>{};
   return std::optional(std::move(spec));
 }
 
@@ -335,6 +363,7 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
   spec.robot = store_->station.robot;
   spec.tools = store_->station.tools().id;
   spec.cameras = {"head_camera"};
+  spec.instructions = instructions_;
   spec.limit_s = store_->station.limit_s;
   spec.certificate.proved = shown();
   CandidateJudge judge(prove);

@@ -14,18 +14,23 @@
 #include "episodes/aisle/grasp_book.h"
 #include "episodes/episode_journal.h"
 #include "episodes/episode_origin.h"
+#include "episodes/goal_words.h"
 
 namespace marketgen::episodes {
 
-constexpr int min_goals = 2, max_goals = 4;
+constexpr int min_goals = 2, max_goals = 4;  // items, too, are max_goals at most
+// Share of the episodes that are drawn with two of one product, where two can be fetched.
+constexpr double two_of_a_kind_share = 0.25;
 
 // For one store. Any number of threads may draw at once: an episode depends on seed and index only.
 class AisleSampler {
  public:
   // Error episode.impossible when too few products stand within reach.
-  static Result<std::unique_ptr<AisleSampler>> make(std::shared_ptr<const AisleStore> store,
-                                                    std::shared_ptr<GraspBook> book,
-                                                    Split split = Split::planned);
+  static Result<std::unique_ptr<AisleSampler>> make(
+      std::shared_ptr<const AisleStore> store,
+      std::shared_ptr<GraspBook> book,
+      Split split = Split::planned,
+      Instructions instructions = Instructions::words);
 
   // Errors: episode.impossible with what was missing; those of plan_collect and plan_drop that are
   // not about one product; those of `prove`.
@@ -34,7 +39,8 @@ class AisleSampler {
                              int index,
                              const EpisodeProver& prove = {});
 
-  // Of the products that were considered so far: those that the grasp study does not hold, by why.
+  // Of the products that were considered so far: those that the grasp study does not hold, or that
+  // words do not tell apart from others, by why.
   EpisodeExclusions exclusions() const;
   // These products; and more, which another process considered while it drew for the same store.
   std::vector<ConsideredProduct> considered() const;
@@ -47,10 +53,11 @@ class AisleSampler {
   std::vector<std::string> shown() const;
   bool is_drawn_from(const catalog::Product& product) const;
   std::vector<std::uint32_t> nearest_rows(const std::string& sku, const Vec3& axle) const;
-  Result<bool> add_goal(const catalog::Product& product,
-                        EpisodeSpec& spec,
-                        Witness& witness,
-                        Seed seed);
+  bool can_be_told(const catalog::Product& product, Seed words);
+  Result<int> witnessed(
+      const catalog::Product& product, int count, EpisodeSpec& spec, Witness& witness, Seed seed);
+  Result<bool> add_goal(
+      const catalog::Product& product, int count, EpisodeSpec& spec, Witness& witness, Seed seed);
   Result<std::optional<WitnessPick>> pick(const catalog::Product& product,
                                           const std::vector<int>& grasps,
                                           std::size_t max_rows,
@@ -68,6 +75,8 @@ class AisleSampler {
   std::shared_ptr<const AisleStore> store_;
   std::shared_ptr<GraspBook> book_;
   Split split_ = Split::planned;
+  Instructions instructions_ = Instructions::words;
+  Offer offer_{std::vector<catalog::Product>{}};  // all that the store sells
   std::map<std::string, std::vector<const catalog::Product*>>
       shapes_;  // within reach, by archetype
   mutable std::mutex mutex_;

@@ -5,9 +5,10 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "catalog/look_alike.h"
 #include "episodes/checkout/checkout_world.h"
+#include "episodes/goal_words.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -38,6 +39,12 @@ const catalog::Product* draw_product(
   return free[static_cast<std::size_t>(draw.integer(0, static_cast<int>(free.size()) - 1))];
 }
 
+// What is poured: targets first, then others. Of one target there may be two, side by side here.
+struct BasketDraw {
+  std::vector<const catalog::Product*> goods;
+  int targets = 0, others = 0;  // kinds
+};
+
 class CheckoutSampler {
  public:
   CheckoutSampler(const std::vector<catalog::Product>& stock,
@@ -54,28 +61,106 @@ class CheckoutSampler {
 
   // Empty when it is not kept, for the reason that the judge has.
   Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, int number) {
-    Stream draw = seed_.child("basket", static_cast<std::uint64_t>(number)).stream();
-    const auto kinds = static_cast<int>(stock_.size());
-    const int targets = std::min(draw.integer(min_targets, max_targets), std::max(1, kinds / 3));
-    const int others = std::min(draw.integer(min_others, max_others), kinds - targets);
-    const std::vector<const catalog::Product*> drawn = draw_products(targets + others, draw);
-    MARKETGEN_CHECK(pour(drawn, seed_.child("pour", static_cast<std::uint64_t>(number)), spec));
-    if (static_cast<int>(spec.items.size()) < targets + std::min(others, min_others))
+    const BasketDraw drawn = draw_basket(static_cast<std::uint64_t>(number));
+    MARKETGEN_CHECK(
+        pour(drawn.goods, seed_.child("pour", static_cast<std::uint64_t>(number)), spec));
+    if (static_cast<int>(spec.items.size()) < drawn.targets + std::min(drawn.others, min_others))
       return refused("spilled");
-    std::vector<std::string> names;
-    for (int i = 0; i < targets; ++i) {
-      const std::string& sku = spec.items[static_cast<std::size_t>(i)].sku;
-      spec.goals.push_back({sku, 1});
-      names.push_back(spoken_product(*std::ranges::find(stock_, sku, &catalog::Product::sku)));
-    }
-    spec.instruction =
-        fmt::format("Put these from the basket on the unloading area: {}.", fmt::join(names, "; "));
+    ask_for(drawn.targets, spec);
+    if (!tell_goals(Offer(rows_of(spec)),
+                    InstructionVerb::unload,
+                    seed_.child("words", static_cast<std::uint64_t>(number)),
+                    spec))
+      return refused(std::string(not_told_apart));
     MARKETGEN_TRY(const bool rests, settle(spec));
     if (!rests) return refused("restless");
     return certified(std::move(spec), seed_.child("witness", static_cast<std::uint64_t>(number)));
   }
 
  private:
+  BasketDraw draw_basket(std::uint64_t number) const {
+    Stream draw = seed_.child("basket", number).stream();
+    const auto kinds = static_cast<int>(stock_.size());
+    BasketDraw basket;
+    basket.targets = std::min(draw.integer(min_targets, max_targets), std::max(1, kinds / 3));
+    basket.others = std::min(draw.integer(min_others, max_others), kinds - basket.targets);
+    basket.goods = draw_products(basket.targets + basket.others, draw);
+    set_look_alikes(seed_.child("look_alikes", number), basket);
+    add_second(seed_.child("counts", number), basket);
+    return basket;
+  }
+
+  // With one of them in the place of the first of the others; or none of the others is one, as far
+  // as the stock has other goods.
+  void set_look_alikes(Seed seed, BasketDraw& basket) const {
+    Stream draw = seed.stream();
+    const auto first = static_cast<std::size_t>(basket.targets);
+    if (basket.goods.size() <= first) return;
+    const bool wanted = draw.chance(look_alikes_share);
+    for (std::size_t i = first; i < (wanted ? first + 1 : basket.goods.size()); ++i)
+      if (is_like_a_target(*basket.goods[i], basket) != wanted) replace(i, wanted, basket, draw);
+  }
+
+  // By goods that are not in the basket; stays where the stock has none.
+  void replace(std::size_t number, bool by_look_alike, BasketDraw& basket, Stream& draw) const {
+    std::vector<const catalog::Product*> others;
+    for (const catalog::Product& product : stock_)
+      if (std::ranges::find(basket.goods, &product) == basket.goods.end() &&
+          is_like_a_target(product, basket) == by_look_alike)
+        others.push_back(&product);
+    if (others.empty()) return;
+    basket.goods[number] =
+        others[static_cast<std::size_t>(draw.integer(0, static_cast<int>(others.size()) - 1))];
+  }
+
+  static bool is_like_a_target(const catalog::Product& product, const BasketDraw& basket) {
+    const auto count = std::min(static_cast<std::size_t>(basket.targets), basket.goods.size());
+    return std::ranges::any_of(
+        basket.goods.begin(),
+        basket.goods.begin() + static_cast<std::ptrdiff_t>(count),
+        [&](const catalog::Product* target) { return catalog::are_look_alikes(product, *target); });
+  }
+
+  // Of a target; the last of the others makes room for it where there are most of them.
+  static void add_second(Seed seed, BasketDraw& basket) {
+    Stream draw = seed.stream();
+    if (!draw.chance(two_of_one_share)) return;
+    const int target = draw.integer(0, basket.targets - 1);
+    if (target >= static_cast<int>(basket.goods.size())) return;
+    if (basket.others == max_others) {
+      basket.goods.pop_back();
+      --basket.others;
+    }
+    const auto at = basket.goods.begin() + target;
+    basket.goods.insert(at, *at);
+  }
+
+  // For the first kinds of what lies there.
+  void ask_for(int kinds, EpisodeSpec& spec) const {
+    for (const EpisodeItem& item : spec.items) {
+      if (!spec.goals.empty() && spec.goals.back().sku == item.sku)
+        ++spec.goals.back().count;
+      else if (static_cast<int>(spec.goals.size()) < kinds)
+        spec.goals.push_back({item.sku, 1});
+    }
+    const std::vector<catalog::Product> rows = rows_of(spec);
+    spec.look_alikes = std::ranges::any_of(rows, [&](const catalog::Product& row) {
+      return std::ranges::any_of(spec.goals, [&](const EpisodeGoal& goal) {
+        return catalog::are_look_alikes(row,
+                                        *std::ranges::find(rows, goal.sku, &catalog::Product::sku));
+      });
+    });
+  }
+
+  // Of what lies there, each once.
+  std::vector<catalog::Product> rows_of(const EpisodeSpec& spec) const {
+    std::vector<catalog::Product> rows;
+    for (const EpisodeItem& item : spec.items)
+      if (std::ranges::find(rows, item.sku, &catalog::Product::sku) == rows.end())
+        rows.push_back(*std::ranges::find(stock_, item.sku, &catalog::Product::sku));
+    return rows;
+  }
+
   std::vector<const catalog::Product*> draw_products(int count, Stream& draw) const {
     std::vector<const catalog::Product*> drawn;
     constexpr int max_draws = 1000;
@@ -202,7 +287,8 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     Seed seed,
                                     int index,
                                     const CheckoutCertifier& certify,
-                                    const EpisodeProver& prove) {
+                                    const EpisodeProver& prove,
+                                    Instructions instructions) {
   if (stock.size() < min_stock)
     return Error{"episode.impossible",
                  origin.store,
@@ -215,6 +301,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
   EpisodeSpec spec = begun_spec("checkout", origin, seed, index, own);
   spec.robot = world.station().robot;
+  spec.instructions = instructions;
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
   CheckoutSampler sampler(stock, world, certify, prove, own);

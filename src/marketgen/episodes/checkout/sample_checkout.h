@@ -17,6 +17,10 @@ namespace marketgen::episodes {
 
 constexpr int min_targets = 2, max_targets = 4;
 constexpr int min_others = 4, max_others = 8;
+// Shares of the baskets that are drawn: with two of one target, which are one goal; with a product
+// beside the targets that is easily taken for one of them (catalog/look_alike.h), where the stock
+// has one. Targets may be alike, too.
+constexpr double two_of_one_share = 0.25, look_alikes_share = 0.5;
 // Kinds of goods; baskets of stores with fewer than max_targets + max_others are smaller.
 constexpr std::size_t min_stock = 2;
 
@@ -53,10 +57,10 @@ using CheckoutCertifier = std::function<Result<std::optional<std::vector<Witness
 // Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes,
 // of a small stock at most a third of it targets;
 // dropped into the basket one after another, and settled. What spills is left out; drawn anew when
-// too few stay, or `certify` finds no way through (empty: not asked for). With `prove` a basket
-// needs no planned way, but is drawn anew when it cannot be done in physics. Errors:
-// episode.impossible (too few kinds of goods, too many baskets drawn); those of CheckoutWorld, of
-// `certify` and of `prove`.
+// too few stay, words would fit another product of the basket as well (not_told_apart), or
+// `certify` finds no way through (empty: not asked for). With `prove` a basket needs no planned
+// way, but is drawn anew when it cannot be done in physics. Errors: episode.impossible (too few
+// kinds of goods, too many baskets drawn); those of CheckoutWorld, of `certify` and of `prove`.
 Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const std::vector<catalog::Product>& stock,
                                     const std::vector<catalog::FrictionRow>& frictions,
@@ -64,6 +68,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     Seed seed,
                                     int index,
                                     const CheckoutCertifier& certify = {},
-                                    const EpisodeProver& prove = {});
+                                    const EpisodeProver& prove = {},
+                                    Instructions instructions = Instructions::words);
 
 }  // namespace marketgen::episodes

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "assets/product_model.h"
+#include "episodes/goal_words.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -75,7 +76,9 @@ Result<EpisodeSpec> sample_one_item(const std::filesystem::path& data,
   spec.station = one_item_station;
   spec.items = {standing_item(station, product, draw)};
   spec.goals = {{product.sku, 1}};
-  spec.instruction = fmt::format("Put this on the unloading area: {}.", spoken_product(product));
+  spec.instructions = Instructions::words;
+  if (!tell_goals(Offer({product}), InstructionVerb::unload, own.child("words"), spec))
+    return Error{"episode.impossible", spec.id, "nothing can be said of " + product.sku};
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = station.limit_s;
   return spec;
