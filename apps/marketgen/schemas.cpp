@@ -11,6 +11,7 @@
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
+#include "episodes/realism.h"
 #include "evaluation/leaderboard.h"
 #include "intake/photos_file.h"
 #include "io/flatbuffer.h"
@@ -54,6 +55,9 @@ std::vector<Document> documents() {
       {"market-checkout-1",
        "The place of Checkout Unloading",
        type_of<episodes::CheckoutStation>()},
+      {"market-realism-1",
+       "What stands between the world and a robot",
+       type_of<episodes::Realism>()},
       {"market-episode-1", "One task for a robot", type_of<episodes::EpisodeSpec>()},
       {"market-episodes-1",
        "The first line of an episodes file",
