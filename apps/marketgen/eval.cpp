@@ -27,7 +27,7 @@ struct EvalFlags {
   CommonFlags common;
   std::string episodes, policy = "oracle", output;
   std::vector<std::string> truth, against;
-  std::string shard;
+  std::string shard, realism = "ideal";
   int jobs = 0;
   evaluation::AnswerLimits answer{120, 1200};
   bool resume = false, perception = false, worker = false;
@@ -44,7 +44,9 @@ void print_share(const char* name, const Share& share) {
       share.of);
 }
 
-void print_summary(const evaluation::EvaluationSummary& summary, episodes::Split split) {
+void print_summary(const evaluation::EvaluationSummary& summary,
+                   episodes::Split split,
+                   const std::string& realism) {
   print_share("SR strict", summary.strict);
   print_share("SR clean", summary.clean);
   print_share("goals", summary.goals);
@@ -55,12 +57,13 @@ void print_summary(const evaluation::EvaluationSummary& summary, episodes::Split
         summary.spl_subset * 100,
         summary.mean_path_m,
         summary.mean_path_success_m);
-  say("SR partial  {:5.1f} %  ({:.1f} to {:.1f}), {} episodes ({}) of {} stores\n",
+  say("SR partial  {:5.1f} %  ({:.1f} to {:.1f}), {} episodes ({}, {}) of {} stores\n",
       summary.partial.value * 100,
       summary.partial.low * 100,
       summary.partial.high * 100,
       summary.episodes,
       name_of(split),
+      realism,
       summary.stores);
   print_share("violations", summary.violations);
   say("{:.1f} simulated seconds and {:.1f} s of computing an episode\n",
@@ -97,9 +100,10 @@ Result<void> eval_perception(const EvalFlags& flags) {
   MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
+  MARKETGEN_TRY(const episodes::Realism realism, episodes::load_realism(data, flags.realism));
   environments::Arena arena(data, file.header, catalog);
   MARKETGEN_TRY(const std::vector<evaluation::PerceptionMeasure> measures,
-                evaluation::measure_perception(arena, file.episodes));
+                evaluation::measure_perception(arena, file.episodes, realism));
   std::string lines;
   for (const evaluation::PerceptionMeasure& measure : measures)
     lines += io::write_json_line(measure) + "\n";
@@ -125,8 +129,10 @@ std::vector<std::string> worker_command(const EvalFlags& flags, int jobs) {
           std::to_string(std::max(1, thread_count() / jobs))};
 }
 
-Result<evaluation::EvaluationOptions> options_of(const EvalFlags& flags) {
+Result<evaluation::EvaluationOptions> options_of(const EvalFlags& flags,
+                                                 const std::filesystem::path& data) {
   evaluation::EvaluationOptions options{flags.policy, flags.output, flags.resume};
+  MARKETGEN_TRY(options.realism, episodes::load_realism(data, flags.realism));
   options.jobs = flags.jobs > 0 ? flags.jobs : thread_count();
   options.answer = flags.answer;
   if (!flags.shard.empty()) {
@@ -147,7 +153,9 @@ Result<std::vector<evaluation::FinishedRun>> others_of(
     return Error{"usage.bad_flag", "--against", "a shard is no whole run: merge, then leaderboard"};
   std::vector<evaluation::FinishedRun> all = others;
   all.insert(all.begin(),
-             {options.folder, evaluation::record_of(file, options.policy, options.shard), {}});
+             {options.folder,
+              evaluation::record_of(file, options.policy, options.realism.name, options.shard),
+              {}});
   MARKETGEN_CHECK(evaluation::check_same_episodes(all));
   for (const evaluation::FinishedRun& run : others)
     MARKETGEN_CHECK(evaluation::check_complete(run));
@@ -183,7 +191,7 @@ Result<void> eval(const EvalFlags& given) {
   if (flags.worker) return evaluation::serve_episodes(data, catalog, flags.policy);
   if (flags.output.empty())
     return Error{"usage.bad_flag", "--output", "name a folder for the results"};
-  MARKETGEN_TRY(const evaluation::EvaluationOptions options, options_of(flags));
+  MARKETGEN_TRY(const evaluation::EvaluationOptions options, options_of(flags, data));
   MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
   MARKETGEN_TRY(std::vector<evaluation::FinishedRun> others, others_of(flags, file, options));
   MARKETGEN_TRY(
@@ -193,7 +201,7 @@ Result<void> eval(const EvalFlags& given) {
   if (flags.common.json)
     fmt::print("{}", io::write_json(summary));
   else if (!flags.common.quiet)
-    print_summary(summary, file.header.split);
+    print_summary(summary, file.header.split, options.realism.name);
   MARKETGEN_CHECK(check_all_run(results, std::filesystem::path(flags.output) / "results.jsonl"));
   return print_beside(flags, std::move(others));
 }
@@ -219,6 +227,13 @@ Run add_eval(CLI::App& app) {
                    "modules of classical in whose place the truth stands: masks, target, grasp, "
                    "language")
       ->delimiter(',');
+  command
+      ->add_option("--realism",
+                   flags->realism,
+                   "what stands between the world and the robot: ideal (nothing), standard or "
+                   "hard, or a file of your own that ends with .json; rankings are meant to use "
+                   "standard")
+      ->capture_default_str();
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(whole_number(0, 1024));
   command->add_option("--shard",

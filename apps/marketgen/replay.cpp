@@ -23,7 +23,7 @@ namespace {
 
 struct ReplayFlags {
   CommonFlags common;
-  std::string episodes, episode, policy = "oracle", results, film, strip;
+  std::string episodes, episode, policy = "oracle", realism, results, film, strip;
   int width = 640, height = 480;
   double speed = 4;
 };
@@ -82,6 +82,30 @@ Result<std::optional<episodes::EpisodeResult>> kept_result(const ReplayFlags& fl
   return std::optional(result);
 }
 
+// What was asked for, or else what the kept result was run with. Errors: those of load_realism;
+// episode.not_repeated when these two differ.
+Result<episodes::Realism> realism_of(const ReplayFlags& flags,
+                                     const std::filesystem::path& data,
+                                     const std::optional<episodes::EpisodeResult>& before) {
+  const auto differs = [&](const std::string& asked) {
+    return Error{"episode.not_repeated",
+                 flags.results,
+                 fmt::format("{} was run with the realism \"{}\"{}: name that, or its file, with "
+                             "--realism",
+                             before->episode,
+                             before->realism,
+                             asked)};
+  };
+  const bool is_own = before && before->realism.starts_with(episodes::own_realism);
+  if (flags.realism.empty() && is_own) return differs("");
+  const std::string kept = before ? before->realism : episodes::Realism{}.name;
+  MARKETGEN_TRY(episodes::Realism realism,
+                episodes::load_realism(data, flags.realism.empty() ? kept : flags.realism));
+  if (before && before->realism != realism.name)
+    return differs(fmt::format(", not \"{}\"", realism.name));
+  return realism;
+}
+
 // Error episode.not_repeated: the states at the end differ.
 Result<void> compare(const ReplayFlags& flags,
                      const episodes::EpisodeResult& before,
@@ -106,6 +130,7 @@ Result<void> replay_episode(const ReplayFlags& flags) {
   MARKETGEN_TRY(const episodes::EpisodeSpec spec, episode_named(file, flags.episode));
   MARKETGEN_TRY(const auto before, kept_result(flags, file.header, spec));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const episodes::Realism realism, realism_of(flags, data, before));
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   environments::Arena arena(data, file.header, catalog);
   constexpr double frame_rate = 20;
@@ -117,7 +142,8 @@ Result<void> replay_episode(const ReplayFlags& flags) {
                    .frame_rate = frame_rate});
   const bool filmed = !flags.film.empty() || !flags.strip.empty();
   MARKETGEN_TRY(const episodes::EpisodeResult result,
-                environments::run_episode(arena, spec, flags.policy, filmed ? &filming : nullptr));
+                environments::run_episode(
+                    arena, spec, flags.policy, filmed ? &filming : nullptr, {}, realism));
   if (filmed) MARKETGEN_CHECK(filming.finish(outputs));
   MARKETGEN_CHECK(outputs.commit());
   if (flags.common.json)
@@ -143,6 +169,9 @@ Run add_replay(CLI::App& app) {
       ->required();
   command->add_option("--episode", flags->episode, "its id, or its number from 0 on")->required();
   command->add_option("--policy", flags->policy, "who acts")->capture_default_str();
+  command->add_option("--realism",
+                      flags->realism,
+                      "as of eval; that of --results where they are given, else ideal");
   command->add_option("--results", flags->results, "results.jsonl with which it is compared");
   add_output(*command, "--film", flags->film, "MP4 file");
   add_output(*command, "--strip", flags->strip, "PNG or JPEG file with six pictures of it");

@@ -12,6 +12,7 @@
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
 #include "evaluation/differences_table.h"
+#include "episodes/realism.h"
 #include "evaluation/leaderboard.h"
 #include "evaluation/tracks_table.h"
 #include "intake/photos_file.h"
@@ -56,6 +57,9 @@ std::vector<Document> documents() {
       {"market-checkout-1",
        "The place of Checkout Unloading",
        type_of<episodes::CheckoutStation>()},
+      {"market-realism-1",
+       "What stands between the world and a robot",
+       type_of<episodes::Realism>()},
       {"market-episode-1", "One task for a robot", type_of<episodes::EpisodeSpec>()},
       {"market-episodes-1",
        "The first line of an episodes file",

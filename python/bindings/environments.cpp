@@ -52,7 +52,8 @@ EnvironmentHandle create_environment(std::shared_ptr<environments::EpisodeGround
                                      const std::string& station,
                                      bool stop,
                                      bool privileged,
-                                     int item_rows) {
+                                     int item_rows,
+                                     const std::string& realism) {
   const environments::EnvironmentOptions options{
       .control = named<environments::ControlMode>(control_mode, "control_mode"),
       .reward = named<environments::RewardMode>(reward_mode, "reward_mode"),
@@ -60,7 +61,8 @@ EnvironmentHandle create_environment(std::shared_ptr<environments::EpisodeGround
       .station = station,
       .stop = stop,
       .privileged = privileged,
-      .item_rows = item_rows};
+      .item_rows = item_rows,
+      .realism = value_or_raise(episodes::load_realism(ground->data(), realism))};
   const episodes::Track of = value_or_raise(episodes::track_named(track));
   return {value_or_raise(environments::Environment::create(std::move(ground), of, options))};
 }

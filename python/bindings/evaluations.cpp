@@ -20,11 +20,14 @@ namespace marketgen::python {
 namespace {
 
 evaluation::EvaluationOptions options_of(const std::string& policy,
+                                         const std::string& realism,
                                          const std::string& folder,
                                          bool resume,
                                          int jobs,
                                          const std::string& shard) {
   evaluation::EvaluationOptions options{policy, folder, resume};
+  options.realism =
+      value_or_raise(episodes::load_realism(value_or_raise(io::data_folder()), realism));
   if (!shard.empty()) options.shard = value_or_raise(evaluation::read_shard(shard));
   options.jobs = jobs > 0 ? jobs : thread_count();
   return options;
@@ -34,6 +37,7 @@ evaluation::EvaluationOptions options_of(const std::string& policy,
 // policy of processor time and, against hangs, of wall time; until a worker is ready.
 void evaluate(const std::string& episodes,
               const std::string& policy,
+              const std::string& realism,
               const std::string& folder,
               bool resume,
               int jobs,
@@ -41,7 +45,7 @@ void evaluate(const std::string& episodes,
               const std::vector<std::string>& worker,
               const std::array<double, 3>& limits_s,
               const Callable& progress) {
-  evaluation::EvaluationOptions options = options_of(policy, folder, resume, jobs, shard);
+  evaluation::EvaluationOptions options = options_of(policy, realism, folder, resume, jobs, shard);
   options.answer = {limits_s[0], limits_s[1]};
   options.start_limit_s = limits_s[2];
   options.worker = worker;
@@ -90,13 +94,15 @@ std::shared_ptr<nb::object> shared(nb::object object) {
 // its result's.
 void evaluate_with(const std::string& episodes,
                    const std::string& policy,
+                   const std::string& realism,
                    const std::string& folder,
                    bool resume,
                    int jobs,
                    const std::string& shard,
                    nb::object make_runner,
                    const Callable& progress) {
-  const evaluation::EvaluationOptions options = options_of(policy, folder, resume, jobs, shard);
+  const evaluation::EvaluationOptions options =
+      options_of(policy, realism, folder, resume, jobs, shard);
   const auto make = [&]() -> evaluation::EpisodeRunner {
     const nb::gil_scoped_acquire held;
     std::shared_ptr<nb::object> runner;

@@ -74,6 +74,7 @@ def evaluate(
     hang_limit_s: float = 1200.0,
     start_limit_s: float = 120.0,
     shard: str = "",
+    realism: PathLike = "ideal",
     policy_files: Sequence[PathLike] = (),
     progress: Progress | None = None,
     **options: Unpack[TaskOptions],
@@ -96,6 +97,8 @@ def evaluate(
                  too): one that waits uses no processor time. 0: never
     start_limit_s  wall time until that process is ready; a policy that takes longer over its imports ends the run
     shard        "2/4": the second of four parts of the file; merge() joins their results
+    realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard" or "hard", or a
+                 file of your own that ends with .json. Rankings are meant to use "standard"
     policy_files  files and folders that a policy written in Python reads and writes, as weights and logs. Its process opens
                  these, Python's own files and the folders of its code (sys.path), but no episodes and no stores, and looks
                  into no other process. Where that cannot be had (no Landlock in the kernel, act_limit_s=0) it is an
@@ -120,6 +123,7 @@ def evaluate(
             arguments.a_number("start_limit_s", start_limit_s, 0, MAX_LIMIT_S),
         ),
         shard=arguments.a_text("shard", shard),
+        realism=arguments.a_path("realism", realism),
         policy_files=tuple(_existing("policy_files", file) for file in arguments.paths("policy_files", policy_files)),
         truth=(path, into, _core.cache_folder(), os.path.join(_core.data_folder(), "benchmark", "pool")),
         progress=arguments.a_progress(progress),
@@ -174,6 +178,7 @@ class _Run:
     jobs: int
     limits_s: tuple[float, float, float]  # of computing for one answer, until it is taken to hang, until it is ready
     shard: str  # "" or "2/4"
+    realism: str  # a row's name or a file
     policy_files: tuple[str, ...]
     truth: tuple[str, ...]  # files and folders that no policy may open, wherever they lie
     progress: Progress | None
@@ -190,7 +195,9 @@ def _evaluate_named(path: str, policy: str, run: _Run, options: dict[str, Any]) 
     if options:
         raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
     worker = _worker_command(policy, run.jobs) if run.acts_apart else []
-    _core.evaluate(path, policy, run.into, run.resume, run.jobs, run.shard, worker, run.limits_s, run.progress)
+    _core.evaluate(
+        path, policy, run.realism, run.into, run.resume, run.jobs, run.shard, worker, run.limits_s, run.progress
+    )
 
 
 def _worker_command(policy: str, jobs: int) -> list[str]:
@@ -224,13 +231,15 @@ def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any])
     isolation = _isolation(run)
     code = [os.path.dirname(policy.path)] if isinstance(policy, PolicyFile) else []
     seen = None if isolation == NOT_ISOLATED else sight(run.truth, code=code, files=run.policy_files)
-    stages = _Stages(path, options)
+    stages = _Stages(path, {**options, "realism": run.realism})
 
     def make_runner():
         player = PolicyProcess(policy, *run.limits_s, seen) if run.acts_apart else PolicyHere(copy.deepcopy(policy))
         return _Runner(str(name), isolation, player, stages)
 
-    _core.evaluate_with(path, str(name), run.into, run.resume, run.jobs, run.shard, make_runner, run.progress)
+    _core.evaluate_with(
+        path, str(name), run.realism, run.into, run.resume, run.jobs, run.shard, make_runner, run.progress
+    )
 
 
 def _isolation(run: _Run) -> str:

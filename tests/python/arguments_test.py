@@ -148,6 +148,12 @@ CALLS = {
     "render_camera": [lambda on: gymnasium.make(CHECKOUT, store=on.store, render_camera="aisle")],
     "obs_mode": [lambda on: gymnasium.make(CHECKOUT, store=on.store, obs_mode="pixels")],
     "control_mode": [lambda on: gymnasium.make(CHECKOUT, store=on.store, control_mode="torque")],
+    "realism": [
+        lambda on: gymnasium.make(CHECKOUT, store=on.store, realism="standart"),
+        lambda on: gymnasium.make(CHECKOUT, store=on.store, realism=5),
+        lambda on: marketgen.evaluate(on.tasks, "stop", on.folder, realism=5),
+        lambda on: marketgen.evaluate(on.tasks, "stop", on.folder, realism="harder"),
+    ],
     "reward_mode": [lambda on: gymnasium.make(CHECKOUT, store=on.store, reward_mode="none")],
     "cameras": [lambda on: gymnasium.make(CHECKOUT, store=on.store, obs_mode="rgbd", cameras=["wrist"])],
     "env": [

@@ -1,6 +1,7 @@
 """marketgen.evaluate() is the program's eval; a policy that fails is a result, not a crash."""
 
 import json
+import subprocess
 
 import gymnasium
 import pytest
@@ -59,6 +60,53 @@ def test_policies_in_python(tasks, tmp_path, act_limit_s):
     function = marketgen.evaluate(tasks, policies.still, tmp_path / "b", jobs=2, act_limit_s=act_limit_s)
     assert [result["failure"] for result in function.results] == ["Timeout", "Timeout"]
     assert all(result["simulated_s"] > 2.9 and len(result["state_hash"]) == 32 for result in function.results)
+
+
+def test_realism_is_the_same_by_every_door(tasks, tmp_path):
+    """The program's policy, its replay, a policy in Python and an environment: one episode at standard, one state."""
+
+    def still(observation):
+        return policies.still(observation)
+
+    ours = marketgen.evaluate(tasks, "random", tmp_path / "ours", realism="standard")
+    run("eval", "--episodes", tasks, "--policy", "random", "--realism", "standard", "-o", tmp_path / "theirs", "--quiet")
+    lines = (tmp_path / "theirs" / "results.jsonl").read_text().splitlines()
+    assert timeless(ours.results) == timeless(map(json.loads, lines))
+    assert {result["realism"] for result in ours.results} == {"standard"}
+    assert json.loads((tmp_path / "ours" / "run.json").read_text())["realism"] == "standard"
+    ideal = marketgen.evaluate(tasks, "random", tmp_path / "ideal")
+    assert ideal.results[0]["state_hash"] != ours.results[0]["state_hash"]
+    again = ("replay", "--episodes", tasks, "--episode", "0", "--policy", "random", "--results")
+    assert "the same" in run(*again, tmp_path / "theirs" / "results.jsonl")
+    with pytest.raises(marketgen.Error) as mixed:
+        marketgen.leaderboard([tmp_path / "ours", tmp_path / "ideal"])
+    assert mixed.value.code == "results.not_comparable"
+
+    python = marketgen.evaluate(tasks, still, tmp_path / "python", act_limit_s=0, realism="standard")
+    env = gymnasium.make("MarketGen/CheckoutUnloading-v1", episodes=tasks, realism="standard")
+    seen, _ = env.reset(options={"episode": 0})
+    over = False
+    while not over:
+        seen, _, terminated, truncated, info = env.step(still(seen))
+        over = terminated or truncated
+    assert info["result"]["realism"] == "standard"
+    assert info["result"]["state_hash"] == python.results[0]["state_hash"]
+
+
+def test_realism_goes_on_only_as_it_was(tasks, tmp_path):
+    marketgen.evaluate(tasks, "stop", tmp_path / "a", realism="standard")
+    with pytest.raises(marketgen.Error) as refused:
+        marketgen.evaluate(tasks, "stop", tmp_path / "a", resume=True)
+    assert refused.value.where == "realism" and "standard" in refused.value.message
+    own = tmp_path / "mine.json"
+    own.write_text('{"schema": "market-realism/1", "name": "mine", "latency": {"least_s": 0.1, "most_s": 0.1}}')
+    mine = marketgen.evaluate(tasks, "stop", tmp_path / "b", realism=own)
+    assert mine.results[0]["realism"].startswith("own-")
+    again = ("replay", "--episodes", tasks, "--episode", "0", "--policy", "stop", "--results", tmp_path / "b" / "results.jsonl")
+    with pytest.raises(subprocess.CalledProcessError) as unnamed:
+        run(*again)
+    assert "own-" in unnamed.value.stderr and "--realism" in unnamed.value.stderr
+    assert "the same" in run(*again, "--realism", own)
 
 
 def test_one_code_by_every_door(tasks, tmp_path):

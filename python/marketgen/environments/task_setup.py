@@ -12,7 +12,7 @@ import numpy as np
 from gymnasium import spaces
 
 from .. import _core
-from ..arguments import Progress, a_name, a_progress
+from ..arguments import Progress, a_name, a_path, a_progress
 from ..store import Store, open_store
 from .observations import Observations
 
@@ -44,6 +44,7 @@ class TaskOptions(TypedDict, total=False):
     points: int
     quality: Literal["fast", "balanced", "best"]
     segmentation: bool
+    realism: str | os.PathLike[str]
 
 
 DEFAULTS: TaskOptions = {
@@ -60,6 +61,7 @@ DEFAULTS: TaskOptions = {
     "points": 4096,
     "quality": "fast",
     "segmentation": False,
+    "realism": "ideal",
 }
 # What a learner starts from; options that are given count before these.
 PRESETS: dict[str | None, TaskOptions] = {
@@ -136,6 +138,7 @@ class TaskSetup:
         self.stop_action, self.obs_mode = bool(wanted["stop_action"]), wanted["obs_mode"]
         # Object numbers, or the true state, without their products would be of no use; else nothing tells a SKU.
         self.shows_truth = bool(wanted["segmentation"]) or self.obs_mode == "state"
+        self.realism = a_path("realism", wanted["realism"])
         self.ground = ground_of(track, store, wanted["episodes"])
         self.has_file = store is None
         first = self.new_environment()
@@ -182,6 +185,7 @@ class TaskSetup:
             self.stop_action,
             self.obs_mode == "state",
             1 if self.station == ONE_ITEM_STATION else 0,
+            self.realism,
         )
 
     @functools.cached_property

@@ -60,8 +60,10 @@ Result<std::shared_ptr<const std::vector<catalog::Product>>> Arena::stock(
 }
 
 Result<std::unique_ptr<episodes::TrackWorld>> Arena::open(
-    const episodes::EpisodeSpec& spec, const std::optional<episodes::Perturbation>& perturbation) {
-  return environment_entry_of(spec.track).open(*this, spec, perturbation);
+    const episodes::EpisodeSpec& spec,
+    const std::optional<episodes::Perturbation>& perturbation,
+    const episodes::Realism& realism) {
+  return environment_entry_of(spec.track).open(*this, spec, perturbation, realism);
 }
 
 Result<std::unique_ptr<agent::Policy>> Arena::policy(const std::string& name,

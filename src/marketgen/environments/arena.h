@@ -35,10 +35,12 @@ class Arena {
 
   // Reset to the episode. Errors: those of the track's world; episode.other_store when the header's
   // plan does not give the store that the episode was drawn from. With a perturbation the world is
-  // a little other than the episode says (episodes/perturbation.h).
+  // a little other than the episode says (episodes/perturbation.h); the realism says what stands
+  // between it and its robot.
   Result<std::unique_ptr<episodes::TrackWorld>> open(
       const episodes::EpisodeSpec& spec,
-      const std::optional<episodes::Perturbation>& perturbation = {});
+      const std::optional<episodes::Perturbation>& perturbation = {},
+      const episodes::Realism& realism = {});
 
   // `world` must outlive it. Errors: usage.bad_flag, there is no such policy; those of what it is
   // made of.

@@ -19,9 +19,12 @@ namespace {
 constexpr char state_tag[] = "market-state/1";
 
 // What the numbers of a state mean depends on these.
-std::string made_by(const episodes::EpisodeSpec& spec) {
-  return fmt::format(
-      "{} {} {:016x}", state_tag, program_version, hash64(io::write_json_line(spec)));
+std::string made_by(const episodes::TrackWorld& world) {
+  return fmt::format("{} {} {:016x} {}",
+                     state_tag,
+                     program_version,
+                     hash64(io::write_json_line(world.spec())),
+                     world.realism().name);
 }
 
 }  // namespace
@@ -99,7 +102,7 @@ Result<void> Environment::check(std::span<const double> action) const {
 
 Result<StepOutcome> Environment::step(std::span<const double> action) {
   MARKETGEN_CHECK(check(action));
-  MARKETGEN_TRY(MappedAction mapped, actions_->action(action, world().robot_state(), target_));
+  MARKETGEN_TRY(MappedAction mapped, actions_->action(action, world().sensed_state(), target_));
   MARKETGEN_TRY(const RunStep made, run_->step(mapped.action));
   target_ = actions_->led(mapped.action.position, world().told());
   cuts_ = std::move(mapped.cuts);
@@ -140,13 +143,17 @@ double Environment::reward() const {
 }
 
 void Environment::observe(std::span<float> into) const {
-  const RobotSeen seen{world().observe(), actions_->tool_poses(world().robot_state())};
+  const RobotSeen seen{world().observe(), actions_->tool_poses(world().sensed_state())};
   std::vector<double> numbers;
   numbers.reserve(size_);
   add_robot_numbers(world().robot(), seen, numbers);
   if (options_.privileged)
-    add_privileged_numbers(
-        seen_items_, item_rows_, place(), seen.tools, world().spec().instruction, numbers);
+    add_privileged_numbers(seen_items_,
+                           item_rows_,
+                           place(),
+                           actions_->tool_poses(world().robot_state()),
+                           world().spec().instruction,
+                           numbers);
   for (std::size_t i = 0; i < size_; ++i)
     into[i] = static_cast<float>(std::clamp(numbers[i], low_[i], high_[i]));
 }
@@ -154,7 +161,7 @@ void Environment::observe(std::span<float> into) const {
 std::string Environment::save() const {
   ByteWriter writer;
   const std::string result = run_->result() ? io::write_json(*run_->result()) : "";
-  writer(made_by(world().spec()), world().save(), target_, run_->in_time(), result);
+  writer(made_by(world()), world().save(), target_, run_->in_time(), result);
   const std::string content = writer.take();
   writer(hash64(content), content);
   return writer.take();
@@ -174,8 +181,8 @@ Result<void> Environment::restore(std::string_view moment) {
   bool in_time = true;
   ByteReader reader(content);
   reader(made, state, target, in_time, result);
-  if (!reader.ok() || made != made_by(world().spec()) || target.size() != target_.size())
-    return bad("the state is of another episode, or of another version of marketgen");
+  if (!reader.ok() || made != made_by(world()) || target.size() != target_.size())
+    return bad("the state is of another episode or realism, or of another version of marketgen");
   std::optional<episodes::EpisodeResult> ended;
   if (!result.empty()) {
     MARKETGEN_TRY(ended, io::read_json<episodes::EpisodeResult>(result, "state"));

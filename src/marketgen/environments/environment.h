@@ -17,6 +17,7 @@
 #include "environments/episode_run.h"
 #include "environments/goal_progress.h"
 #include "environments/observation_parts.h"
+#include "episodes/realism.h"
 #include "episodes/track_world.h"
 #include "render/render.h"
 
@@ -38,6 +39,7 @@ struct EnvironmentOptions {
   bool stop = true;  // an action ends with `stop`; without it the goals' being met is the end
   bool privileged = false;  // observations have the truth, too
   int item_rows = 0;        // of that; 0: as many as any episode of the ground needs
+  episodes::Realism realism = {};
 };
 
 struct StepOutcome {

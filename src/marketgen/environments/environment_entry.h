@@ -19,7 +19,8 @@ class EnvironmentEntry {
   virtual Result<std::unique_ptr<episodes::TrackWorld>> open(
       Arena& arena,
       const episodes::EpisodeSpec& spec,
-      const std::optional<episodes::Perturbation>& perturbation) const = 0;
+      const std::optional<episodes::Perturbation>& perturbation,
+      const episodes::Realism& realism) const = 0;
   // Errors: of the station and its robot.
   virtual Result<std::unique_ptr<Environment>> environment(
       std::shared_ptr<EpisodeGround> ground, const EnvironmentOptions& options) const = 0;

@@ -30,7 +30,9 @@ episodes::EpisodeResult EpisodeRun::judged(episodes::EpisodeEnd end) {
   end.in_time = in_time_;
   if (result_) return episodes::with_end(*result_, end);
   if (!end.broken) end.broken = done.error();
-  return episodes::with_end(episodes::unjudged(world_.spec()), end);
+  episodes::EpisodeResult open = episodes::unjudged(world_.spec());
+  open.realism = world_.realism().name;
+  return episodes::with_end(std::move(open), end);
 }
 
 Result<void> EpisodeRun::restore(std::string_view world,

@@ -88,9 +88,11 @@ Result<episodes::EpisodeResult> run_episode(
     const episodes::EpisodeSpec& spec,
     const std::string& policy_name,
     EpisodeWatcher* watcher,
-    const std::optional<episodes::Perturbation>& perturbation) {
+    const std::optional<episodes::Perturbation>& perturbation,
+    const episodes::Realism& realism) {
   const auto began = std::chrono::steady_clock::now();
-  MARKETGEN_TRY(const std::unique_ptr<episodes::TrackWorld> world, arena.open(spec, perturbation));
+  MARKETGEN_TRY(const std::unique_ptr<episodes::TrackWorld> world,
+                arena.open(spec, perturbation, realism));
   MARKETGEN_TRY(const std::unique_ptr<agent::Policy> policy, arena.policy(policy_name, *world));
   MARKETGEN_TRY(episodes::EpisodeResult result, run_policy(*world, *policy, policy_name, watcher));
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -32,13 +32,14 @@ Result<episodes::EpisodeResult> run_policy(episodes::TrackWorld& world,
                                            const std::string& name,
                                            EpisodeWatcher* watcher = nullptr);
 
-// The same with a world and a policy of the arena's, which may be perturbed (Arena::open). Errors:
-// those, too.
+// The same with a world and a policy of the arena's, perturbed and of a realism as Arena::open has
+// it. Errors: those, too.
 Result<episodes::EpisodeResult> run_episode(
     Arena& arena,
     const episodes::EpisodeSpec& spec,
     const std::string& policy,
     EpisodeWatcher* watcher = nullptr,
-    const std::optional<episodes::Perturbation>& perturbation = {});
+    const std::optional<episodes::Perturbation>& perturbation = {},
+    const episodes::Realism& realism = {});
 
 }  // namespace marketgen::environments

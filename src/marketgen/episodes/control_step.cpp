@@ -53,13 +53,13 @@ int ControlStep::count() {
 }
 
 physics::RobotReference ControlStep::at(int step) const {
-  const double s = static_cast<double>(step + 1) / substeps;
+  const double s = std::min(1.0, static_cast<double>(step + 1) / substeps);
   physics::RobotReference reference = end_;
   for (std::size_t j = 0; j < commanded_.size(); ++j) {
     const auto dof = static_cast<std::size_t>(commanded_[j]);
     const robots::Setpoint& from = from_[dof];
     reference.joints[dof] = {from.position + way_at(from.velocity, speeds_[j], s) * control_step_s,
-                             speed_at(from.velocity, speeds_[j], s)};
+                             step < substeps ? speed_at(from.velocity, speeds_[j], s) : 0};
   }
   reference.drive_m_s = std::lerp(drive_from_, end_.drive_m_s, s);
   reference.turn_rad_s = std::lerp(turn_from_, end_.turn_rad_s, s);

@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 3> names_of(PolicyIsolation) {
 struct EpisodeResult {
   std::string schema = "market-result/1";
   std::string episode, episode_hash, store, scene_hash, policy;
+  std::string realism = "ideal";
   PolicyIsolation isolation = PolicyIsolation::own;
   std::vector<GoalOutcome> goals;
   int hits = 0, asked = 0;
@@ -46,6 +47,9 @@ struct EpisodeResult {
       field("store", &EpisodeResult::store, "the store's name"),
       field("scene_hash", &EpisodeResult::scene_hash, "of the store's scene: which store it is"),
       field("policy", &EpisodeResult::policy, "who acted"),
+      field("realism",
+            &EpisodeResult::realism,
+            "what stood between the world and the robot: a row's name, or own- and a hash"),
       field("isolation",
             &EpisodeResult::isolation,
             "what kept it from reading what it must not know; own: it is the program's own"),

@@ -30,6 +30,21 @@ std::vector<double> TrackWorld::told() const {
   return places;
 }
 
+std::vector<double> TrackWorld::sensed_state() const {
+  std::vector<double> state = robot_state();
+  const std::vector<double> seen = observe().position;
+  const std::vector<int> commanded = commanded_dofs(robot());
+  for (std::size_t j = 0; j < commanded.size(); ++j)
+    state[static_cast<std::size_t>(commanded[j])] = seen[j];
+  return state;
+}
+
+void TrackWorld::start_senses(const robots::BasePlace& truth, const robots::BasePlace& reckoned) {
+  senses_ = RobotSenses(realism_, noise_, robot(), truth, reckoned);
+  link_ =
+      CommandLink(robot(), commanded_dofs(robot()), senses_.late_steps(), still_action(as_it_is()));
+}
+
 std::vector<int> commanded_dofs(const robots::Robot& robot) {
   std::vector<bool> left_out(robot.dof_count());
   const auto leave_out = [&](const robots::JointGroup* group) {

@@ -8,7 +8,10 @@
 #include <variant>
 
 #include "agent/policy.h"
+#include "episodes/command_link.h"
 #include "episodes/episode_result.h"
+#include "episodes/realism.h"
+#include "episodes/robot_senses.h"
 #include "physics/world/robot_controller.h"
 
 namespace marketgen::episodes {
@@ -32,14 +35,15 @@ using AnyWorld = OneOfWorlds<void
 #undef MARKETGEN_TRACK
                              >::type;
 
-// Physics 500 Hz, control 20 Hz. A function of its episode and its actions: bit for bit, in any
-// process. Not thread-safe; one a thread.
+// Physics 500 Hz, control 20 Hz. A function of its episode, of its realism and of its actions: bit
+// for bit, in any process. Not thread-safe; one a thread.
 class TrackWorld {
  public:
   virtual ~TrackWorld() = default;
   virtual const EpisodeSpec& spec() const = 0;
   virtual const robots::Robot& robot() const = 0;
-  virtual agent::Observation observe() const = 0;
+  // As the robot's sensors tell it, which is as its realism says.
+  agent::Observation observe() const { return senses_.told(as_it_is(), steps()); }
   // One control step. Error episode.bad_action: not finite, another number of values, or after the
   // end; the world is then as before. physics.failed.
   virtual Result<agent::Observation> step(const agent::Action& action) = 0;
@@ -47,6 +51,12 @@ class TrackWorld {
   virtual double time_s() const = 0;
   virtual int steps() const = 0;
   virtual std::vector<double> robot_state() const = 0;  // of all degrees of freedom
+  // What it was reset with, and the seed of what is drawn for that.
+  const Realism& realism() const { return realism_; }
+  Seed noise() const { return noise_; }
+  // Of all degrees of freedom, the commanded joints as observe() has them: what the robot's own
+  // kinematics go by.
+  std::vector<double> sensed_state() const;
   // Of the commanded joints: where their drives are told to be, which is where the last action
   // wanted them as far as the limits of the robot's row allow.
   std::vector<double> told() const;
@@ -60,8 +70,9 @@ class TrackWorld {
   // All goals are met as things stand: those of finish() without its waiting. Errors: assets.*.
   virtual Result<bool> goals_met() = 0;
 
-  // A moment, for a world that was reset to the same episode, of this process or another: it then
-  // goes on bit for bit as this one does. Error of restore, and the world is as before:
+  // A moment, for a world that was reset to the same episode with the same realism, of this process
+  // or another: it then goes on bit for bit as this one does. A twin goes on from it with noise of
+  // its own. Error of restore, and the world is as before:
   // physics.bad_command, it is of another episode.
   virtual std::string save() const = 0;
   virtual Result<void> restore(std::string_view moment) = 0;
@@ -77,7 +88,15 @@ class TrackWorld {
   virtual Result<std::unique_ptr<TrackView>> open_view() const = 0;
 
  protected:
+  virtual agent::Observation as_it_is() const = 0;
+  // Once the robot stands at its beginning. `truth` and `reckoned`: as of RobotSenses.
+  void start_senses(const robots::BasePlace& truth, const robots::BasePlace& reckoned);
+
   PhysicsWatch physics_watch_;
+  Realism realism_;
+  Seed noise_{0};
+  RobotSenses senses_;
+  CommandLink link_;
 };
 
 // Degrees of freedom that actions command: all but a base's, and those of fingers.

@@ -77,16 +77,16 @@ Result<void> serve_episodes(const std::filesystem::path& data,
                             const catalog::Catalog& catalog,
                             const std::string& policy) {
   Report report;
-  MARKETGEN_TRY(const episodes::EpisodeHeader header,
-                io::read_json<episodes::EpisodeHeader>(next_line().value_or(""), told));
-  environments::Arena arena(data, header, catalog);
+  MARKETGEN_TRY(const WorkerTask task, io::read_json<WorkerTask>(next_line().value_or(""), told));
+  environments::Arena arena(data, task.header, catalog);
   report.say("ready");
   while (const auto line = next_line()) {
     MARKETGEN_TRY(const episodes::EpisodeSpec spec,
                   io::read_json<episodes::EpisodeSpec>(*line, told));
     std::optional<Result<episodes::EpisodeResult>> result;
-    parallel_for(
-        1, [&](std::size_t) { result = environments::run_episode(arena, spec, policy, &report); });
+    parallel_for(1, [&](std::size_t) {
+      result = environments::run_episode(arena, spec, policy, &report, {}, task.realism);
+    });
     if (result->ok()) {
       report.say("result " + io::write_json_line(**result));
     } else {

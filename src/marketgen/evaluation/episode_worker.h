@@ -6,8 +6,8 @@
 // that crashes. So `evaluate` looks on from outside (evaluation/worker_process.h) and ends a worker
 // whose policy computes too long over one answer, or never gives one.
 //
-// A line each way, all of JSON: first, on standard input, the header of the episodes' file; then
-// one episode after the other. So the file is read once, by whoever has it, be it a pipe. On
+// A line each way, all of JSON: first, on standard input, a WorkerTask; then one episode after the
+// other. So files are read once, by whoever has them, be they pipes. On
 // standard output "ready" once, then around every call of the policy "asked" and "answered " with
 // the seconds of processor time that it took, and at the end of the episode "result " and a
 // market-result/1, or "error ", the error's code, where and message between tabs. What policies
@@ -18,8 +18,19 @@
 
 #include "base/result.h"
 #include "catalog/catalog.h"
+#include "episodes/episode_spec.h"
+#include "episodes/realism.h"
 
 namespace marketgen::evaluation {
+
+// What all of a worker's episodes have in common.
+struct WorkerTask {
+  episodes::EpisodeHeader header;  // of their file
+  episodes::Realism realism;
+  static constexpr auto fields =
+      field_list(field("header", &WorkerTask::header, "of the episodes' file", required()),
+                 field("realism", &WorkerTask::realism, "that they are run with", required()));
+};
 
 // Returns when standard input ends. Errors: those of read_json; io.cannot_write when nobody listens
 // any more.

@@ -14,6 +14,7 @@
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "environments/run_episode.h"
+#include "evaluation/episode_worker.h"
 #include "io/json.h"
 
 namespace marketgen::evaluation {
@@ -31,25 +32,27 @@ episodes::EpisodeResult not_run(const episodes::EpisodeSpec& spec,
 }
 
 // In this process, rounding as every parallel loop does.
-EpisodeRunner runner_here(environments::Arena& arena, const std::string& policy) {
-  return [&arena, &policy](const episodes::EpisodeSpec& spec) {
+EpisodeRunner runner_here(environments::Arena& arena, const EvaluationOptions& options) {
+  return [&arena, &options](const episodes::EpisodeSpec& spec) {
     std::optional<Result<episodes::EpisodeResult>> result;
     return until_interrupted([&]() -> Result<episodes::EpisodeResult> {
-      parallel_for(1,
-                   [&](std::size_t) { result = environments::run_episode(arena, spec, policy); });
+      parallel_for(1, [&](std::size_t) {
+        result =
+            environments::run_episode(arena, spec, options.policy, nullptr, {}, options.realism);
+      });
       return *std::move(result);
     });
   };
 }
 
 // In a process that is started anew when it has died or had to be ended.
-EpisodeRunner runner_in_worker(const EvaluationOptions& options, const std::string& header) {
+EpisodeRunner runner_in_worker(const EvaluationOptions& options, const std::string& work) {
   const auto worker = std::make_shared<std::unique_ptr<WorkerProcess>>();
-  return [worker, &options, &header](
+  return [worker, &options, &work](
              const episodes::EpisodeSpec& spec) -> Result<episodes::EpisodeResult> {
     const auto began = std::chrono::steady_clock::now();
     if (!*worker) {
-      MARKETGEN_TRY(*worker, WorkerProcess::start(options.worker, header, options.start_limit_s));
+      MARKETGEN_TRY(*worker, WorkerProcess::start(options.worker, work, options.start_limit_s));
     }
     auto result = (*worker)->run(io::write_json_line(spec), options.answer);
     if (result.ok() || (*worker)->alive()) return result;
@@ -144,9 +147,13 @@ Result<std::vector<episodes::EpisodeResult>> evaluate_with(
     const EvaluationOptions& options,
     const std::function<EpisodeRunner()>& make_runner,
     Progress& progress) {
-  MARKETGEN_TRY(
-      const auto folder,
-      ResultsFolder::open(file, options.folder, options.policy, options.resume, options.shard));
+  MARKETGEN_TRY(const auto folder,
+                ResultsFolder::open(file,
+                                    options.folder,
+                                    options.policy,
+                                    options.realism.name,
+                                    options.resume,
+                                    options.shard));
   EvaluationRun run(file, options, *folder, progress);
   run.go(make_runner);
   const NoForcedEnd keeping;
@@ -161,10 +168,9 @@ Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::pat
                                                       const EvaluationOptions& options,
                                                       Progress& progress) {
   environments::Arena arena(data, file.header, catalog);
-  const std::string header = io::write_json_line(file.header);
+  const std::string work = io::write_json_line(WorkerTask{file.header, options.realism});
   const auto make_runner = [&] {
-    return options.worker.empty() ? runner_here(arena, options.policy)
-                                  : runner_in_worker(options, header);
+    return options.worker.empty() ? runner_here(arena, options) : runner_in_worker(options, work);
   };
   return evaluate_with(file, options, make_runner, progress);
 }

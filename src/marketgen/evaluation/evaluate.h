@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "episodes/realism.h"
 #include "evaluation/evaluation_summary.h"
 #include "evaluation/results_folder.h"
 #include "evaluation/worker_process.h"
@@ -24,6 +25,7 @@ struct EvaluationOptions {
   AnswerLimits answer = {};    // of a policy in a worker
   double start_limit_s = 120;  // of wall time until a worker is ready; 0 = none
   Shard shard = {};            // which of the episodes are run
+  episodes::Realism realism = {};
 };
 
 // Each finished episode is a line of results.jsonl at once; at the end the lines are in the order
@@ -44,7 +46,8 @@ using EpisodeRunner =
     std::function<Result<episodes::EpisodeResult>(const episodes::EpisodeSpec& spec)>;
 
 // The same with runners of one's own: `make_runner` is called once in each of the threads that run
-// episodes, and its runner is used and destroyed there. `options.worker` is not read.
+// episodes, and its runner is used and destroyed there. `options.worker` is not read, and of
+// `options.realism` the name alone, which results are kept under.
 Result<std::vector<episodes::EpisodeResult>> evaluate_with(
     const episodes::EpisodeFile& file,
     const EvaluationOptions& options,

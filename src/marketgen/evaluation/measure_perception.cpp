@@ -164,13 +164,15 @@ class PerceptionTrial {
   std::vector<perception::FoundProduct> found_;
 };
 
-Result<PerceptionMeasure> measured(environments::Arena& arena, const episodes::EpisodeSpec& spec) {
+Result<PerceptionMeasure> measured(environments::Arena& arena,
+                                   const episodes::EpisodeSpec& spec,
+                                   const episodes::Realism& realism) {
   if (spec.track != episodes::Track::checkout)
     return Error{"episode.unknown_track",
                  spec.id,
                  fmt::format("perception is measured at a counter, it is of the track {}",
                              name_of(spec.track))};
-  MARKETGEN_TRY(const auto opened, arena.open(spec));
+  MARKETGEN_TRY(const auto opened, arena.open(spec, {}, realism));
   const auto& world = *std::get<const episodes::CheckoutWorld*>(opened->any());
   PerceptionTrial trial(world, spec);
   MARKETGEN_CHECK(trial.learn_goals(arena.header().products, arena.catalog().frictions));
@@ -182,10 +184,12 @@ Result<PerceptionMeasure> measured(environments::Arena& arena, const episodes::E
 }  // namespace
 
 Result<std::vector<PerceptionMeasure>> measure_perception(
-    environments::Arena& arena, const std::vector<episodes::EpisodeSpec>& episodes) {
+    environments::Arena& arena,
+    const std::vector<episodes::EpisodeSpec>& episodes,
+    const episodes::Realism& realism) {
   std::vector<PerceptionMeasure> measures;
   for (const episodes::EpisodeSpec& spec : episodes) {
-    auto measure = measured(arena, spec);
+    auto measure = measured(arena, spec, realism);
     if (measure.ok()) {
       measures.push_back(std::move(measure).value());
       continue;

@@ -59,7 +59,9 @@ struct PerceptionMeasure {
 // One for each episode, also for those that cannot be looked at: of the aisle, say. Errors: those
 // that would befall every episode (ends_the_run).
 Result<std::vector<PerceptionMeasure>> measure_perception(
-    environments::Arena& arena, const std::vector<episodes::EpisodeSpec>& episodes);
+    environments::Arena& arena,
+    const std::vector<episodes::EpisodeSpec>& episodes,
+    const episodes::Realism& realism = {});
 
 // All but `errors` is of the baskets that were looked at.
 struct PerceptionSummary {

@@ -59,6 +59,7 @@ std::string ResultsFolder::results_path() const {
 Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const episodes::EpisodeFile& file,
                                                            const std::filesystem::path& folder,
                                                            const std::string& policy,
+                                                           const std::string& realism,
                                                            bool resume,
                                                            const Shard& shard) {
   io::Outputs place;
@@ -67,7 +68,7 @@ Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const episodes::Episo
   std::error_code failed;
   MARKETGEN_TRY(io::FolderLock lock, io::FolderLock::take(folder));
   std::unique_ptr<ResultsFolder> opened(
-      new ResultsFolder(file, folder, record_of(file, policy, shard), std::move(lock)));
+      new ResultsFolder(file, folder, record_of(file, policy, realism, shard), std::move(lock)));
   const std::string path = opened->results_path();
   io::Outputs files;  // looked at before any work; written by others
   MARKETGEN_CHECK(files.add({{"--output", path}, {"--output", folder / "summary.json"}}));
@@ -85,7 +86,7 @@ Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const episodes::Episo
   return opened;
 }
 
-// Each of them is of this policy and of an episode that is run here.
+// Each of them is of this policy and realism, and of an episode that is run here.
 Result<void> ResultsFolder::check_taken_over(
     const std::map<std::string, episodes::EpisodeResult>& before) const {
   for (const auto& [id, result] : before) {
@@ -95,6 +96,14 @@ Result<void> ResultsFolder::check_taken_over(
                    fmt::format("{} has results of \"{}\": go on with that, or name another folder",
                                results_path(),
                                result.policy)};
+    if (result.realism != record_.realism)
+      return Error{"usage.bad_flag",
+                   "--realism",
+                   fmt::format("{} has results of realism \"{}\", this run is of \"{}\": go on "
+                               "with that, or name another folder",
+                               results_path(),
+                               result.realism,
+                               record_.realism)};
     const auto spec = std::ranges::find(file_.episodes, id, &episodes::EpisodeSpec::id);
     if (spec == file_.episodes.end())
       return Error{"usage.bad_flag",
@@ -164,6 +173,7 @@ Result<void> ResultsFolder::keep(std::size_t number, episodes::EpisodeResult res
   const std::scoped_lock lock(mutex_);
   result.episode = record_.episodes[number].id;  // whatever its runner says
   result.episode_hash = record_.episodes[number].hash;
+  result.realism = record_.realism;
   lines_ << io::write_json_line(result) << "\n" << std::flush;
   if (!lines_) return Error{"io.cannot_write", results_path(), "is the disk full?"};
   results_[number] = std::move(result);

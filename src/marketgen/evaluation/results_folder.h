@@ -27,18 +27,20 @@ class ResultsFolder {
   // Has it to itself while it lives. With `resume` it keeps what is finished there: results of the
   // same episodes, as they are now (EpisodeResult::episode_hash), that could be run. Errors:
   // io.in_use, io.*; store.exists when it has results and `resume` is off; usage.bad_flag when they
-  // are of another policy or shard, or of episodes that the file does not have; those of
+  // are of another policy, realism or shard, or of episodes that the file does not have; those of
   // finished_results and read_record. `file` must outlive it.
   static Result<std::unique_ptr<ResultsFolder>> open(const episodes::EpisodeFile& file,
                                                      const std::filesystem::path& folder,
                                                      const std::string& policy,
+                                                     const std::string& realism,
                                                      bool resume,
                                                      const Shard& shard = {});
 
   bool is_asked_for(std::size_t number) const { return record_.shard.has(number); }
   bool has(std::size_t number) const;  // of the episode in its file
   std::size_t count() const;           // of results
-  // Adds a line, with the id and the hash of its episode. Error: io.cannot_write. Thread-safe.
+  // Adds a line, with the id and the hash of its episode and the run's realism. Error:
+  // io.cannot_write. Thread-safe.
   Result<void> keep(std::size_t number, episodes::EpisodeResult result);
   // Writes the lines in the order of the episodes, and the summary. Errors: io.*.
   Result<std::vector<episodes::EpisodeResult>> close();

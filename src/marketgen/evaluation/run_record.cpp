@@ -49,9 +49,11 @@ std::string RunRecord::commit() const {
 
 RunRecord record_of(const episodes::EpisodeFile& file,
                     const std::string& policy,
+                    const std::string& realism,
                     const Shard& shard) {
   RunRecord record;
   record.policy = policy;
+  record.realism = realism;
   record.version = program_version;
   const std::string commit = source_commit;
   record.commits = {commit.empty() ? "unknown" : commit};

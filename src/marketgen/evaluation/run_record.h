@@ -56,7 +56,8 @@ struct RunRecord {
             "of the program; a \"+\" when it was changed since, unknown where it was not kept"),
       field("realism",
             &RunRecord::realism,
-            "what stands between the world and the robot; ideal: nothing"),
+            "what stood between the world and the robot: a row's name, or own- and a hash; ideal: "
+            "nothing"),
       field("episodes_hash",
             &RunRecord::episodes_hash,
             "over all episodes of the file, in their order",
@@ -73,6 +74,7 @@ struct RunRecord {
 // Of a run of `file` by this program.
 RunRecord record_of(const episodes::EpisodeFile& file,
                     const std::string& policy,
+                    const std::string& realism,
                     const Shard& shard);
 
 std::filesystem::path record_path(const std::filesystem::path& folder);

@@ -92,7 +92,7 @@ class WorkerProcess::Waiting {
 };
 
 Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::vector<std::string>& command,
-                                                            const std::string& header,
+                                                            const std::string& task,
                                                             double limit_s) {
   io::Pipe in, out;
   if (!in.open() || !out.open())
@@ -113,7 +113,7 @@ Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::vector<st
     if (error.code != "episode.policy_crashed") return error;
     return Error{"episode.no_policy", command[0], "ended before it was ready to run episodes"};
   };
-  if (const auto told = worker->tell(header, until_ready); !told.ok()) return unready(told.error());
+  if (const auto told = worker->tell(task, until_ready); !told.ok()) return unready(told.error());
   const auto ready = worker->next_line(until_ready);
   if (!ready.ok()) return unready(ready.error());
   if (*ready == "ready") return worker;

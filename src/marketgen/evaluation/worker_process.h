@@ -25,11 +25,11 @@ struct AnswerLimits {
 
 class WorkerProcess {
  public:
-  // Tells it the `header` of the episodes' file, and waits until it is ready, at most `limit_s` of
-  // wall time. Errors: usage.unavailable when it cannot be started; episode.no_policy when it ends
+  // Tells it its `task`, a line of JSON, and waits until it is ready, at most `limit_s` of wall
+  // time. Errors: usage.unavailable when it cannot be started; episode.no_policy when it ends
   // before it is ready (it has said why on standard error) or takes longer; internal.interrupted.
   static Result<std::unique_ptr<WorkerProcess>> start(const std::vector<std::string>& command,
-                                                      const std::string& header,
+                                                      const std::string& task,
                                                       double limit_s);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;

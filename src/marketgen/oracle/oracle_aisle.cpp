@@ -163,7 +163,7 @@ Result<void> AisleOracle::back_off() {
 // ---- Into the basket ----
 
 std::vector<double> AisleOracle::state_now() const {
-  std::vector<double> q = world_->robot_state();
+  std::vector<double> q = world_->sensed_state();
   for (std::size_t dof = 0; dof < q.size(); ++dof) {
     const robots::Joint& joint = robot_.joint_of_dof(dof);
     q[dof] = std::clamp(q[dof], joint.lower, joint.upper);

@@ -1,9 +1,12 @@
 // One stepping loop: the same actions give the same physics, bit for bit, by whatever door they
-// come: a policy that is run, an environment that is stepped, many environments in one call.
+// come: a policy that is run, an environment that is stepped, many environments in one call. At any
+// realism.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <optional>
+#include <tuple>
 
 #include "base/parallel.h"
 #include "environments/environment_batch.h"
@@ -15,8 +18,6 @@ namespace {
 
 constexpr double limit_s = 20;
 constexpr int steps = 30;
-const environments::EnvironmentOptions by_joints{.control =
-                                                     environments::ControlMode::pd_joint_pos};
 using Row = std::vector<double>;
 
 // Joints that sway about where they begin, a base that creeps, hands that open; then the stop.
@@ -41,15 +42,19 @@ class Scripted : public agent::Policy {
       : map_(robot, environments::ControlMode::pd_joint_pos), rows_(std::move(rows)) {}
   Result<void> begin(const agent::Task&, const agent::Observation&) override { return {}; }
   Result<agent::Action> act(const agent::Observation& now) override {
+    seen_.push_back(now.position.front());
     MARKETGEN_TRY(const environments::MappedAction mapped,
                   map_.action(rows_.at(next_++), {}, now.position));
     return mapped.action;
   }
 
+  const Row& seen() const { return seen_; }  // of the first joint, whenever it was asked
+
  private:
   environments::ActionMap map_;
   std::vector<Row> rows_;
   std::size_t next_ = 0;
+  Row seen_;
 };
 
 // On a thread that steps: numbers are rounded as parallel loops round them.
@@ -60,12 +65,23 @@ auto as_loops_round(const Work& work) {
   return *std::move(made);
 }
 
-class EachDoor : public testing::TestWithParam<episodes::Track> {
+using Door = std::tuple<episodes::Track, const char*>;  // and the realism
+
+class EachDoor : public testing::TestWithParam<Door> {
  protected:
-  static episodes::EpisodeSpec spec() { return pool_episode(GetParam(), limit_s); }
+  static episodes::EpisodeSpec spec() { return pool_episode(std::get<0>(GetParam()), limit_s); }
+
+  static episodes::Realism realism() {
+    const std::filesystem::path data = std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data";
+    auto read = episodes::load_realism(data, std::get<1>(GetParam()));
+    if (!read.ok()) fatal(to_string(read.error()).c_str());
+    return std::move(read).value();
+  }
 
   static std::unique_ptr<environments::Environment> begun() {
-    auto environment = pool_environment(GetParam(), by_joints);
+    auto environment = pool_environment(
+        std::get<0>(GetParam()),
+        {.control = environments::ControlMode::pd_joint_pos, .realism = realism()});
     const auto reset = as_loops_round([&] { return environment->reset(spec()); });
     if (!reset.ok()) fatal(to_string(reset.error()).c_str());
     return environment;
@@ -76,19 +92,28 @@ class EachDoor : public testing::TestWithParam<episodes::Track> {
   }
 };
 
-std::string by_steps(environments::Environment& environment, const std::vector<Row>& rows) {
+// What the first joint's sensor says before each step comes to `seen`.
+std::string by_steps(environments::Environment& environment,
+                     const std::vector<Row>& rows,
+                     Row& seen) {
   for (const Row& row : rows) {
+    seen.push_back(environment.world().observe().position.front());
     const auto stepped = as_loops_round([&] { return environment.step(row); });
     if (!stepped.ok()) return to_string(stepped.error());
   }
   return environment.result() ? environment.result()->state_hash : "still runs";
 }
 
-std::string by_policy(const episodes::EpisodeSpec& spec, const std::vector<Row>& rows) {
+std::string by_policy(const episodes::EpisodeSpec& spec,
+                      const episodes::Realism& realism,
+                      const std::vector<Row>& rows,
+                      Row& seen) {
   const auto run = [&]() -> Result<episodes::EpisodeResult> {
-    MARKETGEN_TRY(const auto world, pool_ground(spec.track)->arena().open(spec));
+    MARKETGEN_TRY(const auto world, pool_ground(spec.track)->arena().open(spec, {}, realism));
     Scripted policy(world->robot(), rows);
-    return environments::run_policy(*world, policy, "scripted");
+    auto result = environments::run_policy(*world, policy, "scripted");
+    seen = policy.seen();
+    return result;
   };
   const auto result = as_loops_round(run);
   return result.ok() ? result->state_hash : to_string(result.error());
@@ -113,9 +138,12 @@ void in_one_call(const std::vector<environments::Environment*>& environments,
 TEST_P(EachDoor, LeadsToTheSameState) {
   const auto alone = begun(), one = begun(), two = begun();
   const std::vector<Row> rows = swaying(*alone);
-  const std::string stepped = by_steps(*alone, rows);
+  Row seen, seen_by_policy;
+  const std::string stepped = by_steps(*alone, rows, seen);
   EXPECT_EQ(stepped.size(), 32U) << stepped;
-  EXPECT_EQ(by_policy(spec(), rows), stepped);
+  EXPECT_EQ(by_policy(spec(), realism(), rows, seen_by_policy), stepped);
+  EXPECT_EQ(seen_by_policy, seen);
+  EXPECT_EQ(alone->result()->realism, realism().name);
   in_one_call({one.get(), two.get()}, rows);
   EXPECT_EQ(end_of(*one), stepped);
   EXPECT_EQ(end_of(*two), stepped);
@@ -141,8 +169,12 @@ TEST_P(EachDoor, ABatchIsRefusedAsAWhole) {
 
 INSTANTIATE_TEST_SUITE_P(OfTracks,
                          EachDoor,
-                         testing::ValuesIn(episodes::all_tracks),
-                         [](const auto& track) { return std::string(name_of(track.param)); });
+                         testing::Combine(testing::ValuesIn(episodes::all_tracks),
+                                          testing::Values("ideal", "standard")),
+                         [](const auto& door) {
+                           return std::string(name_of(std::get<0>(door.param))) + "_" +
+                                  std::get<1>(door.param);
+                         });
 
 }  // namespace
 }  // namespace marketgen

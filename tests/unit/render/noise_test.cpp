@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "base/parallel.h"
@@ -79,6 +80,23 @@ TEST(DepthNoise, DisparityHasTheNoiseAndTheStepsOfTheSensor) {
 }
 
 // Of the errors of pixels dx and dy apart: the share of their windows of 7 x 7 that both have.
+// z^2 * sigma / (fx * baseline), the error of depth of Intel's tuning guide.
+TEST(DepthNoise, GrowsWithTheSquareOfTheDistance) {
+  const render::Camera camera = sensor_camera();
+  const double fx = 240 / std::tan(std::numbers::pi / 6);  // 480 rows, 60 degrees
+  for (const double z : {0.4, 0.7, 1.2, 2.5, 4.0}) {
+    double squares = 0, count = 0;
+    for (const float d : measured(wall(camera, static_cast<float>(z)), camera)) {
+      if (d == 0) continue;
+      squares += (static_cast<double>(d) - z) * (static_cast<double>(d) - z);
+      ++count;
+    }
+    const double sigma_px = std::hypot(0.08, 1.0 / 32 / std::sqrt(12)),
+                 expected = z * z * sigma_px / (fx * 0.05);
+    EXPECT_NEAR(std::sqrt(squares / count) / expected, 1, 0.04) << z << " m";
+  }
+}
+
 TEST(DepthNoise, NeighboursErrAlikeAsFarAsTheirWindowsOverlap) {
   const render::Camera camera = sensor_camera(1280, 960);
   render::StereoCamera fine;

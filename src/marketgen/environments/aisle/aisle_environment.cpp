@@ -6,6 +6,7 @@
 #include "environments/aisle/shared_aisle.h"
 #include "environments/goal_nearness.h"
 #include "episodes/aisle/aisle_world.h"
+#include "episodes/camera_senses.h"
 #include "io/json.h"
 #include "render/picture_objects.h"
 
@@ -35,11 +36,12 @@ class AisleEnvironment : public Environment {
     const std::scoped_lock lock(view_->mutex);
     MARKETGEN_CHECK(show());
     MARKETGEN_TRY(const render::Camera from, view_->view->camera(camera, width, height));
-    return view_->view->renderer().render(from, options);
+    if (camera != head) return view_->view->renderer().render(from, options);
+    return episodes::sensed_picture(*aisles_, camera, view_->view->renderer(), from, options);
   }
 
-  // The robot knows where its head is from its joints and from where it reckons that it stands: the
-  // true place would tell it how far its wheels have slipped.
+  // The robot knows where its head is from its joints and from where it believes that it stands:
+  // the true place would tell it how far off that is.
   Result<render::Camera> camera(const std::string& camera, int width, int height) override {
     const std::scoped_lock lock(view_->mutex);
     MARKETGEN_CHECK(show());
@@ -92,7 +94,7 @@ class AisleEnvironment : public Environment {
           std::make_unique<episodes::AisleWorld>(std::move(store), ground().catalog().frictions);
       scene_hash_ = spec.scene_hash;
     }
-    MARKETGEN_CHECK(aisles_->reset(spec));
+    MARKETGEN_CHECK(aisles_->reset(spec, {}, options().realism));
     wanted_.clear();
     for (const episodes::EpisodeGoal& goal : spec.goals)
       wanted_.emplace(goal.sku, aisles_->store().front_items(goal.sku));

@@ -77,11 +77,12 @@ class AisleEnvironmentEntry : public EnvironmentEntry {
   Result<std::unique_ptr<episodes::TrackWorld>> open(
       Arena& arena,
       const episodes::EpisodeSpec& spec,
-      const std::optional<episodes::Perturbation>& perturbation) const override {
+      const std::optional<episodes::Perturbation>& perturbation,
+      const episodes::Realism& realism) const override {
     MARKETGEN_TRY(auto store, shared_aisle_store(arena, spec.scene_hash, spec.tools));
     auto world =
         std::make_unique<episodes::AisleWorld>(std::move(store), arena.catalog().frictions);
-    MARKETGEN_CHECK(world->reset(spec, perturbation));
+    MARKETGEN_CHECK(world->reset(spec, perturbation, realism));
     return std::unique_ptr<episodes::TrackWorld>(std::move(world));
   }
 

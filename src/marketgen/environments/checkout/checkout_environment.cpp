@@ -4,6 +4,7 @@
 
 #include "environments/checkout/shared_lane.h"
 #include "environments/goal_nearness.h"
+#include "episodes/camera_senses.h"
 #include "episodes/checkout/checkout_goals.h"
 #include "episodes/checkout/checkout_view.h"
 #include "episodes/checkout/sample_one_item.h"
@@ -36,7 +37,8 @@ class CheckoutEnvironment : public Environment {
                                 int height,
                                 const render::RenderOptions& options) override {
     MARKETGEN_TRY(const render::Camera from, camera_in_room(camera, width, height));
-    return view_->renderer().render(from, options);
+    if (camera == episodes::film_camera_name) return view_->renderer().render(from, options);
+    return episodes::sensed_picture(counter_, camera, view_->renderer(), from, options);
   }
 
   Result<render::Camera> camera(const std::string& camera, int width, int height) override {
@@ -75,7 +77,8 @@ class CheckoutEnvironment : public Environment {
   Result<episodes::TrackWorld*> begin(const episodes::EpisodeSpec& spec) override {
     view_.reset();
     MARKETGEN_TRY(auto lane, shared_lane(ground().arena(), counter_.station(), spec));
-    MARKETGEN_CHECK(counter_.reset(spec, ground().products(), std::move(lane)));
+    MARKETGEN_CHECK(
+        counter_.reset(spec, ground().products(), std::move(lane), {}, this->options().realism));
     return &counter_;
   }
 

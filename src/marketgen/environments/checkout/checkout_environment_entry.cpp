@@ -85,7 +85,8 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
   Result<std::unique_ptr<episodes::TrackWorld>> open(
       Arena& arena,
       const episodes::EpisodeSpec& spec,
-      const std::optional<episodes::Perturbation>& perturbation) const override {
+      const std::optional<episodes::Perturbation>& perturbation,
+      const episodes::Realism& realism) const override {
     MARKETGEN_TRY(
         episodes::CheckoutWorld made,
         episodes::CheckoutWorld::create(arena.data(),
@@ -93,7 +94,8 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
                                         spec.station.value_or(episodes::checkout_station)));
     auto world = std::make_unique<episodes::CheckoutWorld>(std::move(made));
     MARKETGEN_TRY(auto lane, shared_lane(arena, world->station(), spec));
-    MARKETGEN_CHECK(world->reset(spec, arena.header().products, std::move(lane), perturbation));
+    MARKETGEN_CHECK(
+        world->reset(spec, arena.header().products, std::move(lane), perturbation, realism));
     return std::unique_ptr<episodes::TrackWorld>(std::move(world));
   }
 

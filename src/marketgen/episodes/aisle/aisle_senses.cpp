@@ -2,6 +2,7 @@
 
 #include "collect/scene_obstacles.h"
 #include "episodes/told_goals.h"
+#include "episodes/camera_senses.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -20,7 +21,7 @@ Result<agent::View> AisleEyes::look(std::string_view camera) {
     MARKETGEN_TRY(view_, AisleView::create(world_));
   }
   MARKETGEN_TRY(const render::Camera taken, view_->camera(camera));
-  MARKETGEN_TRY(render::Frame frame, view_->renderer().render(taken, {}));
+  MARKETGEN_TRY(render::Frame frame, sensed_picture(world_, camera, view_->renderer(), taken, {}));
   agent::View view;
   view.camera = camera;
   const render::Intrinsics lens = render::intrinsics_of(taken);

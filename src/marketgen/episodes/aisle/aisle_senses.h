@@ -11,7 +11,8 @@
 
 namespace marketgen::episodes {
 
-// The head camera, without noise; base frame: that of the robot's base. `world` must outlive it.
+// The head camera, as the world's realism has it; base frame: that of the robot's base. `world`
+// must outlive it.
 class AisleEyes : public agent::Eyes {
  public:
   explicit AisleEyes(const AisleWorld& world) : world_(world) {}

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
+#include "agent/aisle_map.h"
 #include "episodes/aisle/perturbed_aisle.h"
-#include "episodes/control_step.h"
 #include "physics/goods/spec_geoms.h"
 
 namespace marketgen::episodes {
@@ -50,8 +50,11 @@ std::size_t dof_named(const robots::Robot& robot, std::string_view name) {
 }  // namespace
 
 Result<void> AisleWorld::reset(const EpisodeSpec& spec,
-                               const std::optional<Perturbation>& perturbation) {
+                               const std::optional<Perturbation>& perturbation,
+                               const Realism& realism) {
   perturbation_ = perturbation;
+  realism_ = realism;
+  noise_ = realism_seed(spec.seed);
   store_ = perturbation_ ? perturbed_store(*stocked_, *perturbation_) : stocked_;
   return begin(spec);
 }
@@ -110,6 +113,7 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
   path_m_ = 0;
   watch_ = EpisodeWatch(*world_, robot);
   axle_ = axle_of(robot, world_from_base());
+  start_senses(agent::base_place(world_from_base()), controller_.wheels().reckoned());
   steps_ = 0;
   done_ = false;
   return {};
@@ -118,6 +122,8 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
 Result<std::shared_ptr<AisleWorld>> AisleWorld::twin() const {
   auto twin = std::make_shared<AisleWorld>(store_, frictions_);
   twin->perturbation_ = perturbation_;
+  twin->realism_ = realism_;
+  twin->noise_ = noise_.child("rehearsal");
   MARKETGEN_CHECK(twin->begin(spec_));
   return twin;
 }
@@ -140,7 +146,7 @@ Pose AisleWorld::world_from_basket() const {
   return world_from_base() * store_->basket.base_from_floor;
 }
 
-agent::Observation AisleWorld::observe() const {
+agent::Observation AisleWorld::as_it_is() const {
   const std::vector<double> q = robot_state(), v = controller_.actor().velocity(*world_);
   agent::Observation seen;
   seen.time_s = time_s();
@@ -178,10 +184,10 @@ Result<void> AisleWorld::use_cups(const agent::Action& action) {
 }
 
 Result<void> AisleWorld::move(const agent::Action& action) {
-  const ControlStep step(controller_, robot(), commanded_, action);
+  link_.give(action);
   for (int i = 0; i < ControlStep::count(); ++i) {
-    MARKETGEN_CHECK(controller_.command(*world_, step.at(i)));
-    MARKETGEN_CHECK(use_cups(action));
+    MARKETGEN_CHECK(controller_.command(*world_, link_.next(controller_)));
+    MARKETGEN_CHECK(use_cups(link_.in_force()));
     MARKETGEN_CHECK(world_->step());
     controller_.feel(*world_);
     const Vec3 now = axle_of(robot(), world_from_base());
@@ -204,6 +210,7 @@ Result<agent::Observation> AisleWorld::step(const agent::Action& action) {
   }
   MARKETGEN_CHECK(move(action));
   ++steps_;
+  senses_.drive(controller_.wheels().reckoned(), agent::base_place(world_from_base()), steps_);
   done_ = time_s() >= spec_.limit_s - physics::time_step_s / 2;
   return observe();
 }
@@ -276,7 +283,7 @@ Result<bool> AisleWorld::goals_met() {
 std::string AisleWorld::save() const {
   ByteWriter writer;
   writer(world_->snapshot().bytes(), controller_, watch_, axle_, path_m_);
-  writer(steps_, done_);
+  writer(senses_, link_, steps_, done_);
   return writer.take();
 }
 
@@ -286,10 +293,12 @@ Result<void> AisleWorld::restore(std::string_view moment) {
   double path = 0;
   EpisodeWatch watch = watch_;
   Vec3 axle;
+  RobotSenses senses = senses_;
+  CommandLink link = link_;
   int steps = 0;
   bool done = false;
   ByteReader reader(moment);
-  reader(physics, controller, watch, axle, path, steps, done);
+  reader(physics, controller, watch, axle, path, senses, link, steps, done);
   if (!reader.ok() || controller.setpoints().size() != robot().dof_count())
     return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
   MARKETGEN_TRY(const physics::WorldSnapshot snapshot, physics::WorldSnapshot::of_bytes(physics));
@@ -298,6 +307,8 @@ Result<void> AisleWorld::restore(std::string_view moment) {
   path_m_ = path;
   watch_ = std::move(watch);
   axle_ = axle;
+  senses_ = senses;
+  link_ = std::move(link);
   steps_ = steps;
   done_ = done;
   return {};
@@ -357,7 +368,7 @@ void AisleWorld::add_lengths(EpisodeResult& result) const {
 
 Result<EpisodeResult> AisleWorld::finish() {
   done_ = true;
-  agent::Action hold = still_action(observe());
+  agent::Action hold = still_action(as_it_is());
   hold.position = told();
   for (std::size_t t = 0; t < robot().tools.size(); ++t)
     if (robot().tools[t].kind == robots::ToolKind::suction)
@@ -377,6 +388,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   result.steps = steps_;
   result.simulated_s = time_s();
   result.state_hash = state_hash();
+  result.realism = realism_.name;
   add_lengths(result);
   return result;
 }

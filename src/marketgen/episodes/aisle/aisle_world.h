@@ -24,11 +24,12 @@ class AisleWorld : public TrackWorld {
   // Errors: robot.unknown when the episode is for another robot or for other tools;
   // episode.impossible when its start is not free; catalog.unknown_sku for a goal that the store
   // does not have; assets.*, physics.failed. With a perturbation store() is perturbed_store().
-  Result<void> reset(const EpisodeSpec& spec, const std::optional<Perturbation>& perturbation = {});
+  Result<void> reset(const EpisodeSpec& spec,
+                     const std::optional<Perturbation>& perturbation = {},
+                     const Realism& realism = {});
 
   const EpisodeSpec& spec() const override { return spec_; }
   const robots::Robot& robot() const override { return store_->robot; }
-  agent::Observation observe() const override;
   Result<agent::Observation> step(const agent::Action& action) override;
   bool done() const override { return done_; }
   double time_s() const override;
@@ -58,12 +59,16 @@ class AisleWorld : public TrackWorld {
   double path_m() const { return path_m_; }
   // What lies outside the basket, farther from where it stood than a clean episode moves it.
   int strayed() const;
-  // Another world of the same episode, at its beginning: restore() brings it where this one is.
+  // Another world of the same episode, at its beginning: restore() brings it where this one is. Its
+  // robot's sensors and commands err by streams of their own.
   Result<std::shared_ptr<AisleWorld>> twin() const;
   // Grasps of the product by which the episode's witness would have it taken; all of them for a
   // product that is no goal. Errors: those of studied_grasps().
   Result<std::vector<motion::GraspCandidate>> known_grasps(std::uint32_t product,
                                                            const robots::GraspTool& tool) const;
+
+ protected:
+  agent::Observation as_it_is() const override;
 
  private:
   Result<void> begin(const EpisodeSpec& spec);

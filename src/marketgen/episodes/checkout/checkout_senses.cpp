@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/fields.h"
+#include "episodes/camera_senses.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -38,7 +39,7 @@ Result<agent::View> CheckoutEyes::look(std::string_view camera) {
     MARKETGEN_TRY(view_, CheckoutView::create(world_));
   }
   const render::Camera taken = view_->camera(*which);
-  MARKETGEN_TRY(render::Frame frame, view_->renderer().render(taken, {}));
+  MARKETGEN_TRY(render::Frame frame, sensed_picture(world_, camera, view_->renderer(), taken, {}));
   items_shown_.insert_or_assign(std::string(camera), items_in(frame, world_));
   agent::View view;
   view.camera = camera;

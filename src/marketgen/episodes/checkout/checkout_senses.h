@@ -11,7 +11,7 @@
 
 namespace marketgen::episodes {
 
-// The station's cameras, without noise. `world` must outlive it.
+// The station's cameras, as the world's realism has them. `world` must outlive it.
 class CheckoutEyes : public agent::Eyes {
  public:
   explicit CheckoutEyes(const CheckoutWorld& world) : world_(world) {}

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "episodes/source_keys.h"
+#include "geometry/box_extents.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -45,13 +46,8 @@ Result<void> check_station(const CheckoutStation& s) {
   const AreaRow top{s.counter.low_m, s.counter.high_m, {}};
   if (!top.holds(area.low_m[0], area.low_m[1]) || !top.holds(area.high_m[0], area.high_m[1]))
     return bad_station(s, "/unloading", "expected an area on the counter");
-  const double x = s.basket.top_m[0] / 2 + s.basket.wall_m,
-               y = s.basket.top_m[1] / 2 + s.basket.wall_m;
-  const AreaRow basket{{s.basket.center_m[0] - x, s.basket.center_m[1] - y},
-                       {s.basket.center_m[0] + x, s.basket.center_m[1] + y},
-                       {}};
-  if (!apart(basket, area))
-    return bad_station(s, "/unloading", "expected an area beside the basket");
+  if (!s.has_room_for_basket(s.basket_pose()))
+    return bad_station(s, "/unloading", "expected an area beside the basket, both on the counter");
   return {};
 }
 
@@ -69,6 +65,20 @@ physics::OpenContainer CheckoutStation::container() const {
 
 Pose CheckoutStation::basket_pose() const {
   return {{basket.center_m[0], basket.center_m[1], basket.floor_m}, {}};
+}
+
+bool CheckoutStation::has_room_for_basket(const Pose& station_from_container) const {
+  const Vec3 reach = box_half_extents(
+      station_from_container.rotation,
+      {basket.top_m[0] / 2 + basket.wall_m, basket.top_m[1] / 2 + basket.wall_m, 0});
+  const Vec3 low = station_from_container.position - reach,
+             high = station_from_container.position + reach;
+  const double lip = unloading.lip_m > 0 ? lip_width_m : 0;
+  const AreaRow area = unloading.area(), top{counter.low_m, counter.high_m, {}};
+  const AreaRow kept{
+      {area.low_m[0] - lip, area.low_m[1] - lip}, {area.high_m[0] + lip, area.high_m[1] + lip}, {}};
+  return apart({{low.x, low.y}, {high.x, high.y}, {}}, kept) && top.holds(low.x, low.y) &&
+         top.holds(high.x, high.y);
 }
 
 std::vector<physics::ContainerBox> CheckoutStation::basket_boxes() const {

@@ -127,6 +127,8 @@ struct CheckoutStation {
   Pose basket_pose() const;  // station_from_container at the start
   // Walls and ledge, then the floor's two layers: the upper touches goods, the lower the belt.
   std::vector<physics::ContainerBox> basket_boxes() const;
+  // Whether a basket that stands there is on the counter and beside the unloading area and its lip.
+  bool has_room_for_basket(const Pose& station_from_container) const;
   std::vector<physics::ContainerBox> lip() const;  // station_from_box; none when it has no height
 };
 

@@ -8,7 +8,6 @@
 #include <mujoco/mujoco.h>
 
 #include "episodes/checkout/checkout_goals.h"
-#include "episodes/control_step.h"
 #include "physics/goods/spec_geoms.h"
 
 namespace marketgen::episodes {
@@ -98,7 +97,8 @@ Result<void> CheckoutWorld::check_reset(const EpisodeSpec& spec, const CheckoutP
 Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
                                   const std::vector<catalog::Product>& products,
                                   std::shared_ptr<const CheckoutPlace> lane,
-                                  const std::optional<Perturbation>& perturbation) {
+                                  const std::optional<Perturbation>& perturbation,
+                                  const Realism& realism) {
   MARKETGEN_CHECK(check_reset(spec, lane.get()));
   item_goods_.clear();
   for (const EpisodeItem& item : spec.items) {
@@ -112,8 +112,11 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
   station_from_store_ = inverse(store_from_station());
   first_item_ = static_cast<std::uint32_t>(place_->surroundings.products.size());
   perturbation_ = perturbation;
+  realism_ = realism;
+  noise_ = realism_seed(spec.seed);
   basket_start_ = station_.basket_pose();
-  return perturbation_ ? begin_perturbed(spec) : begin(spec);
+  const EpisodeSpec lies = displaced(spec);
+  return perturbation_ ? begin_perturbed(lies) : begin(lies);
 }
 
 Result<void> CheckoutWorld::begin(const EpisodeSpec& spec) {
@@ -127,6 +130,7 @@ Result<void> CheckoutWorld::begin(const EpisodeSpec& spec) {
   basket_place_ = m.jnt_qposadr[mj_name2id(&m, mjOBJ_JOINT, basket_name)];
   MARKETGEN_TRY(controller_, physics::RobotController::start(*world_, *robot_));
   watch_ = EpisodeWatch(*world_, *robot_, item_rows());
+  start_senses({}, {});
   steps_ = 0;
   done_ = false;
   return {};
@@ -150,6 +154,8 @@ Result<std::unique_ptr<CheckoutWorld>> CheckoutWorld::twin() const {
   twin->first_item_ = first_item_;
   twin->item_goods_ = item_goods_;
   twin->perturbation_ = perturbation_;
+  twin->realism_ = realism_;
+  twin->noise_ = noise_.child("rehearsal");
   twin->basket_start_ = basket_start_;
   MARKETGEN_CHECK(twin->begin(spec_));
   return twin;
@@ -194,7 +200,7 @@ std::vector<double> CheckoutWorld::robot_state() const {
   return controller_.actor().position(*world_);
 }
 
-agent::Observation CheckoutWorld::observe() const {
+agent::Observation CheckoutWorld::as_it_is() const {
   const physics::RobotActor& actor = controller_.actor();
   const std::vector<double> q = actor.position(*world_), v = actor.velocity(*world_);
   agent::Observation seen;
@@ -221,9 +227,9 @@ EpisodeWatch::Moment CheckoutWorld::moment() const {
 }
 
 Result<void> CheckoutWorld::move(const agent::Action& action) {
-  const ControlStep step(controller_, *robot_, arm_, action);
+  link_.give(action);
   for (int i = 0; i < ControlStep::count(); ++i) {
-    MARKETGEN_CHECK(controller_.command(*world_, step.at(i)));
+    MARKETGEN_CHECK(controller_.command(*world_, link_.next(controller_)));
     MARKETGEN_CHECK(world_->step());
     controller_.feel(*world_);
     watch_.look(*world_, moment());
@@ -303,7 +309,7 @@ SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
 
 Result<EpisodeResult> CheckoutWorld::finish() {
   done_ = true;
-  const agent::Action hold{told(), {{observe().openings_m.front(), hold_n}}};
+  const agent::Action hold{told(), {{as_it_is().openings_m.front(), hold_n}}};
   for (double waited = 0; waited < judged_after_s - physics::time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   const EpisodeOutcome outcome =
@@ -317,12 +323,13 @@ Result<EpisodeResult> CheckoutWorld::finish() {
   result.steps = steps_;
   result.simulated_s = time_s();
   result.state_hash = state_hash();
+  result.realism = realism_.name;
   return result;
 }
 
 std::string CheckoutWorld::save() const {
   ByteWriter writer;
-  writer(world_->snapshot().bytes(), controller_, watch_, steps_, done_);
+  writer(world_->snapshot().bytes(), controller_, watch_, senses_, link_, steps_, done_);
   return writer.take();
 }
 
@@ -330,10 +337,12 @@ Result<void> CheckoutWorld::restore(std::string_view moment) {
   std::string physics;
   physics::RobotController controller = controller_;
   EpisodeWatch watch = watch_;
+  RobotSenses senses = senses_;
+  CommandLink link = link_;
   int steps = 0;
   bool done = false;
   ByteReader reader(moment);
-  reader(physics, controller, watch, steps, done);
+  reader(physics, controller, watch, senses, link, steps, done);
   if (!reader.ok() || controller.setpoints().size() != robot_->dof_count() ||
       !std::ranges::all_of(item_rows(),
                            [&](std::uint32_t row) { return watch.items().contains(row); }))
@@ -342,6 +351,8 @@ Result<void> CheckoutWorld::restore(std::string_view moment) {
   MARKETGEN_CHECK(world_->restore(snapshot));
   controller_ = std::move(controller);
   watch_ = std::move(watch);
+  senses_ = senses;
+  link_ = std::move(link);
   steps_ = steps;
   done_ = done;
   return {};

@@ -33,16 +33,18 @@ class CheckoutWorld : public TrackWorld {
   // for another robot or station; episode.other_store when it is at another lane; assets.*,
   // physics.failed.
   // With a perturbation basket and items come to lie a little elsewhere: each item as far of what
-  // is drawn for it as it meets nothing, all then left to settle; spec() tells where they lie.
+  // is drawn for it as it meets nothing, all then left to settle; spec() tells where they lie. So
+  // does the basket with what lies in it where the realism displaces it.
   Result<void> reset(const EpisodeSpec& spec,
                      const std::vector<catalog::Product>& products,
                      std::shared_ptr<const CheckoutPlace> lane = nullptr,
-                     const std::optional<Perturbation>& perturbation = {});
+                     const std::optional<Perturbation>& perturbation = {},
+                     const Realism& realism = {});
 
-  // Another world of the same episode, at its beginning: restore() brings it where this one is.
+  // Another world of the same episode, at its beginning: restore() brings it where this one is. Its
+  // robot's sensors and commands err by streams of their own.
   Result<std::unique_ptr<CheckoutWorld>> twin() const;
 
-  agent::Observation observe() const override;
   Result<agent::Observation> step(const agent::Action& action) override;
   bool done() const override { return done_; }
   double time_s() const override;
@@ -87,6 +89,9 @@ class CheckoutWorld : public TrackWorld {
   AnyWorld any() const override { return this; }
   Result<std::unique_ptr<TrackView>> open_view() const override;  // checkout_view.cpp
 
+ protected:
+  agent::Observation as_it_is() const override;
+
  private:
   explicit CheckoutWorld(std::vector<catalog::FrictionRow> frictions)
       : frictions_(std::move(frictions)) {}
@@ -95,6 +100,7 @@ class CheckoutWorld : public TrackWorld {
   Result<void> place_items(const std::vector<EpisodeItem>& items);
   Result<physics::World> make_world(const scene::Scene& scene) const;
   // ---- perturbed_checkout.cpp ----
+  EpisodeSpec displaced(EpisodeSpec spec);
   Result<void> begin_perturbed(const EpisodeSpec& spec);
   Result<std::vector<EpisodeItem>> apart(const EpisodeSpec& spec, double most);
   bool halve_pressed(std::vector<double>& shares) const;

@@ -1,5 +1,7 @@
-// A basket whose goods lie a little other than its episode says.
+// A basket that stands, and goods that lie, a little other than the episode says.
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -13,8 +15,29 @@ namespace {
 constexpr double max_pressed_m = 0.002;
 constexpr double least_share = 0.125;  // of a shift; rather none than less
 constexpr double max_settling_s = 1.5, at_rest_s = 0.2;
+constexpr std::array displaced_shares{1.0, 0.75, 0.5, 0.25, 0.0};
+constexpr std::string_view basket_thing = "basket";  // by its name its displacement is drawn
 
 }  // namespace
+
+// The basket goes where the realism has it, with what lies in it; what lies elsewhere stays.
+EpisodeSpec CheckoutWorld::displaced(EpisodeSpec spec) {
+  const BasketDials& dials = realism_.basket;
+  if (dials.place_m <= 0 && dials.turn_deg <= 0) return spec;
+  const Perturbation shift({dials.place_m, dials.turn_deg, 0, 0}, noise_);
+  const Pose nominal = basket_start_;
+  for (const double share : displaced_shares) {
+    basket_start_ = shift.moved(nominal, basket_thing, share);
+    if (station_.has_room_for_basket(basket_start_)) break;
+  }
+  for (std::size_t i = 0; i < spec.items.size(); ++i) {
+    EpisodeItem& item = spec.items[i];
+    const Vec3 middle = to_double(item_goods_[i]->body.center_of_mass);
+    if (in_basket({station_.container(), nominal})(nominal * item.pose() * middle)) continue;
+    item = EpisodeItem::at(item.sku, inverse(basket_start_) * nominal * item.pose());
+  }
+  return spec;
+}
 
 // Of those that are pressed into something else than as they were; false when none moves less now.
 bool CheckoutWorld::halve_pressed(std::vector<double>& shares) const {
@@ -59,7 +82,7 @@ Result<std::optional<EpisodeSpec>> CheckoutWorld::settled(EpisodeSpec spec) {
         pose * to_double(item_goods_[item]->body.center_of_mass));
   };
   const auto at_rest = [](const auto& item) { return item.second.rested_s >= at_rest_s; };
-  const agent::Action wait = still_action(observe());
+  const agent::Action wait = still_action(as_it_is());
   while (time_s() < max_settling_s && !std::ranges::all_of(watch_.items(), at_rest))
     MARKETGEN_CHECK(move(wait));
   for (std::size_t i = 0; i < spec.items.size(); ++i) {
@@ -73,7 +96,7 @@ Result<std::optional<EpisodeSpec>> CheckoutWorld::settled(EpisodeSpec spec) {
 }
 
 Result<void> CheckoutWorld::begin_perturbed(const EpisodeSpec& spec) {
-  basket_start_ = perturbation_->moved(basket_start_, "basket");
+  basket_start_ = perturbation_->moved(basket_start_, basket_thing);
   for (const double most : {1.0, 0.5, 0.25}) {
     MARKETGEN_CHECK(begin(spec));
     EpisodeSpec shifted = spec;

@@ -1,0 +1,211 @@
+// What stands between the world and the robot: sensors that err, commands that come late, a place
+// that is not quite as its row says. An episode is the same task at any realism; whoever runs it
+// chooses one, and results say which.
+//
+// Three are rows, data/benchmark/realism/NAME.json: `ideal` (nothing), `standard` (a robot that was
+// calibrated and maintained) and `hard` (one that was not). All that is drawn comes from named
+// streams of the episode's seed and the number of the control step, so the same actions give the
+// same bytes by any door, on any number of threads. What is drawn once an episode: each camera's
+// error of calibration, how late commands are, the odometry's errors of scale, where the basket
+// stands.
+//
+// Sources are named at each field; "assumed" is our own estimate, which nobody has measured.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/fields.h"
+#include "base/result.h"
+#include "base/seed.h"
+
+namespace marketgen::episodes {
+
+// Depth as a stereo camera measures it (render/sensor/depth_noise.h, which has the sources).
+struct DepthDials {
+  bool stereo = false;
+  double disparity_noise_px = 0;
+  double edge_shift_px = 0;
+  double glass_holes = 0, clear_holes = 0;
+  static constexpr auto fields = field_list(
+      field("stereo",
+            &DepthDials::stereo,
+            "as two eyes 50 mm apart measure it: steps of 1/32 px of disparity, shadows beside "
+            "near things, no depth of what is too near, overexposed or metal at a glance; false: "
+            "exact, and the other dials of depth do nothing"),
+      field("disparity_noise_px",
+            &DepthDials::disparity_noise_px,
+            "pixels, one sigma, alike within windows of 7 px; at z metres z^2 / (fx 0.05 m) times "
+            "as many metres; Grunnet-Jepsen et al., Intel: 0.08 is usual for a D435",
+            range(0, 2)),
+      field("edge_shift_px",
+            &DepthDials::edge_shift_px,
+            "pixels, one sigma, by which edges are measured aside; Handa et al. 2014",
+            range(0, 5)),
+      field("glass_holes",
+            &DepthDials::glass_holes,
+            "share of panes of glass without depth, in patches; assumed, after Sajjan et al. 2020",
+            range(0, 1)),
+      field("clear_holes",
+            &DepthDials::clear_holes,
+            "share of clear packs without depth, in patches; the rest has three times the noise; "
+            "assumed, after Sajjan et al. 2020",
+            range(0, 1)));
+};
+
+// Colour as a small sensor records it (render/sensor/color_noise.h).
+struct ColorDials {
+  double full_well_e = 0;
+  static constexpr auto fields =
+      field_list(field("full_well_e",
+                       &ColorDials::full_well_e,
+                       "electrons of a pixel at white, which make its shot noise; fewer are "
+                       "noisier; 0: no noise. EMVA 1288; 4,500 assumed for pixels of 1.4 um",
+                       range(0, 1e6)));
+};
+
+// Where a camera is, against what the agent is told. About as much along and about each axis.
+struct CalibrationDials {
+  double camera_m = 0, camera_deg = 0;
+  static constexpr auto fields = field_list(
+      field("camera_m",
+            &CalibrationDials::camera_m,
+            "metres, one sigma along each axis, of each camera, once an episode; assumed: what "
+            "hand-eye calibration with a printed board leaves",
+            range(0, 0.2)),
+      field(
+          "camera_deg",
+          &CalibrationDials::camera_deg,
+          "degrees, one sigma about each axis, of each camera, once an episode; assumed, likewise",
+          range(0, 20)));
+};
+
+// What the robot reads of its own joints, each control step anew.
+struct JointDials {
+  double turn_deg = 0, turn_deg_s = 0, slide_m = 0, slide_m_s = 0;
+  static constexpr auto fields = field_list(
+      field("turn_deg",
+            &JointDials::turn_deg,
+            "degrees, one sigma, of each joint that turns; assumed: play of a geared joint whose "
+            "encoder is on the motor",
+            range(0, 10)),
+      field("turn_deg_s",
+            &JointDials::turn_deg_s,
+            "degrees a second, one sigma, of their speeds; assumed",
+            range(0, 100)),
+      field("slide_m",
+            &JointDials::slide_m,
+            "metres, one sigma, of each joint that slides (the lift); assumed",
+            range(0, 0.1)),
+      field("slide_m_s",
+            &JointDials::slide_m_s,
+            "metres a second, one sigma, of their speeds; assumed",
+            range(0, 1)));
+};
+
+// How long after an action is given the robot's drives hear of it. Drawn evenly once an episode:
+// a bus with a fixed cycle. They go on with the action before meanwhile.
+struct LatencyDials {
+  double least_s = 0, most_s = 0;
+  static constexpr auto fields =
+      field_list(field("least_s",
+                       &LatencyDials::least_s,
+                       "seconds, rounded to steps of physics; assumed: 20 to 60 ms from a policy's "
+                       "answer over a network and a robot's own interpolation",
+                       range(0, 0.5)),
+                 field("most_s", &LatencyDials::most_s, "seconds, no less", range(0, 0.5)));
+};
+
+// Where a robot that drives believes it is. Dead reckoning by its wheels, which a localisation in
+// the map corrects every so often; each correction is off, slowly changing.
+struct LocalisationDials {
+  double distance_share = 0, turn_share = 0;
+  double period_s = 0, off_m = 0, off_deg = 0, memory_s = 2;
+  static constexpr auto fields = field_list(
+      field("distance_share",
+            &LocalisationDials::distance_share,
+            "one sigma of the share by which distances are reckoned wrong, once an episode: the "
+            "wheels' size. Borenstein and Feng 1996 (UMBmark): about 1 % uncalibrated",
+            range(0, 0.5)),
+      field("turn_share",
+            &LocalisationDials::turn_share,
+            "one sigma of the share by which turns are reckoned wrong, once an episode: the "
+            "wheels' distance; as above",
+            range(0, 0.5)),
+      field("period_s",
+            &LocalisationDials::period_s,
+            "seconds between corrections, rounded up to control steps; 0: none, the robot reckons. "
+            "AMCL with a lidar of 10 Hz: 0.1",
+            range(0, 60)),
+      field("off_m",
+            &LocalisationDials::off_m,
+            "metres, one sigma along each axis, by which corrections are off; Realman, RMC-AIDA-L: "
+            "positions to 10 mm",
+            range(0, 1)),
+      field("off_deg",
+            &LocalisationDials::off_deg,
+            "degrees, one sigma; Realman, RMC-AIDA-L: headings to 1 degree refined, 3 by itself",
+            range(0, 45)),
+      field("memory_s",
+            &LocalisationDials::memory_s,
+            "seconds after which corrections are off by something else (to 1/e); assumed",
+            range(0.01, 1000)));
+};
+
+// Where the basket at a counter stands with all that lies in it, against the station's row. It
+// comes no nearer to the unloading area than the row allows: less of what is drawn then.
+struct BasketDials {
+  double place_m = 0, turn_deg = 0;
+  static constexpr auto fields = field_list(
+      field("place_m",
+            &BasketDials::place_m,
+            "metres to each side at most, drawn evenly once an episode; assumed: set down by hand "
+            "on a mark",
+            range(0, 0.1)),
+      field("turn_deg",
+            &BasketDials::turn_deg,
+            "degrees about its upright at most, drawn evenly once an episode; assumed, likewise",
+            range(0, 45)));
+};
+
+struct Realism {
+  std::string schema = "market-realism/1";
+  std::string name = "ideal";
+  DepthDials depth;
+  ColorDials color;
+  CalibrationDials calibration;
+  JointDials joints;
+  LatencyDials latency;
+  LocalisationDials localisation;
+  BasketDials basket;
+
+  static constexpr auto fields = field_list(
+      field("schema", &Realism::schema, "schema tag", constant("market-realism/1")),
+      field("name",
+            &Realism::name,
+            "of a row: its file's; results name a file of one's own by the hash of its dials",
+            identifier()),
+      field("depth", &Realism::depth, "what depth cameras measure"),
+      field("color", &Realism::color, "what colour cameras record"),
+      field("calibration", &Realism::calibration, "where cameras are"),
+      field("joints", &Realism::joints, "what the robot reads of its joints"),
+      field("latency", &Realism::latency, "how late commands are"),
+      field("localisation", &Realism::localisation, "where a robot that drives believes it is"),
+      field("basket", &Realism::basket, "where the basket at a counter stands"));
+};
+
+inline constexpr std::string_view own_realism = "own-";
+
+// A row by its name, or a file of one's own, which ends with .json. Its `name` is then own_realism
+// and the hash of its dials, so that results of equal dials can be compared. Errors: usage.bad_flag
+// at
+// --realism, with the nearest name; input.not_found, io.*; those of read_json; catalog.bad_row for
+// dials that contradict themselves.
+Result<Realism> load_realism(const std::filesystem::path& data, const std::string& asked);
+
+// Of all that is drawn for an episode of that seed.
+inline Seed realism_seed(std::uint64_t episode_seed) {
+  return Seed(episode_seed).child("realism");
+}
+
+}  // namespace marketgen::episodes
