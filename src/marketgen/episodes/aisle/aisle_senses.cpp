@@ -1,8 +1,8 @@
 #include "episodes/aisle/aisle_senses.h"
 
 #include "collect/scene_obstacles.h"
-#include "episodes/told_goals.h"
 #include "episodes/camera_senses.h"
+#include "episodes/told_goals.h"
 
 namespace marketgen::episodes {
 namespace {
