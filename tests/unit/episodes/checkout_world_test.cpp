@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
+#include "episodes/check_episodes.h"
 #include "support/drawn_checkout.h"
 
 namespace marketgen {
@@ -85,6 +88,28 @@ TEST(SampleCheckout, TheSameSeedGivesTheSameBytes) {
   const episodes::EpisodeFile one{{}, {drawn(3)}}, again{{}, {drawn(3)}}, other{{}, {drawn(4)}};
   EXPECT_EQ(episodes::write_episodes(one), episodes::write_episodes(again));
   EXPECT_NE(episodes::write_episodes(one), episodes::write_episodes(other));
+}
+
+// A quarter has two of a goal, half something that is easily taken for one: of 24 about 6 and 12.
+TEST(SampleCheckout, CountsAndLookAlikesAreThereAsOftenAsIsSaid) {
+  int with_two = 0, with_alike = 0;
+  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    const episodes::EpisodeSpec spec = drawn(100 + seed);
+    with_two += std::ranges::count(spec.goals, 2, &episodes::EpisodeGoal::count) > 0 ? 1 : 0;
+    with_alike += spec.look_alikes ? 1 : 0;
+    EXPECT_LE(spec.items.size(), 12U);
+    for (const episodes::EpisodeGoal& goal : spec.goals) {
+      EXPECT_EQ(std::ranges::count(spec.items, goal.sku, &episodes::EpisodeItem::sku), goal.count);
+      EXPECT_TRUE(goal.text && spec.instruction.find(*goal.text) != std::string::npos);
+      EXPECT_EQ(spec.instruction.find(goal.sku), std::string::npos);
+    }
+    EXPECT_TRUE(episodes::check_episode(spec, spec.id).ok());
+  }
+  std::printf("of 24: %d with two of a goal, %d with look-alikes\n", with_two, with_alike);
+  EXPECT_GE(with_two, 2);
+  EXPECT_LE(with_two, 12);
+  EXPECT_GE(with_alike, 7);
+  EXPECT_LE(with_alike, 18);
 }
 
 TEST(SampleCheckout, TooFewKindsOfGoodsIsAnError) {

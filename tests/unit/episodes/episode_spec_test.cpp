@@ -82,6 +82,26 @@ TEST(EpisodeFile, AGoalThatCannotBeMetIsAnError) {
   EXPECT_EQ(error_of(episodes::write_episodes(file)).code, "episode.impossible");
 }
 
+TEST(EpisodeFile, WithoutAWordOnInstructionsGoalsAreToldBySku) {
+  std::string text = episodes::write_episodes(small_file());
+  const std::string said = "\"instructions\": \"ids\", ";
+  for (std::size_t at = text.find(said); at != std::string::npos; at = text.find(said))
+    text.erase(at, said.size());
+  const auto read = episodes::read_episodes(text, "e.jsonl");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->episodes[0].instructions, episodes::Instructions::ids);
+}
+
+TEST(EpisodeFile, InWordsEachGoalHasAText) {
+  episodes::EpisodeFile file = small_file();
+  file.episodes[1].instructions = episodes::Instructions::words;
+  const Error error = error_of(episodes::write_episodes(file));
+  EXPECT_EQ(error.code, "episode.bad_value");
+  EXPECT_EQ(error.where, "e.jsonl:3/goals");
+  file.episodes[1].goals[0].text = "the tea";
+  EXPECT_EQ(error_of(episodes::write_episodes(file)).code, "none");
+}
+
 TEST(EpisodeFile, AnotherStoreIsAnError) {
   episodes::EpisodeFile file = small_file();
   file.episodes[0].scene_hash = "cc";

@@ -9,6 +9,7 @@
 #include "environments/aisle/shared_aisle.h"
 #include "episodes/aisle/aisle_senses.h"
 #include "episodes/pictured_products.h"
+#include "perception/goal_reader.h"
 #include "policy/classical_aisle.h"
 #include "support/can_aisle.h"
 #include "support/drawn_checkout.h"
@@ -70,8 +71,11 @@ TEST(AisleSenses, TheMapHasRoomBeforeBoards) {
   EXPECT_FALSE(map.way(here, {0.05, 0.05, 0}).ok());
 }
 
-TEST(ClassicalAisle, FindsACanAndFetchesIt) {
-  const auto world = can_world(hinted_can_episode());
+// `classical` in the shop with cans, told of its goal as `told` says.
+void expect_collects(const episodes::EpisodeSpec& spec,
+                     const agent::TaskGoal& told,
+                     std::unique_ptr<perception::GoalReader> reader) {
+  const auto world = can_world(spec);
   const episodes::AisleStore& store = world->store();
   episodes::AisleEyes eyes(*world);
   const episodes::StoreMap map(store);
@@ -87,9 +91,10 @@ TEST(ClassicalAisle, FindsACanAndFetchesIt) {
   setup.hints = episodes::category_hints(world->spec());
   setup.body = {
       &store.robot, &map, store.basket, store.driving, episodes::commanded_dofs(store.robot)};
+  setup.modules.language = std::move(reader);
   const auto policy = policy::make_classical_aisle(std::move(setup), Seed(3));
   agent::Observation now = world->observe();
-  ASSERT_TRUE(policy->begin({"Collect a can", world->spec().limit_s, {{"can-cola", 1}}}, now).ok());
+  ASSERT_TRUE(policy->begin({"Collect cans", world->spec().limit_s, {told}}, now).ok());
   while (!world->done()) {
     const auto action = policy->act(now);
     ASSERT_TRUE(action.ok()) << to_string(action.error());
@@ -101,7 +106,22 @@ TEST(ClassicalAisle, FindsACanAndFetchesIt) {
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_TRUE(result->success_strict) << policy->failure() << " after " << result->simulated_s;
   EXPECT_EQ(policy->failure(), "None");
-  EXPECT_EQ(world->in_basket().size(), 1U);
+  EXPECT_EQ(world->in_basket().size(), static_cast<std::size_t>(told.count));
+}
+
+TEST(ClassicalAisle, FindsACanAndFetchesIt) {
+  expect_collects(hinted_can_episode(), {"can-cola", 1}, nullptr);
+}
+
+TEST(ClassicalAisle, FetchesTwoThatItIsToldOfInWords) {
+  episodes::EpisodeSpec spec = hinted_can_episode();
+  spec.instructions = episodes::Instructions::words;
+  spec.goals = {{"can-cola", 2, "two cans of cola"}};
+  spec.limit_s = 300;
+  expect_collects(spec,
+                  {"", 2, "two cans of cola"},
+                  std::make_unique<perception::CatalogueReader>(
+                      can_aisle()->scene.catalog, committed_catalog().search_lexicon));
 }
 
 }  // namespace

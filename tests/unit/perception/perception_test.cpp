@@ -99,6 +99,27 @@ TEST_F(Matching, FindsProductsByShapeAndColourWithinMillimetres) {
   }
 }
 
+TEST(TwoOfOne, AreFoundWhereTwoAreWanted) {
+  std::vector<DrawnBox> goods = table_with_goods();
+  goods[2] = goods[1];
+  goods[2].pose = {{0.62, -0.12, 0}, rotation_about({0, 0, 1}, -0.7)};
+  std::vector<perception::ViewCloud> views;
+  views.emplace_back(drawn_view(goods, camera_over({0.5, 0.1, 0.6}), width, height, focal_px));
+  const std::vector<perception::MaskedView> masked{
+      {0, perception::GeometricMasks().masks(views[0], over_table(views[0]))}};
+  const auto made = perception::ProductLook::make(
+      "carton", drawn_pictures({0.06, 0.09, 0.12}, plain(red)));
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const perception::SweptPoses poses;
+  const perception::CatalogueMatching matching(poses);
+  EXPECT_EQ(matching.find({{&*made, {}, 1}}, views, masked).size(), 1U);
+  const auto both = matching.find({{&*made, {}, 2}}, views, masked);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_GT(length(both[0].pose.base_from_product.position -
+                   both[1].pose.base_from_product.position),
+            0.1);
+}
+
 TEST_F(Matching, WhatIsNotThereIsNotFound) {
   const perception::ProductLook white_carton = look("white", {0.06, 0.09, 0.12}, plain(white));
   const perception::ProductLook slab = look("slab", {0.2, 0.2, 0.02}, plain(red));

@@ -96,8 +96,7 @@ class Classical : public ::testing::Test {
     auto policy = policy::make_classical_checkout(std::move(setup_), Seed(1));
     if (!policy.ok()) fatal(to_string(policy.error()).c_str());
     agent::Observation now = ready_;
-    const agent::Task task{"Put the carton there.", 60, {{"carton", 1}}};
-    EXPECT_TRUE((*policy)->begin(task, now).ok());
+    EXPECT_TRUE((*policy)->begin(task_, now).ok());
     for (; now.time_s < until_s; now.time_s += 0.05) {
       const auto action = (*policy)->act(now);
       if (!action.ok()) fatal(to_string(action.error()).c_str());
@@ -113,6 +112,16 @@ class Classical : public ::testing::Test {
   perception::LookLibrary looks_;
   policy::ClassicalSetup setup_;
   agent::Observation ready_;
+  agent::Task task_{"Put the carton there.", 60, {{"carton", 1}}};
+};
+
+// Knows the one word.
+class CartonReader : public perception::GoalReader {
+ public:
+  Result<std::vector<std::string>> read(const std::string& text) const override {
+    if (text == "the carton") return std::vector<std::string>{"carton"};
+    return Error{"perception.not_understood", text, "is not the carton"};
+  }
 };
 
 TEST_F(Classical, LooksAtAnEmptyCounterAndStops) {
@@ -142,6 +151,32 @@ TEST_F(Classical, GoesToWhatItSees) {
     nearest = std::min(nearest, length(tip.position - (at + Vec3{0, 0, 0.06})));
   }
   EXPECT_LT(nearest, 0.07);
+}
+
+TEST_F(Classical, LooksForWhatItReads) {
+  DrawnEyes eyes(
+      {{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})},
+       {{{0.5, 0.05, 0}, rotation_about({0, 0, 1}, 0.3)}, {0.06, 0.09, 0.12}, plain({200, 40, 30})}});
+  setup_.modules.language = std::make_unique<CartonReader>();
+  task_.goals = {{"", 1, "the carton"}};
+  std::vector<agent::Action> actions;
+  act(eyes, 4, actions);
+  EXPECT_FALSE(actions.back().stop);
+  EXPECT_GT(actions.size(), 40U);
+}
+
+// Nothing else is disturbed for its sake.
+TEST_F(Classical, WhatItCannotReadIsNotFound) {
+  DrawnEyes eyes(
+      {{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})},
+       {{{0.5, 0.05, 0}, rotation_about({0, 0, 1}, 0.3)}, {0.06, 0.09, 0.12}, plain({200, 40, 30})}});
+  setup_.modules.language = std::make_unique<CartonReader>();
+  task_.goals = {{"", 1, "the zyxwv"}};
+  std::vector<agent::Action> actions;
+  const auto policy = act(eyes, 30, actions);
+  EXPECT_TRUE(actions.back().stop);
+  EXPECT_EQ(policy->failure(), "NotFound");
+  EXPECT_EQ(eyes.looks, 2);
 }
 
 TEST_F(Classical, SaysSoWhenTheTimeIsOver) {
