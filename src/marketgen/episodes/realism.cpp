@@ -19,12 +19,12 @@ constexpr std::array<std::string_view, 3> realism_rows{"ideal", "standard", "har
 Result<Realism> read_realism(const std::filesystem::path& file, const std::string& called) {
   MARKETGEN_TRY(const std::string text, io::read_file(file, 1U << 20));
   MARKETGEN_TRY(Realism read, io::read_json<Realism>(text, called));
-  if (read.latency.most_s < read.latency.least_s)
+  if (read.latency.max_s < read.latency.min_s)
     return Error{"catalog.bad_row",
-                 called + ":/latency/most_s",
-                 fmt::format("is {}, less than least_s, {}: give the larger one",
-                             read.latency.most_s,
-                             read.latency.least_s)};
+                 called + ":/latency/max_s",
+                 fmt::format("is {}, less than min_s, {}: give the larger one",
+                             read.latency.max_s,
+                             read.latency.min_s)};
   return read;
 }
 

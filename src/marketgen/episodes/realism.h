@@ -106,14 +106,14 @@ struct JointDials {
 // How long after an action is given the robot's drives hear of it. Drawn evenly once an episode:
 // a bus with a fixed cycle. They go on with the action before meanwhile.
 struct LatencyDials {
-  double least_s = 0, most_s = 0;
+  double min_s = 0, max_s = 0;
   static constexpr auto fields =
-      field_list(field("least_s",
-                       &LatencyDials::least_s,
+      field_list(field("min_s",
+                       &LatencyDials::min_s,
                        "seconds, rounded to steps of physics; assumed: 20 to 60 ms from a policy's "
                        "answer over a network and a robot's own interpolation",
                        range(0, 0.5)),
-                 field("most_s", &LatencyDials::most_s, "seconds, no less", range(0, 0.5)));
+                 field("max_s", &LatencyDials::max_s, "seconds, no less", range(0, 0.5)));
 };
 
 // Where a robot that drives believes it is. Dead reckoning by its wheels, which a localisation in

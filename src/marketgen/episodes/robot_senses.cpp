@@ -87,7 +87,7 @@ RobotSenses::RobotSenses(const Realism& realism,
       robot.drive.has_value() && (dials.distance_share > 0 || dials.turn_share > 0 ||
                                   dials.period_s > 0 || dials.off_m > 0 || dials.off_deg > 0);
   late_steps_ = physics_steps(
-      seed_.child("latency").stream().uniform(realism.latency.least_s, realism.latency.most_s));
+      seed_.child("latency").stream().uniform(realism.latency.min_s, realism.latency.max_s));
 }
 
 agent::Observation RobotSenses::told(agent::Observation now, int step) const {

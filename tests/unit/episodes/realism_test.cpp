@@ -70,11 +70,11 @@ TEST(RealismRows, IdealIsNothingAndHardIsMoreThanStandard) {
   EXPECT_GT(hard.depth.disparity_noise_px, standard.depth.disparity_noise_px);
   EXPECT_GT(hard.calibration.camera_m, standard.calibration.camera_m);
   EXPECT_GT(hard.joints.turn_deg, standard.joints.turn_deg);
-  EXPECT_GT(hard.latency.most_s, standard.latency.most_s);
+  EXPECT_GT(hard.latency.max_s, standard.latency.max_s);
   EXPECT_GT(hard.localisation.off_m, standard.localisation.off_m);
   EXPECT_GT(hard.basket.place_m, standard.basket.place_m);
   EXPECT_LT(hard.color.full_well_e, standard.color.full_well_e) << "fewer electrons, more noise";
-  EXPECT_GT(standard.latency.least_s, 0);
+  EXPECT_GT(standard.latency.min_s, 0);
 }
 
 TEST(RealismRows, AFileOfOnesOwnIsNamedByItsDials) {
@@ -109,7 +109,7 @@ TEST(RealismRows, BadOnesSayWhatMendsThem) {
   says(error_of("nowhere.json"), "input.not_found");
   says(error_of_dials(R"("joints": {"turn_deg": 11})"), "/joints/turn_deg: 11 is outside 0 to 10");
   says(error_of_dials(R"("depth": {"disparity_noise": 1})"), "did you mean");
-  says(error_of_dials(R"("latency": {"least_s": 0.05, "most_s": 0.02})"), "/latency/most_s");
+  says(error_of_dials(R"("latency": {"min_s": 0.05, "max_s": 0.02})"), "/latency/max_s");
 }
 
 // ---- Latency ----

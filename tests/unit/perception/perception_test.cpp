@@ -107,17 +107,17 @@ TEST(TwoOfOne, AreFoundWhereTwoAreWanted) {
   views.emplace_back(drawn_view(goods, camera_over({0.5, 0.1, 0.6}), width, height, focal_px));
   const std::vector<perception::MaskedView> masked{
       {0, perception::GeometricMasks().masks(views[0], over_table(views[0]))}};
-  const auto made = perception::ProductLook::make(
-      "carton", drawn_pictures({0.06, 0.09, 0.12}, plain(red)));
+  const auto made =
+      perception::ProductLook::make("carton", drawn_pictures({0.06, 0.09, 0.12}, plain(red)));
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   const perception::SweptPoses poses;
   const perception::CatalogueMatching matching(poses);
   EXPECT_EQ(matching.find({{&*made, {}, 1}}, views, masked).size(), 1U);
   const auto both = matching.find({{&*made, {}, 2}}, views, masked);
   ASSERT_EQ(both.size(), 2U);
-  EXPECT_GT(length(both[0].pose.base_from_product.position -
-                   both[1].pose.base_from_product.position),
-            0.1);
+  EXPECT_GT(
+      length(both[0].pose.base_from_product.position - both[1].pose.base_from_product.position),
+      0.1);
 }
 
 TEST_F(Matching, WhatIsNotThereIsNotFound) {

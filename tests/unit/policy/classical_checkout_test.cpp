@@ -154,9 +154,10 @@ TEST_F(Classical, GoesToWhatItSees) {
 }
 
 TEST_F(Classical, LooksForWhatItReads) {
-  DrawnEyes eyes(
-      {{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})},
-       {{{0.5, 0.05, 0}, rotation_about({0, 0, 1}, 0.3)}, {0.06, 0.09, 0.12}, plain({200, 40, 30})}});
+  DrawnEyes eyes({{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})},
+                  {{{0.5, 0.05, 0}, rotation_about({0, 0, 1}, 0.3)},
+                   {0.06, 0.09, 0.12},
+                   plain({200, 40, 30})}});
   setup_.modules.language = std::make_unique<CartonReader>();
   task_.goals = {{"", 1, "the carton"}};
   std::vector<agent::Action> actions;
@@ -167,9 +168,10 @@ TEST_F(Classical, LooksForWhatItReads) {
 
 // Nothing else is disturbed for its sake.
 TEST_F(Classical, WhatItCannotReadIsNotFound) {
-  DrawnEyes eyes(
-      {{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})},
-       {{{0.5, 0.05, 0}, rotation_about({0, 0, 1}, 0.3)}, {0.06, 0.09, 0.12}, plain({200, 40, 30})}});
+  DrawnEyes eyes({{{{0.5, 0, -0.02}, {}}, {1.2, 1.9, 0.02}, plain({120, 120, 120})},
+                  {{{0.5, 0.05, 0}, rotation_about({0, 0, 1}, 0.3)},
+                   {0.06, 0.09, 0.12},
+                   plain({200, 40, 30})}});
   setup_.modules.language = std::make_unique<CartonReader>();
   task_.goals = {{"", 1, "the zyxwv"}};
   std::vector<agent::Action> actions;

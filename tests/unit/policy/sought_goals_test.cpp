@@ -9,8 +9,8 @@ namespace marketgen {
 namespace {
 
 perception::ProductLook look_of(const char* sku) {
-  auto made = perception::ProductLook::make(
-      sku, drawn_pictures({0.06, 0.06, 0.1}, plain({200, 40, 30})));
+  auto made =
+      perception::ProductLook::make(sku, drawn_pictures({0.06, 0.06, 0.1}, plain({200, 40, 30})));
   if (!made.ok()) fatal(to_string(made.error()).c_str());
   return std::move(made).value();
 }
