@@ -18,12 +18,12 @@ struct ReadShares {
   int told = 0, right = 0, among_ties = 0, not_understood = 0, untold = 0;
 };
 
-// Every product of the stock, in two texts each, among all of it.
-ReadShares read_shares(const std::vector<catalog::Product>& stock) {
+// Of every n-th product of the stock two texts, read among all of it.
+ReadShares read_shares(const std::vector<catalog::Product>& stock, std::size_t every = 1) {
   const episodes::Offer offer(stock);
   const perception::CatalogueReader reader(stock, committed_catalog().search_lexicon);
   ReadShares shares;
-  for (std::size_t number = 0; number < offer.size(); ++number) {
+  for (std::size_t number = 0; number < offer.size(); number += every) {
     for (const int count : {1, 2}) {
       const auto told = episodes::refer_to(
           offer, number, count, Seed(static_cast<std::uint64_t>(count)).child(stock[number].sku));
@@ -46,15 +46,15 @@ ReadShares read_shares(const std::vector<catalog::Product>& stock) {
 }
 
 // Measured on 26 November 2026: see docs/episodes.md, "Instructions in words".
-TEST(GoalWords, AreReadRightOverTheWholeCatalogue) {
-  const ReadShares shares = read_shares(committed_catalog().products);
+TEST(GoalWords, AreReadRightAmongTheWholeCatalogue) {
+  const ReadShares shares = read_shares(committed_catalog().products, 20);
   std::printf("told %d, untold %d, right %d, among ties %d, not understood %d\n",
               shares.told,
               shares.untold,
               shares.right,
               shares.among_ties,
               shares.not_understood);
-  EXPECT_GT(shares.told, 5000);
+  EXPECT_GT(shares.told, 250);
   EXPECT_GE(shares.right, shares.told * 95 / 100);
   EXPECT_EQ(shares.not_understood, 0);
 }

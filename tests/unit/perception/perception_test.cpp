@@ -104,9 +104,12 @@ TEST(TwoOfOne, AreFoundWhereTwoAreWanted) {
   goods[2] = goods[1];
   goods[2].pose = {{0.62, -0.12, 0}, rotation_about({0, 0, 1}, -0.7)};
   std::vector<perception::ViewCloud> views;
-  views.emplace_back(drawn_view(goods, camera_over({0.5, 0.1, 0.6}), width, height, focal_px));
-  const std::vector<perception::MaskedView> masked{
-      {0, perception::GeometricMasks().masks(views[0], over_table(views[0]))}};
+  std::vector<perception::MaskedView> masked;
+  for (const Vec3 eye : {Vec3{0.5, 0.1, 0.6}, Vec3{0.35, -0.1, 0.7}}) {
+    views.emplace_back(drawn_view(goods, camera_over(eye), width, height, focal_px));
+    masked.push_back({masked.size(),
+                      perception::GeometricMasks().masks(views.back(), over_table(views.back()))});
+  }
   const auto made =
       perception::ProductLook::make("carton", drawn_pictures({0.06, 0.09, 0.12}, plain(red)));
   ASSERT_TRUE(made.ok()) << to_string(made.error());
