@@ -68,10 +68,10 @@ Result<std::vector<StockedStore>> stocked_stores(std::vector<store::Store> opene
   return stores;
 }
 
-std::vector<catalog::Product> rows_of(std::map<std::string, catalog::Product> by_sku) {
+std::vector<catalog::Product> rows_of(const std::map<std::string, catalog::Product>& by_sku) {
   std::vector<catalog::Product> rows;
-  for (auto& [sku, product] : by_sku)
-    rows.push_back(std::move(product));
+  for (const auto& [sku, product] : by_sku)
+    rows.push_back(product);
   return rows;
 }
 
@@ -92,7 +92,7 @@ std::vector<catalog::Product> products_of(const std::vector<episodes::EpisodeSpe
     for (const episodes::EpisodeGoal& goal : spec.goals)
       add(goal.sku);
   }
-  return rows_of(std::move(products));
+  return rows_of(products);
 }
 
 // Of all that the stores sell, by SKU: in physics, episodes are tried while they are drawn.
@@ -101,7 +101,7 @@ std::vector<catalog::Product> products_of(const std::vector<StockedStore>& store
   for (const StockedStore& store : stores)
     for (const catalog::Product& row : store.sampler->products())
       products.emplace(row.sku, row);
-  return rows_of(std::move(products));
+  return rows_of(products);
 }
 
 // What decides the episodes, beside their number.

@@ -74,7 +74,7 @@ Run add_tables(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "tables", "Results as tables for papers: tracks beside published scores, swaps, realism");
   command->require_subcommand(1);
-  const auto add = [&](const char* name, const char* what, Action run) {
+  const auto add = [&](const char* name, const char* what, const Action& run) {
     CLI::App* sub = command->add_subcommand(name, what);
     sub->callback([action, run] { *action = run; });
     sub->add_option("results", flags->folders, "folders of eval or merge")->required();

@@ -55,8 +55,8 @@ Result<std::vector<RunOf>> in_order(const std::vector<FinishedRun>& runs, Varied
                    : "no run without true modules is named to compare with: run `eval --policy " +
                          base_policy(runs.front(), varied) + "`");
   std::vector<RunOf> ordered{*first};
-  for (const auto& variant : variants)
-    if (variant.first != first->first) ordered.push_back(variant);
+  variants.erase(first);
+  ordered.insert(ordered.end(), variants.begin(), variants.end());
   if (ordered.size() == 1)
     return bad(runs.front(), "there is nothing to compare with: name two runs or more");
   return ordered;
