@@ -136,7 +136,7 @@ std::string worded_size(const std::string& net, Stream& draw) {
     return number_word(pieces) + net.substr(net.find(' '));
   }
   const bool liquid = content.unit == catalog::NetUnit::millilitre;
-  const std::string one =
+  std::string one =
       any_of(liquid ? worded_measures(content.amount, "ml", "millilitre", "l", "litre")
                     : worded_measures(content.amount, "g", "gram", "kg", "kilo"),
              draw);

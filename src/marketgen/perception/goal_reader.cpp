@@ -40,7 +40,9 @@ std::vector<std::string> counted_in(const std::vector<std::optional<catalog::Net
 }  // namespace
 
 CatalogueReader::CatalogueReader(const std::vector<catalog::Product>& rows,
-                                 const catalog::SearchLexicon& lexicon) {
+                                 const catalog::SearchLexicon& lexicon)
+    : skip_(lexicon.skip.begin(), lexicon.skip.end()),
+      without_(lexicon.without.begin(), lexicon.without.end()) {
   for (const catalog::Product& product : rows)
     add_row(product);
   std::ranges::sort(rows_, {}, &Row::sku);
@@ -50,8 +52,6 @@ CatalogueReader::CatalogueReader(const std::vector<catalog::Product>& rows,
   counted_ = counted_in(nets);
   for (const catalog::SearchIntent& intent : lexicon.intents)
     add_intent(intent);
-  skip_ = {lexicon.skip.begin(), lexicon.skip.end()};
-  without_ = {lexicon.without.begin(), lexicon.without.end()};
 }
 
 void CatalogueReader::add_row(const catalog::Product& product) {
@@ -76,6 +76,8 @@ void CatalogueReader::add_row(const catalog::Product& product) {
   std::string shape = product.archetype;
   std::ranges::replace(shape, '_', ' ');
   add(shape, group_weight);
+  for (const std::string& word : plain_words(shape))
+    skip_.erase(word);
   add(product.subcategory, group_weight);
   std::string category = product.category;
   std::ranges::replace(category, '_', ' ');

@@ -64,6 +64,13 @@ TEST(CatalogueReader, ReadsNamesVariantsAmountsAndSynonyms) {
   EXPECT_EQ(read(rows, "the original cola"), (std::vector<std::string>{"cola", "cola-litre"}));
 }
 
+TEST(CatalogueReader, ACanIsAShapeThoughTheWordSaysNothingElsewhere) {
+  catalog::Product bottle = product("a-cola", "Cola", "Original", "330 ml");
+  bottle.archetype = "pet_bottle";
+  const std::vector<catalog::Product> rows{bottle, product("cola", "Cola", "Original", "330 ml")};
+  EXPECT_EQ(read(rows, "two cans of cola"), std::vector<std::string>{"cola"});
+}
+
 TEST(CatalogueReader, SaysWhenNoWordIsKnown) {
   const perception::CatalogueReader reader({product("cola", "Cola", "Original", "330 ml")},
                                            committed_catalog().search_lexicon);

@@ -15,11 +15,11 @@
 namespace marketgen::episodes {
 namespace {
 
-constexpr int max_attempts = 12;     // at an episode
-constexpr int max_skus_drawn = 200;  // at an attempt; few suit a cup
-constexpr int max_starts = 200;      // places drawn
-constexpr std::size_t max_rows = 3;  // items of a SKU that are looked at
-constexpr std::size_t max_rows_wider = 8;
+constexpr int max_attempts = 12;       // at an episode
+constexpr int max_skus_drawn = 200;    // at an attempt; few suit a cup
+constexpr int max_starts = 200;        // places drawn
+constexpr std::size_t usual_rows = 3;  // items of a SKU that are looked at
+constexpr std::size_t wider_rows = 8;
 constexpr int wider_searches = 3;  // each from other random postures
 constexpr double drop_reach_m = 1.4;
 
@@ -224,7 +224,7 @@ Result<std::optional<WitnessPick>> AisleSampler::pick_wider(const catalog::Produ
     MARKETGEN_TRY(auto found,
                   pick(product,
                        grasps,
-                       max_rows_wider,
+                       wider_rows,
                        witness,
                        seed.child("wider", static_cast<std::uint64_t>(search))));
     if (found) return found;
@@ -239,7 +239,7 @@ Result<int> AisleSampler::witnessed(
   if (grasps.empty()) return 0;
   for (int item = 0; item < count; ++item) {
     const Seed own = item == 0 ? seed : seed.child("item", static_cast<std::uint64_t>(item));
-    MARKETGEN_TRY(auto found, pick(product, grasps, max_rows, witness, own));
+    MARKETGEN_TRY(auto found, pick(product, grasps, usual_rows, witness, own));
     if (!found && split_ == Split::certified) {
       MARKETGEN_TRY(found, pick_wider(product, grasps, witness, own));
       if (found && !spec.certificate.has(shown_by_wider_search))
