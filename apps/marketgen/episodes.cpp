@@ -11,7 +11,6 @@
 #include "base/hash.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
-#include "catalog/user_products.h"
 #include "command.h"
 #include "environments/environment_entry.h"
 #include "episodes/episode_journal.h"
@@ -20,7 +19,7 @@
 #include "io/output.h"
 #include "number_flags.h"
 #include "say.h"
-#include "store/store.h"
+#include "store/open_stores.h"
 
 namespace marketgen::app {
 namespace {
@@ -38,21 +37,6 @@ struct StockedStore {
   episodes::EpisodeStore store;
   std::unique_ptr<environments::StoreSampler> sampler;
 };
-
-Result<std::vector<store::Store>> open_all(const std::vector<std::string>& folders,
-                                           const catalog::Catalog& catalog) {
-  std::vector<store::Store> stores;
-  for (const std::string& folder : folders) {
-    MARKETGEN_TRY(store::Store store, store::open_store(folder, catalog));
-    const auto same = [&](const store::Store& other) {
-      return other.manifest.scene_hash == store.manifest.scene_hash;
-    };
-    if (std::ranges::any_of(stores, same))
-      return Error{"usage.bad_flag", folder, "is the same store as another one: name each once"};
-    stores.push_back(std::move(store));
-  }
-  return stores;
-}
 
 Result<std::vector<StockedStore>> stocked_stores(std::vector<store::Store> opened,
                                                  environments::EpisodeSampler& sampler,
@@ -290,12 +274,9 @@ Result<void> write(const EpisodesFlags& flags) {
   io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
-  MARKETGEN_TRY(catalog::Catalog catalog, load_rows());
-  MARKETGEN_TRY(std::vector<store::Store> opened, open_all(flags.folders, catalog));
-  for (const store::Store& store : opened) {
-    if (store.manifest.own)
-      catalog = catalog::with_own_products(std::move(catalog), *store.manifest.own);
-  }
+  MARKETGEN_TRY(catalog::Catalog rows, load_rows());
+  MARKETGEN_TRY(store::OpenedStores opened, store::open_stores(flags.folders, std::move(rows)));
+  const catalog::Catalog& catalog = opened.catalog;
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
   MARKETGEN_TRY(const episodes::Split split, split_named(flags.split));
   MARKETGEN_TRY(const episodes::Instructions instructions, instructions_named(flags.instructions));
@@ -305,7 +286,7 @@ Result<void> write(const EpisodesFlags& flags) {
       const auto sampler,
       environments::environment_entry_of(track).sampler(arena, flags.tools, split, instructions));
   MARKETGEN_TRY(std::vector<StockedStore> stores,
-                stocked_stores(std::move(opened), *sampler, arena));
+                stocked_stores(std::move(opened.stores), *sampler, arena));
   if (split == episodes::Split::certified) file.header.products = products_of(stores);
   MARKETGEN_TRY(const std::unique_ptr<episodes::EpisodeJournal> journal,
                 begin_journal(flags, draw_hash(flags, stores, catalog)));

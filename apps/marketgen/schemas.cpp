@@ -13,6 +13,7 @@
 #include "episodes/episode_spec.h"
 #include "episodes/realism.h"
 #include "evaluation/differences_table.h"
+#include "evaluation/goals_table.h"
 #include "evaluation/leaderboard.h"
 #include "evaluation/tracks_table.h"
 #include "intake/photos_file.h"
@@ -78,6 +79,9 @@ std::vector<Document> documents() {
       {"market-differences-1",
        "What a change is worth, on the same episodes",
        type_of<evaluation::DifferencesTable>()},
+      {"market-goals-1",
+       "How much of what stores offer tasks may ask for",
+       type_of<evaluation::GoalsTable>()},
       {"market-published-1", "Scores that others have published", type_of<evaluation::Published>()},
       {"market-camera-1",
        "Where a picture is taken from, and its lens",

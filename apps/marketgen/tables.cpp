@@ -1,12 +1,15 @@
-// marketgen tables: results as the tables that papers print.
+// marketgen tables: results, and what stores give to ask for, as the tables that papers print.
 #include <fmt/ranges.h>
 
+#include "base/interrupt.h"
 #include "command.h"
 #include "evaluation/differences_table.h"
+#include "evaluation/goals_table.h"
 #include "evaluation/tracks_table.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "store/open_stores.h"
 
 namespace marketgen::app {
 namespace {
@@ -53,6 +56,20 @@ Result<std::string> differences(const TablesFlags& flags, evaluation::Varied var
   return text_of(table, flags);
 }
 
+Result<std::string> goals(const TablesFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(catalog::Catalog rows, load_rows());
+  MARKETGEN_TRY(store::OpenedStores opened, store::open_stores(flags.folders, std::move(rows)));
+  std::vector<std::shared_ptr<const store::Store>> stores;
+  for (store::Store& store : opened.stores)
+    stores.push_back(std::make_shared<const store::Store>(std::move(store)));
+  MARKETGEN_TRY(const evaluation::GoalsTable table, until_interrupted([&] {
+                  return evaluation::goals_table(stores, data, opened.catalog);
+                }));
+  return text_of(table, flags);
+}
+
 Result<void> print_or_put(const TablesFlags& flags, const Action& action) {
   io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
@@ -72,12 +89,16 @@ Run add_tables(CLI::App& app) {
   auto flags = std::make_shared<TablesFlags>();
   auto action = std::make_shared<Action>(tracks);
   CLI::App* command = app.add_subcommand(
-      "tables", "Results as tables for papers: tracks beside published scores, swaps, realism");
+      "tables",
+      "Tables for papers: tracks beside published scores, swaps, realism, what is asked for");
   command->require_subcommand(1);
-  const auto add = [&](const char* name, const char* what, const Action& run) {
+  const auto add = [&](const char* name,
+                       const char* what,
+                       const Action& run,
+                       const char* of = "folders of eval or merge") {
     CLI::App* sub = command->add_subcommand(name, what);
     sub->callback([action, run] { *action = run; });
-    sub->add_option("results", flags->folders, "folders of eval or merge")->required();
+    sub->add_option("folders", flags->folders, of)->required();
     sub->add_option("--format", flags->format, "text, markdown, latex or csv")
         ->capture_default_str();
     add_output(*sub, "-o,--output", flags->output, "file for the table");
@@ -92,6 +113,10 @@ Run add_tables(CLI::App& app) {
   add("realism",
       "One policy at several levels of realism, beside itself at ideal",
       [](const TablesFlags& given) { return differences(given, evaluation::Varied::realism); });
+  add("goals",
+      "How much of what stores offer tasks may ask for, by track, tool, category, shape, fixture",
+      goals,
+      "stores");
   command->footer(
       "Example:  marketgen tables tracks checkout-run aisle-run --format latex -o table.tex");
   return [flags, action] {

@@ -2,14 +2,17 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "assets/usable_catalog.h"
 #include "binding.h"
 #include "evaluation/differences_table.h"
+#include "evaluation/goals_table.h"
 #include "evaluation/leaderboard_page.h"
 #include "evaluation/merge_runs.h"
 #include "evaluation/tracks_table.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "store/open_stores.h"
 
 namespace marketgen::python {
 namespace {
@@ -54,6 +57,21 @@ std::string differences_table(const std::vector<std::string>& folders, const std
   }));
 }
 
+// market-goals/1 of stores.
+std::string goals_table(const std::vector<std::string>& folders) {
+  return value_or_raise(without_interpreter([&]() -> Result<std::string> {
+    MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+    MARKETGEN_TRY(catalog::Catalog rows, assets::usable_catalog());
+    MARKETGEN_TRY(store::OpenedStores opened, store::open_stores(folders, std::move(rows)));
+    std::vector<std::shared_ptr<const store::Store>> stores;
+    for (store::Store& store : opened.stores)
+      stores.push_back(std::make_shared<const store::Store>(std::move(store)));
+    MARKETGEN_TRY(const evaluation::GoalsTable table,
+                  evaluation::goals_table(stores, data, opened.catalog));
+    return io::write_json(table);
+  }));
+}
+
 }  // namespace
 
 void add_rankings(nb::module_& module) {
@@ -61,6 +79,7 @@ void add_rankings(nb::module_& module) {
   module.def("leaderboard", &leaderboard);
   module.def("tracks_table", &tracks_table);
   module.def("differences_table", &differences_table);
+  module.def("goals_table", &goals_table);
 }
 
 }  // namespace marketgen::python

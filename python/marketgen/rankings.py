@@ -38,17 +38,21 @@ def leaderboard(results: Sequence[PathLike], *, html: PathLike | None = None) ->
     return json.loads(_core.leaderboard(arguments.paths("results", results), page))
 
 
-def tables(kind: str, results: Sequence[PathLike]) -> dict[str, Any]:
-    """Results in the form that papers print; `marketgen tables` from Python, which also writes LaTeX, Markdown and CSV.
+def tables(kind: str, folders: Sequence[PathLike]) -> dict[str, Any]:
+    """Results, and what stores give to ask for, in the form that papers print; `marketgen tables` from Python, which also
+    writes LaTeX, Markdown and CSV.
 
     kind     "tracks": policies on all tracks beside published scores; "swap": one policy with the truth in the place of
-             modules (evaluate("classical+target")) beside itself; "realism": one policy at several levels beside itself at ideal
-    results  folders of evaluate() or merge(); complete ones only
+             modules (evaluate("classical+target")) beside itself; "realism": one policy at several levels beside itself at ideal;
+             "goals": how much of what stores offer tasks may ask for, and why not the rest
+    folders  of evaluate() or merge(), complete ones only; for "goals" stores
 
-    Returns a market-tracks/1, or a market-differences/1. Raises Error results.*, io.*, json.*.
+    Returns a market-tracks/1, market-differences/1 or market-goals/1. Raises Error results.*, store.*, io.*, json.*.
     """
-    chosen = arguments.a_name("kind", kind, ("tracks", "swap", "realism"))
-    folders = arguments.paths("results", results)
+    chosen = arguments.a_name("kind", kind, ("tracks", "swap", "realism", "goals"))
+    named = arguments.paths("folders", folders)
     if chosen == "tracks":
-        return json.loads(_core.tracks_table(folders))
-    return json.loads(_core.differences_table(folders, "truth" if chosen == "swap" else "realism"))
+        return json.loads(_core.tracks_table(named))
+    if chosen == "goals":
+        return json.loads(_core.goals_table(named))
+    return json.loads(_core.differences_table(named, "truth" if chosen == "swap" else "realism"))

@@ -60,6 +60,7 @@ const std::map<std::string, Work>& works() {
       {"tables tracks", {{"{store}"}, false}},
       {"tables swap", {{"{store}"}, false}},
       {"tables realism", {{"{store}"}, false}},
+      {"tables goals", {{"{store}"}, false}},
       {"replay",
        {{"--episodes",
          "{episodes}",

@@ -79,6 +79,7 @@ const std::vector<Output>& outputs() {
       {{"tables", "tracks"}, "--output", {"{spare}", "-o", "{out}"}},
       {{"tables", "swap"}, "--output", {"{spare}", "-o", "{out}"}},
       {{"tables", "realism"}, "--output", {"{spare}", "-o", "{out}"}},
+      {{"tables", "goals"}, "--output", {"{spare}", "-o", "{out}"}},
       {{"leaderboard"}, "--html", {"{spare}", "--html", "{out}"}},
       {{"replay"}, "--film", {"--episodes", "{episodes}", "--episode", "0", "--film", "{out}"}},
       {{"replay"}, "--strip", {"--episodes", "{episodes}", "--episode", "0", "--strip", "{out}"}},

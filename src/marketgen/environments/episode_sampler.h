@@ -7,6 +7,7 @@
 #include "catalog/product.h"
 #include "episodes/episode_journal.h"
 #include "episodes/episode_origin.h"
+#include "episodes/goal_chance.h"
 
 namespace marketgen::environments {
 
@@ -21,6 +22,8 @@ class StoreSampler {
   virtual const std::vector<catalog::Product>& products() const = 0;
   // What of the store's offer no task asks for, as far as it is known by now.
   virtual episodes::EpisodeExclusions exclusions() const = 0;
+  // Whether a task may ask for a product of the store's offer. Errors: of trying its grasps.
+  virtual Result<episodes::GoalChance> goal_chance(const catalog::Product& product) = 0;
   // Products that were looked at while episodes were drawn; and more, which another process looked
   // at while it drew from the same store. Only tracks that find out while they draw have any.
   virtual std::vector<episodes::ConsideredProduct> considered() const { return {}; }

@@ -25,6 +25,9 @@ class AisleStoreSampler : public StoreSampler {
   }
   const std::vector<catalog::Product>& products() const override { return store_->scene.catalog; }
   episodes::EpisodeExclusions exclusions() const override { return sampler_->exclusions(); }
+  Result<episodes::GoalChance> goal_chance(const catalog::Product& product) override {
+    return sampler_->goal_chance(product);
+  }
   std::vector<episodes::ConsideredProduct> considered() const override {
     return sampler_->considered();
   }

@@ -113,19 +113,24 @@ bool AisleStore::carries_another(std::uint32_t row) const {
   return false;
 }
 
+ShelfRefusal AisleStore::shelf_refusal(std::uint32_t product) const {
+  const scene::SceneProduct& row = scene.products[product];
+  const scene::SceneShelf& shelf = scene.shelves[scene.facings[row.facing].shelf];
+  const double z = row.position_m[2];
+  if ((row.flags & scene::product_front_row) == 0) return ShelfRefusal::behind_another;
+  if (shelf.use != assets::ShelfUse::stand) return ShelfRefusal::unshelved;
+  if (has_doors(scene, shelf.fixture)) return ShelfRefusal::behind_door;
+  if (z < station.shelf.lowest_m) return ShelfRefusal::too_low;
+  if (z > station.shelf.highest_m) return ShelfRefusal::too_high;
+  return carries_another(product) ? ShelfRefusal::under_another : ShelfRefusal::none;
+}
+
 std::vector<std::uint32_t> AisleStore::front_items(const std::string& sku) const {
   std::vector<std::uint32_t> rows;
-  for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
-    const scene::SceneProduct& product = scene.products[row];
-    if ((product.flags & scene::product_front_row) == 0 || scene.catalog[product.sku].sku != sku)
-      continue;
-    const scene::SceneShelf& shelf = scene.shelves[scene.facings[product.facing].shelf];
-    const double z = product.position_m[2];
-    const bool reached = z >= station.shelf.lowest_m && z <= station.shelf.highest_m;
-    if (reached && shelf.use == assets::ShelfUse::stand && !has_doors(scene, shelf.fixture) &&
-        !carries_another(row))
+  for (std::uint32_t row = 0; row < scene.products.size(); ++row)
+    if (scene.catalog[scene.products[row].sku].sku == sku &&
+        shelf_refusal(row) == ShelfRefusal::none)
       rows.push_back(row);
-  }
   return rows;
 }
 

@@ -1,8 +1,10 @@
 // A store in which In-Aisle Item Collection happens: what all of its episodes share.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "collect/drive_graph.h"
@@ -14,6 +16,21 @@
 namespace marketgen::episodes {
 
 constexpr double max_back_off_m = 0.30;  // from a shelf, with an item in the hand
+
+// Why an item is not taken from where it is; the first that applies.
+enum class ShelfRefusal {
+  none,
+  behind_another,  // not in the front row
+  unshelved,       // lies in a heap or hangs
+  behind_door,     // or in a drawer
+  too_low,         // its board, for the station
+  too_high,
+  under_another  // of its stack
+};
+constexpr std::array<std::string_view, 7> names_of(ShelfRefusal) {
+  return {
+      "none", "behind_another", "unshelved", "behind_door", "too_low", "too_high", "under_another"};
+}
 
 // Immutable; any number of worlds and threads may share it.
 struct AisleStore {
@@ -31,6 +48,7 @@ struct AisleStore {
   std::vector<PointMm> standing_places(const std::string& sku) const;
   // How far it may go straight back, at most max_back_off_m.
   double room_behind_m(const Pose& world_from_base) const;
+  ShelfRefusal shelf_refusal(std::uint32_t product) const;
   // Rows of its items that can be reached from the front, no door before them, nothing on them.
   std::vector<std::uint32_t> front_items(const std::string& sku) const;
   bool carries_another(std::uint32_t row) const;  // a pack stands on it

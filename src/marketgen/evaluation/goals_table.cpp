@@ -1,0 +1,233 @@
+#include "evaluation/goals_table.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/build_info.h"
+#include "base/parallel.h"
+#include "environments/environment_entry.h"
+#include "episodes/track_entry.h"
+
+namespace marketgen::evaluation {
+namespace {
+
+using Groups = std::map<std::string, GoalGroup>;
+
+// What a store's offer is in one variant: as long as its stock.
+using Chances = std::vector<episodes::GoalChance>;
+
+Result<std::vector<GoalVariant>> variants_in(const std::filesystem::path& data) {
+  std::vector<GoalVariant> variants;
+  for (const episodes::Track track : episodes::all_tracks) {
+    MARKETGEN_TRY(const episodes::TrackRobot row, episodes::entry_of(track).robot(data));
+    if (row.tools.empty()) variants.push_back({track});
+    for (const std::string& tools : row.tools)
+      variants.push_back({track, tools});
+  }
+  return variants;
+}
+
+// Of a store in which nothing can be asked for at all.
+Chances impossible(std::size_t products) {
+  return {products, {"impossible", {}}};
+}
+
+Result<Chances> chances_of(const std::vector<catalog::Product>& stock,
+                           environments::StoreSampler& sampler) {
+  const auto found = parallel_map(stock.size(), [&](std::size_t i) {
+    return std::make_shared<Result<episodes::GoalChance>>(sampler.goal_chance(stock[i]));
+  });
+  Chances chances;
+  for (const auto& chance : found) {
+    if (!chance->ok()) return chance->error();
+    chances.push_back(chance->value());
+  }
+  return chances;
+}
+
+// Adds up the stores.
+class GoalCount {
+ public:
+  explicit GoalCount(std::vector<GoalVariant> variants) : variants_(std::move(variants)) {
+    all_ = begun("");
+    reasons_.resize(variants_.size());
+  }
+
+  const std::vector<GoalVariant>& variants() const { return variants_; }
+
+  // `chances` variant by variant.
+  void add(const scene::Scene& scene,
+           const std::vector<catalog::Product>& stock,
+           const std::vector<Chances>& chances) {
+    for (std::size_t i = 0; i < stock.size(); ++i) {
+      std::vector<bool> may;
+      for (std::size_t variant = 0; variant < variants_.size(); ++variant) {
+        const std::string& why_not = chances[variant][i].why_not;
+        may.push_back(why_not.empty());
+        if (!why_not.empty()) ++reasons_[variant][why_not];
+      }
+      count(may, all_);
+      count(may, group(categories_, stock[i].category));
+      count(may, group(shapes_, stock[i].archetype));
+    }
+    add_fixtures(scene, stock, chances);
+  }
+
+  GoalsTable table() && {
+    GoalsTable table;
+    table.version = std::string(program_version);
+    table.all = all_;
+    table.categories = listed(categories_);
+    table.shapes = listed(shapes_);
+    table.fixtures = listed(fixtures_);
+    for (std::size_t variant = 0; variant < variants_.size(); ++variant) {
+      for (const auto& [why, products] : reasons_[variant])
+        variants_[variant].left_out.push_back({why, products});
+      std::ranges::stable_sort(
+          variants_[variant].left_out, std::greater<>{}, &episodes::EpisodeExclusion::products);
+    }
+    table.variants = std::move(variants_);
+    return table;
+  }
+
+ private:
+  GoalGroup begun(const std::string& name) const {
+    return {name, 0, std::vector<int>(variants_.size()), 0};
+  }
+
+  GoalGroup& group(Groups& groups, const std::string& name) const {
+    return groups.try_emplace(name, begun(name)).first->second;
+  }
+
+  static void count(const std::vector<bool>& may, GoalGroup& group) {
+    ++group.on_offer;
+    for (std::size_t variant = 0; variant < may.size(); ++variant)
+      if (may[variant]) ++group.goals[variant];
+    if (std::ranges::find(may, true) != may.end()) ++group.any;
+  }
+
+  void add_fixtures(const scene::Scene& scene,
+                    const std::vector<catalog::Product>& stock,
+                    const std::vector<Chances>& chances) {
+    const auto kind_of = [&](std::uint32_t fixture) { return scene.layout.fixtures[fixture].kind; };
+    std::map<std::string, std::set<std::string>> kinds;  // by SKU
+    for (const scene::SceneProduct& item : scene.products)
+      kinds[scene.catalog[item.sku].sku].insert(
+          kind_of(scene.shelves[scene.facings[item.facing].shelf].fixture));
+    for (std::size_t i = 0; i < stock.size(); ++i) {
+      for (const std::string& kind : kinds[stock[i].sku]) {
+        std::vector<bool> may;
+        for (const Chances& of_variant : chances)
+          may.push_back(std::ranges::any_of(of_variant[i].fixtures, [&](std::uint32_t fixture) {
+            return kind_of(fixture) == kind;
+          }));
+        count(may, group(fixtures_, kind));
+      }
+    }
+  }
+
+  static std::vector<GoalGroup> listed(const Groups& groups) {
+    std::vector<GoalGroup> list;
+    for (const auto& [name, group] : groups)
+      list.push_back(group);
+    return list;
+  }
+
+  std::vector<GoalVariant> variants_;
+  GoalGroup all_;
+  Groups categories_, shapes_, fixtures_;
+  std::vector<std::map<std::string, int>> reasons_;  // by variant
+};
+
+std::string called(const GoalVariant& variant) {
+  return variant.tools.empty() ? std::string(name_of(variant.track))
+                               : fmt::format("{} {}", name_of(variant.track), variant.tools);
+}
+
+std::string share_text(int number, int of) {
+  return fmt::format("{} ({:.0f})", number, of == 0 ? 0.0 : 100.0 * number / of);
+}
+
+std::vector<std::string> cells(const std::string& kind, const GoalGroup& group) {
+  std::vector<std::string> row{kind, group.name, std::to_string(group.on_offer)};
+  for (const int goals : group.goals)
+    row.push_back(share_text(goals, group.on_offer));
+  row.push_back(share_text(group.any, group.on_offer));
+  return row;
+}
+
+std::string with_goals(const std::string& kinds, const std::vector<GoalGroup>& groups) {
+  const auto some = static_cast<int>(
+      std::ranges::count_if(groups, [](const GoalGroup& group) { return group.any > 0; }));
+  return fmt::format("{} with a goal in some variant: {} of {}.", kinds, some, groups.size());
+}
+
+}  // namespace
+
+Result<GoalsTable> goals_table(const std::vector<std::shared_ptr<const store::Store>>& stores,
+                               const std::filesystem::path& data,
+                               const catalog::Catalog& catalog) {
+  const episodes::EpisodeHeader header;
+  environments::Arena arena(data, header, catalog);
+  for (const auto& store : stores)
+    arena.offer(store);
+  MARKETGEN_TRY(std::vector<GoalVariant> variants, variants_in(data));
+  std::vector<std::vector<Chances>> chances(stores.size());  // by store, then by variant
+  for (const GoalVariant& variant : variants) {
+    const auto& entry = environments::environment_entry_of(variant.track);
+    MARKETGEN_TRY(const auto sampler, entry.sampler(arena, variant.tools));
+    for (std::size_t i = 0; i < stores.size(); ++i) {
+      const episodes::EpisodeStore row = environments::store_row(*stores[i]);
+      const std::vector<catalog::Product> stock = episodes::store_stock(stores[i]->scene);
+      const auto of_store = sampler->of_store({row.name, row.scene_hash, row.plan_hash});
+      if (!of_store.ok() && of_store.error().code != "episode.impossible") return of_store.error();
+      if (!of_store.ok()) {
+        chances[i].push_back(impossible(stock.size()));
+        continue;
+      }
+      MARKETGEN_TRY(Chances found, chances_of(stock, **of_store));
+      chances[i].push_back(std::move(found));
+    }
+    MARKETGEN_CHECK(sampler->keep());
+  }
+  GoalCount count(std::move(variants));
+  for (std::size_t i = 0; i < stores.size(); ++i)
+    count.add(stores[i]->scene, episodes::store_stock(stores[i]->scene), chances[i]);
+  GoalsTable table = std::move(count).table();
+  for (const auto& store : stores)
+    table.stores.push_back(store->manifest.name);
+  return table;
+}
+
+TextTable text_of(const GoalsTable& table) {
+  TextTable text{{"by", "name", "on offer"}, {}, {}};
+  for (const GoalVariant& variant : table.variants)
+    text.columns.push_back(called(variant) + " (%)");
+  text.columns.emplace_back("any (%)");
+  text.rows.push_back(cells("all", table.all));
+  for (const GoalGroup& group : table.categories)
+    text.rows.push_back(cells("category", group));
+  for (const GoalGroup& group : table.shapes)
+    text.rows.push_back(cells("shape", group));
+  for (const GoalGroup& group : table.fixtures)
+    text.rows.push_back(cells("fixture", group));
+  text.notes.push_back(with_goals("Categories", table.categories));
+  text.notes.push_back(with_goals("Shapes", table.shapes));
+  text.notes.push_back(with_goals("Kinds of fixtures", table.fixtures));
+  for (const GoalVariant& variant : table.variants) {
+    std::vector<std::string> reasons;
+    for (const episodes::EpisodeExclusion& reason : variant.left_out)
+      reasons.push_back(fmt::format("{} {}", reason.reason, reason.products));
+    text.notes.push_back(fmt::format("Not for {}: {}.", called(variant), fmt::join(reasons, ", ")));
+  }
+  text.notes.push_back(fmt::format("{} stores, version {}; products counted store by store.",
+                                   table.stores.size(),
+                                   table.version));
+  return text;
+}
+
+}  // namespace marketgen::evaluation

@@ -1,0 +1,26 @@
+#include "store/open_stores.h"
+
+#include <algorithm>
+
+#include "catalog/user_products.h"
+
+namespace marketgen::store {
+
+Result<OpenedStores> open_stores(const std::vector<std::string>& folders, catalog::Catalog rows) {
+  OpenedStores opened{{}, std::move(rows)};
+  for (const std::string& folder : folders) {
+    MARKETGEN_TRY(Store store, open_store(folder, opened.catalog));
+    const auto same = [&](const Store& other) {
+      return other.manifest.scene_hash == store.manifest.scene_hash;
+    };
+    if (std::ranges::any_of(opened.stores, same))
+      return Error{"usage.bad_flag", folder, "is the same store as another one: name each once"};
+    opened.stores.push_back(std::move(store));
+  }
+  for (const Store& store : opened.stores)
+    if (store.manifest.own)
+      opened.catalog = catalog::with_own_products(std::move(opened.catalog), *store.manifest.own);
+  return opened;
+}
+
+}  // namespace marketgen::store

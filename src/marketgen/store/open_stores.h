@@ -1,0 +1,19 @@
+// Several stores that one command is about.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "store/store.h"
+
+namespace marketgen::store {
+
+struct OpenedStores {
+  std::vector<Store> stores;
+  catalog::Catalog catalog;  // with the rows of the stores' own goods
+};
+
+// `rows` is what they are made of. Errors: usage.bad_flag when two folders are the same store;
+// those of open_store.
+Result<OpenedStores> open_stores(const std::vector<std::string>& folders, catalog::Catalog rows);
+
+}  // namespace marketgen::store
