@@ -261,19 +261,6 @@ CheckoutRefusal checkout_refusal(const catalog::Product& product) {
                                                              : CheckoutRefusal::too_large;
 }
 
-GoalChance checkout_chance(const scene::Scene& scene, const catalog::Product& product) {
-  if (const CheckoutRefusal why = checkout_refusal(product); why != CheckoutRefusal::none)
-    return {std::string(name_of(why)), {}};
-  const auto sku = static_cast<std::uint32_t>(
-      std::ranges::find(scene.catalog, product.sku, &catalog::Product::sku) -
-      scene.catalog.begin());
-  GoalChance chance;
-  for (const scene::SceneProduct& item : scene.products)
-    if (item.sku == sku)
-      chance.fixtures.insert(scene.shelves[scene.facings[item.facing].shelf].fixture);
-  return chance;
-}
-
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene) {
   std::vector<catalog::Product> stock = store_stock(scene);
   std::erase_if(stock, [](const catalog::Product& product) { return !is_checkout_item(product); });

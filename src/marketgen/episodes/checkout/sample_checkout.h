@@ -11,7 +11,6 @@
 #include "catalog/rows.h"
 #include "episodes/checkout/checkout_world.h"
 #include "episodes/episode_origin.h"
-#include "episodes/goal_chance.h"
 #include "scene/scene.h"
 
 namespace marketgen::episodes {
@@ -45,9 +44,6 @@ CheckoutRefusal checkout_refusal(const catalog::Product& product);
 inline bool is_checkout_item(const catalog::Product& product) {
   return checkout_refusal(product) == CheckoutRefusal::none;
 }
-
-// It may have stood on any fixture of the store.
-GoalChance checkout_chance(const scene::Scene& scene, const catalog::Product& product);
 
 // Of store_stock(), what a checkout's basket may hold.
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene);
