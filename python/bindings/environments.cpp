@@ -266,7 +266,7 @@ void add_environments(nb::module_& module) {
       .def("map",
            [](const EnvironmentHandle& h) {
              world_of(h);
-             return h.environment->map();
+             return value_or_raise(h.environment->map());
            })
       .def("task", &task_of)
       .def("tool_cuts", &tool_cuts)

@@ -58,6 +58,14 @@ def test_what_it_sees_and_knows_beforehand(store, aisle_episode):
     assert set(later) == {"instruction", "time_s", "robot_stopped"}
 
 
+def test_the_map_errs_by_its_realism(store, aisle_episode):
+    _, _, info = make(store, aisle_episode, obs_mode="state_robot", realism="hard")
+    told, there = info["map"]["fixtures"], store.layout["fixtures"]
+    off = [abs(a[axis] - b[axis]) for a, b in zip(told, there, strict=True) for axis in ("x_mm", "y_mm")]
+    assert 10 < max(off) <= 50
+    assert {**info["map"], "fixtures": 0} == {**store.layout, "fixtures": 0}
+
+
 @pytest.mark.parametrize("control", CONTROL)
 def test_every_control_mode_moves_the_arms_and_the_lift(store, aisle_episode, control):
     env, before, _ = make(store, aisle_episode, control_mode=control)

@@ -20,8 +20,9 @@ struct PinholeLens {
 // One picture with depth. The camera's frame is OpenCV's: x right, y down, z ahead.
 struct View {
   std::string camera;
+  double time_s = 0;  // when it was taken, on the clock of Observation::time_s
   PinholeLens lens;
-  Pose base_from_camera;
+  Pose base_from_camera;  // then
   Image color;
   std::vector<float> depth_m;  // along the optical axis, row-major; 0 = none
 
@@ -32,8 +33,8 @@ struct View {
 class Eyes {
  public:
   virtual ~Eyes() = default;
-  // As things stand now. Errors: usage.bad_flag for a camera that the agent does not have; what the
-  // camera reports.
+  // As things stand now, or stood a little before where pictures come late. Errors: usage.bad_flag
+  // for a camera that the agent does not have; what the camera reports.
   virtual Result<View> look(std::string_view camera) = 0;
 };
 

@@ -96,9 +96,10 @@ class Environment {
   virtual Result<render::Camera> camera(const std::string& camera, int width, int height) = 0;
   // By the numbers of pictures: the SKU of each product that they can show.
   virtual Result<std::vector<std::pair<std::uint32_t, std::string>>> products() = 0;
-  // What the agent knows of the place beforehand, as JSON: market-layout/1 of a store; "" of a
-  // counter.
-  virtual std::string map() const { return ""; }
+  // What the agent knows of the place beforehand, as JSON: market-layout/1 of a store, with
+  // fixtures where its realism's map has them; "" of a counter. Errors: those of
+  // AisleWorld::mapped.
+  virtual Result<std::string> map() const { return std::string(); }
 
   // ---- The truth, of a running or ended episode: no policy may look. ----
 

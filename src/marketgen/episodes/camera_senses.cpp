@@ -5,6 +5,7 @@
 
 #include "render/sensor/color_noise.h"
 #include "render/sensor/depth_noise.h"
+#include "render/sensor/lamp_light.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -32,6 +33,12 @@ Pose camera_error(const CalibrationDials& dials, Seed seed, std::string_view cam
               rotation_about({0, 0, 1}, turned[2])};
 }
 
+Vec3f lamps_of(const LightDials& dials, Seed seed) {
+  Stream draw = seed.child("light").stream();
+  const double stops = draw.uniform(-dials.stops, dials.stops);
+  return render::lamp_light(stops, draw.uniform(-dials.mired, dials.mired));
+}
+
 Result<render::Frame> sensed_picture(const TrackWorld& world,
                                      std::string_view camera,
                                      render::Renderer& renderer,
@@ -47,7 +54,9 @@ Result<render::Frame> sensed_picture(const TrackWorld& world,
         render::intrinsics_of(nominal),
         nominal.width,
         nominal.height);
-  MARKETGEN_TRY(render::Frame frame, renderer.render(there, options));
+  render::RenderOptions lit = options;
+  lit.light = options.light * lamps_of(realism.light, world.noise());
+  MARKETGEN_TRY(render::Frame frame, renderer.render(there, lit));
   const render::NoiseSource source{world.noise().child("picture", camera).value(),
                                    static_cast<std::uint64_t>(world.steps())};
   if (realism.depth.stereo) {

@@ -12,6 +12,9 @@ namespace marketgen::episodes {
 // throughout an episode.
 Pose camera_error(const CalibrationDials& dials, Seed seed, std::string_view camera);
 
+// The lamps' light, for RenderOptions::light. The same throughout an episode.
+Vec3f lamps_of(const LightDials& dials, Seed seed);
+
 // What the robot's camera of that name, which the agent takes for standing as `nominal` says, sees
 // in the world now: taken from where it truly is; depth and colour as its sensors record them, with
 // noise that each control step has anew. Holes on glass and clear packs stay where they are in the

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,12 +20,15 @@ constexpr std::array<std::string_view, 3> realism_rows{"ideal", "standard", "har
 Result<Realism> read_realism(const std::filesystem::path& file, const std::string& called) {
   MARKETGEN_TRY(const std::string text, io::read_file(file, 1U << 20));
   MARKETGEN_TRY(Realism read, io::read_json<Realism>(text, called));
-  if (read.latency.max_s < read.latency.min_s)
-    return Error{"catalog.bad_row",
-                 called + ":/latency/max_s",
-                 fmt::format("is {}, less than min_s, {}: give the larger one",
-                             read.latency.max_s,
-                             read.latency.min_s)};
+  const LatencyDials& late = read.latency;
+  for (const auto& [name, dials] : {std::pair{"commands", late.commands},
+                                    std::pair{"images", late.images},
+                                    std::pair{"readings", late.readings}})
+    if (dials.max_s < dials.min_s)
+      return Error{
+          "catalog.bad_row",
+          fmt::format("{}:/latency/{}/max_s", called, name),
+          fmt::format("is {}, less than min_s, {}: give the larger one", dials.max_s, dials.min_s)};
   return read;
 }
 

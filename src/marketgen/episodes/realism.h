@@ -5,9 +5,9 @@
 // Three are rows, data/benchmark/realism/NAME.json: `ideal` (nothing), `standard` (a robot that was
 // calibrated and maintained) and `hard` (one that was not). All that is drawn comes from named
 // streams of the episode's seed and the number of the control step, so the same actions give the
-// same bytes by any door, on any number of threads. What is drawn once an episode: each camera's
-// error of calibration, how late commands are, the odometry's errors of scale, where the basket
-// stands.
+// same bytes by any door, on any number of threads. What is drawn once an episode: the lamps'
+// light, each camera's error of calibration, how late commands, pictures and readings are, the
+// odometry's errors of scale, where the map has fixtures, where the basket stands.
 //
 // Sources are named at each field; "assumed" is our own estimate, which nobody has measured.
 #pragma once
@@ -64,6 +64,23 @@ struct ColorDials {
                        range(0, 1e6)));
 };
 
+// The lamps of the place against what cameras are set to, alike for all cameras
+// (render/sensor/lamp_light.h). Drawn evenly, once an episode.
+struct LightDials {
+  double stops = 0, mired = 0;
+  static constexpr auto fields = field_list(
+      field("stops",
+            &LightDials::stops,
+            "brighter or darker by so much at most, a stop being twice; CIE 97: lamps are cleaned "
+            "and replaced at about 0.8 of what they gave as new, 0.3 stops",
+            range(0, 3)),
+      field("mired",
+            &LightDials::mired,
+            "warmer or colder by so much at most, in millionths of a reciprocal kelvin (250 are "
+            "4000 K); ANSI C78.377: lamps sold as 4000 K have 3985 +- 275 K, which is 17",
+            range(0, 100)));
+};
+
 // Where a camera is, against what the agent is told. About as much along and about each axis.
 struct CalibrationDials {
   double camera_m = 0, camera_deg = 0;
@@ -103,17 +120,59 @@ struct JointDials {
             range(0, 1)));
 };
 
-// How long after an action is given the robot's drives hear of it. Drawn evenly once an episode:
-// a bus with a fixed cycle. They go on with the action before meanwhile.
-struct LatencyDials {
+// How late something is. Drawn evenly once an episode: a bus or a camera with a fixed cycle.
+struct LatenessDials {
   double min_s = 0, max_s = 0;
-  static constexpr auto fields =
-      field_list(field("min_s",
-                       &LatencyDials::min_s,
-                       "seconds, rounded to steps of physics; assumed: 20 to 60 ms from a policy's "
-                       "answer over a network and a robot's own interpolation",
-                       range(0, 0.5)),
-                 field("max_s", &LatencyDials::max_s, "seconds, no less", range(0, 0.5)));
+  static constexpr auto fields = field_list(
+      field("min_s", &LatenessDials::min_s, "seconds, rounded to steps of physics", range(0, 0.5)),
+      field("max_s", &LatenessDials::max_s, "seconds, no less", range(0, 0.5)));
+};
+
+// What stands between the robot and its policy. Until something older is there than the episode,
+// its beginning is told.
+struct LatencyDials {
+  LatenessDials commands, images, readings;
+  static constexpr auto fields = field_list(
+      field("commands",
+            &LatencyDials::commands,
+            "from an action until the robot's drives hear of it, who go on with the one before "
+            "meanwhile; assumed: 20 to 60 ms from a policy's answer over a network and a robot's "
+            "own interpolation"),
+      field("images",
+            &LatencyDials::images,
+            "from what a camera sees until its picture is there; assumed: 30 to 80 ms, exposure, "
+            "readout, transfer and alignment of an RGB-D camera of 30 pictures a second"),
+      field("readings",
+            &LatencyDials::readings,
+            "from what joints and tools are until their readings are there; what a robot that "
+            "drives believes of its place is not among them. Assumed: 2 to 10 ms, a bus"));
+};
+
+// What the robot reads of its tools.
+struct ToolDials {
+  double opening_m = 0, vacuum_s = 0;
+  static constexpr auto fields = field_list(
+      field("opening_m",
+            &ToolDials::opening_m,
+            "metres, one sigma, of the openings of grippers, each control step; assumed: play of "
+            "fingers whose encoder is on the motor",
+            range(0, 0.02)),
+      field("vacuum_s",
+            &ToolDials::vacuum_s,
+            "seconds after which the vacuum sensor of a cup tells of a change, beside the latency "
+            "of readings; assumed: a cup and its hose that are evacuated and aired",
+            range(0, 0.5)));
+};
+
+// The map that an agent is given, against the store.
+struct MapDials {
+  double place_m = 0;
+  static constexpr auto fields = field_list(
+      field("place_m",
+            &MapDials::place_m,
+            "metres by which each run of fixtures stands elsewhere than the map says, to each side "
+            "at most, drawn evenly once an episode; assumed: shelves set up by hand after a plan",
+            range(0, 0.2)));
 };
 
 // Where a robot that drives believes it is. Dead reckoning by its wheels, which a localisation in
@@ -173,10 +232,13 @@ struct Realism {
   std::string name = "ideal";
   DepthDials depth;
   ColorDials color;
+  LightDials light;
   CalibrationDials calibration;
   JointDials joints;
+  ToolDials tools;
   LatencyDials latency;
   LocalisationDials localisation;
+  MapDials map;
   BasketDials basket;
 
   static constexpr auto fields = field_list(
@@ -187,10 +249,13 @@ struct Realism {
             identifier()),
       field("depth", &Realism::depth, "what depth cameras measure"),
       field("color", &Realism::color, "what colour cameras record"),
+      field("light", &Realism::light, "the lamps of the place"),
       field("calibration", &Realism::calibration, "where cameras are"),
       field("joints", &Realism::joints, "what the robot reads of its joints"),
-      field("latency", &Realism::latency, "how late commands are"),
+      field("tools", &Realism::tools, "what the robot reads of its tools"),
+      field("latency", &Realism::latency, "how late commands, pictures and readings are"),
       field("localisation", &Realism::localisation, "where a robot that drives believes it is"),
+      field("map", &Realism::map, "where fixtures are on the map"),
       field("basket", &Realism::basket, "where the basket at a counter stands"));
 };
 

@@ -4,18 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "episodes/late_senses.h"
 #include "episodes/track_world.h"
-#include "physics/goods/contact_shape.h"
 
 namespace marketgen::episodes {
 namespace {
 
 constexpr double rad_of_deg = std::numbers::pi / 180;
-
-// Seconds in whole steps of physics.
-int physics_steps(double seconds) {
-  return static_cast<int>(std::lround(seconds / physics::time_step_s));
-}
 
 robots::BasePlace drawn_place(Stream draw, double off_m, double off_rad) {
   robots::BasePlace off;
@@ -77,17 +72,19 @@ RobotSenses::RobotSenses(const Realism& realism,
                          const robots::BasePlace& truth,
                          const robots::BasePlace& reckoned)
     : joints_(realism.joints),
+      opening_m_(realism.tools.opening_m),
       seed_(seed),
       place_(realism.localisation, seed.child("localisation"), truth, reckoned) {
   for (const int dof : commanded_dofs(robot))
     slides_.push_back(robot.joint_of_dof(static_cast<std::size_t>(dof)).kind ==
                       robots::JointType::prismatic);
+  for (const robots::Tool& tool : robot.tools)
+    grips_.push_back(tool.kind != robots::ToolKind::suction);
   const LocalisationDials& dials = realism.localisation;
   localises_ =
       robot.drive.has_value() && (dials.distance_share > 0 || dials.turn_share > 0 ||
                                   dials.period_s > 0 || dials.off_m > 0 || dials.off_deg > 0);
-  late_steps_ = physics_steps(
-      seed_.child("latency").stream().uniform(realism.latency.min_s, realism.latency.max_s));
+  late_steps_ = drawn_lateness(realism.latency.commands, seed_.child("latency").stream());
 }
 
 agent::Observation RobotSenses::told(agent::Observation now, int step) const {
@@ -98,6 +95,10 @@ agent::Observation RobotSenses::told(agent::Observation now, int step) const {
     if (place > 0) now.position[j] += place * draw.normal();
     if (speed > 0) now.velocity[j] += speed * draw.normal();
   }
+  Stream of_tools = seed_.child("tools", static_cast<std::uint64_t>(step)).stream();
+  for (std::size_t t = 0; opening_m_ > 0 && t < now.openings_m.size(); ++t)
+    if (grips_[t])
+      now.openings_m[t] = std::max(0.0, now.openings_m[t] + opening_m_ * of_tools.normal());
   if (localises_) now.base = place_.told();
   return now;
 }

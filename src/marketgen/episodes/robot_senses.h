@@ -1,4 +1,5 @@
-// What a robot reads of itself in a running episode: its joints, and where it believes it stands.
+// What a robot reads of itself in a running episode: its joints and tools, and where it believes it
+// stands.
 //
 // What is told is a function of the realism, of the seed, of the truth and of the number of the
 // control step; who asks twice is told the same. SI units.
@@ -57,7 +58,7 @@ class RobotSenses {
   void drive(const robots::BasePlace& reckoned, const robots::BasePlace& truth, int step) {
     place_.drive(reckoned, truth, step);
   }
-  // `now`: as it is, base.* as its wheels reckon it.
+  // `now`: as its sensors measured it, base.* as its wheels reckon it.
   agent::Observation told(agent::Observation now, int step) const;
 
   template <class Archive, class Self>
@@ -67,8 +68,10 @@ class RobotSenses {
 
  private:
   JointDials joints_;
+  double opening_m_ = 0;  // one sigma
   Seed seed_{0};
   std::vector<bool> slides_;  // by commanded joint
+  std::vector<bool> grips_;   // by tool: it has an opening that is read
   bool localises_ = false;    // what its wheels reckon is not all that it is told
   BelievedPlace place_;
   int late_steps_ = 0;

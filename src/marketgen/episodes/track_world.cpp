@@ -41,6 +41,7 @@ std::vector<double> TrackWorld::sensed_state() const {
 
 void TrackWorld::start_senses(const robots::BasePlace& truth, const robots::BasePlace& reckoned) {
   senses_ = RobotSenses(realism_, noise_, robot(), truth, reckoned);
+  late_ = LateSenses(realism_, noise_, as_it_is(), scenery());
   link_ =
       CommandLink(robot(), commanded_dofs(robot()), senses_.late_steps(), still_action(as_it_is()));
 }

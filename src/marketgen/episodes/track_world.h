@@ -10,6 +10,7 @@
 #include "agent/policy.h"
 #include "episodes/command_link.h"
 #include "episodes/episode_result.h"
+#include "episodes/late_senses.h"
 #include "episodes/realism.h"
 #include "episodes/robot_senses.h"
 #include "physics/world/robot_controller.h"
@@ -43,7 +44,7 @@ class TrackWorld {
   virtual const EpisodeSpec& spec() const = 0;
   virtual const robots::Robot& robot() const = 0;
   // As the robot's sensors tell it, which is as its realism says.
-  agent::Observation observe() const { return senses_.told(as_it_is(), steps()); }
+  agent::Observation observe() const { return senses_.told(late_.told(as_it_is()), steps()); }
   // One control step. Error episode.bad_action: not finite, another number of values, or after the
   // end; the world is then as before. physics.failed.
   virtual Result<agent::Observation> step(const agent::Action& action) = 0;
@@ -54,6 +55,9 @@ class TrackWorld {
   // What it was reset with, and the seed of what is drawn for that.
   const Realism& realism() const { return realism_; }
   Seed noise() const { return noise_; }
+  // Where everything stood in the picture that a camera of the robot gives now: scenery(), or that
+  // of a while ago.
+  Scenery pictured() const { return late_.pictured() ? *late_.pictured() : scenery(); }
   // Of all degrees of freedom, the commanded joints as observe() has them: what the robot's own
   // kinematics go by.
   std::vector<double> sensed_state() const;
@@ -79,6 +83,7 @@ class TrackWorld {
 
   // ---- The truth, as it is for the oracle, pictures and tests. ----
 
+  virtual Scenery scenery() const = 0;
   virtual const physics::RobotController& controller() const = 0;
   // MuJoCo's own model and what moves in it.
   virtual const mjModel_& model() const = 0;
@@ -91,11 +96,17 @@ class TrackWorld {
   virtual agent::Observation as_it_is() const = 0;
   // Once the robot stands at its beginning. `truth` and `reckoned`: as of RobotSenses.
   void start_senses(const robots::BasePlace& truth, const robots::BasePlace& reckoned);
+  // After the `step`-th step of physics of a control step, from 1 on.
+  void sense(int step) {
+    late_.pass(
+        step, [this] { return as_it_is(); }, [this] { return scenery(); });
+  }
 
   PhysicsWatch physics_watch_;
   Realism realism_;
   Seed noise_{0};
   RobotSenses senses_;
+  LateSenses late_;
   CommandLink link_;
 };
 

@@ -18,6 +18,7 @@
 #include "base/result.h"
 #include "geometry/image.h"
 #include "geometry/pose.h"
+#include "geometry/vector.h"
 #include "render/cameras/camera.h"
 #include "render/matter.h"
 #include "render/stage/actor.h"
@@ -64,6 +65,9 @@ struct RenderOptions {
   bool hide_ceiling = false;                // for views from above
   Denoiser denoiser = Denoiser::automatic;  // path mode
   double exposure_stops = 0;                // path mode: brighter (+) or darker than the store asks
+  // By how much each channel's light (linear, Rec. 709) is more than what the camera is set to: see
+  // sensor/lamp_light.h. Everything that shines is taken for the lamps', daylight too.
+  Vec3f light{1, 1, 1};
 };
 
 // Planes are row-major from the top left, one entry a pixel.

@@ -28,6 +28,12 @@ class ToneCurve {
 };
 const ToneCurve& tone_curve();
 
+// What the curve takes, under light that is `light` times as much in each channel.
+inline Vec8 exposed(const Vec8& radiance, float exposure, Vec3f light) {
+  const Vec8 meant = radiance * Float8(exposure);
+  return {meant.x * Float8(light.x), meant.y * Float8(light.y), meant.z * Float8(light.z)};
+}
+
 // Linear RGB (Rec. 709, unit luminance) of a black body at `kelvin`, 1000..40000 K.
 Vec3f black_body(double kelvin);
 

@@ -15,38 +15,19 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "physics/goods/contact_shape.h"
-#include "support/can_aisle.h"
-#include "support/drawn_checkout.h"
+#include "render/sensor/lamp_light.h"
+#include "support/realistic_worlds.h"
 
 namespace marketgen {
 namespace {
 
 constexpr double rad_a_degree = std::numbers::pi / 180;
 
-template <class T>
-T or_die(Result<T> result) {
-  if (!result.ok()) fatal(to_string(result.error()).c_str());
-  return std::move(result).value();
-}
-
-episodes::Realism row(const std::string& name) {
-  return or_die(episodes::load_realism(data_rows(), name));
-}
-
 std::string own_file(const std::string& name, const std::string& text) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / name;
   const auto written = io::write_file(file, text);
   if (!written.ok()) fatal(to_string(written.error()).c_str());
   return file.string();
-}
-
-std::unique_ptr<episodes::CheckoutWorld> counter(const episodes::Realism& realism,
-                                                 const episodes::EpisodeSpec& spec = drawn(7, 0)) {
-  auto world = std::make_unique<episodes::CheckoutWorld>(
-      or_die(episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions)));
-  const auto reset = world->reset(spec, checkout_goods_rows(), nullptr, {}, realism);
-  if (!reset.ok()) fatal(to_string(reset.error()).c_str());
-  return world;
 }
 
 struct Spread {
@@ -63,18 +44,29 @@ Spread spread_of(const std::vector<double>& values) {
 // ---- Rows and files ----
 
 TEST(RealismRows, IdealIsNothingAndHardIsMoreThanStandard) {
-  EXPECT_EQ(io::write_json(row("ideal")), io::write_json(episodes::Realism{}));
-  const episodes::Realism standard = row("standard"), hard = row("hard");
+  EXPECT_EQ(io::write_json(realism_row("ideal")), io::write_json(episodes::Realism{}));
+  const episodes::Realism standard = realism_row("standard"), hard = realism_row("hard");
   EXPECT_EQ(standard.name, "standard");
   EXPECT_TRUE(standard.depth.stereo && hard.depth.stereo);
   EXPECT_GT(hard.depth.disparity_noise_px, standard.depth.disparity_noise_px);
   EXPECT_GT(hard.calibration.camera_m, standard.calibration.camera_m);
   EXPECT_GT(hard.joints.turn_deg, standard.joints.turn_deg);
-  EXPECT_GT(hard.latency.max_s, standard.latency.max_s);
+  EXPECT_GT(hard.latency.commands.max_s, standard.latency.commands.max_s);
+  EXPECT_GT(hard.latency.images.max_s, standard.latency.images.max_s);
+  EXPECT_GT(hard.latency.readings.max_s, standard.latency.readings.max_s);
+  EXPECT_GT(hard.light.stops, standard.light.stops);
+  EXPECT_GT(hard.light.mired, standard.light.mired);
+  EXPECT_GT(hard.tools.opening_m, standard.tools.opening_m);
+  EXPECT_GT(hard.tools.vacuum_s, standard.tools.vacuum_s);
+  EXPECT_GT(hard.map.place_m, standard.map.place_m);
   EXPECT_GT(hard.localisation.off_m, standard.localisation.off_m);
   EXPECT_GT(hard.basket.place_m, standard.basket.place_m);
   EXPECT_LT(hard.color.full_well_e, standard.color.full_well_e) << "fewer electrons, more noise";
-  EXPECT_GT(standard.latency.min_s, 0);
+  for (const episodes::LatenessDials& late :
+       {standard.latency.commands, standard.latency.images, standard.latency.readings})
+    EXPECT_GT(late.min_s, 0);
+  EXPECT_GT(std::min({standard.light.stops, standard.light.mired, standard.map.place_m}), 0);
+  EXPECT_GT(std::min(standard.tools.opening_m, standard.tools.vacuum_s), 0);
 }
 
 TEST(RealismRows, AFileOfOnesOwnIsNamedByItsDials) {
@@ -109,14 +101,17 @@ TEST(RealismRows, BadOnesSayWhatMendsThem) {
   says(error_of("nowhere.json"), "input.not_found");
   says(error_of_dials(R"("joints": {"turn_deg": 11})"), "/joints/turn_deg: 11 is outside 0 to 10");
   says(error_of_dials(R"("depth": {"disparity_noise": 1})"), "did you mean");
-  says(error_of_dials(R"("latency": {"min_s": 0.05, "max_s": 0.02})"), "/latency/max_s");
+  for (const std::string what : {"commands", "images", "readings"})
+    says(error_of_dials(
+             (R"("latency": {")" + what + R"(": {"min_s": 0.05, "max_s": 0.02}})").c_str()),
+         ("/latency/" + what + "/max_s").c_str());
 }
 
 // ---- Latency ----
 
 // Physics steps from the first on: where the arm's second joint is while it is told to turn.
 std::vector<double> step_response(const episodes::Realism& realism) {
-  const auto world = counter(realism);
+  const auto world = counter_at(realism);
   std::vector<double> places;
   const int joint = mj_name2id(&world->model(), mjOBJ_JOINT, "joint2");
   const int place = world->model().jnt_qposadr[joint];
@@ -131,7 +126,7 @@ std::vector<double> step_response(const episodes::Realism& realism) {
 
 episodes::Realism late(double seconds) {
   episodes::Realism realism;
-  realism.latency = {seconds, seconds};
+  realism.latency.commands = {seconds, seconds};
   return realism;
 }
 
@@ -151,8 +146,8 @@ TEST(Latency, ActionsActLate) {
 
 TEST(Latency, IsDrawnOnceAnEpisode) {
   episodes::Realism realism;
-  realism.latency = {0.02, 0.06};
-  const auto world = counter({});
+  realism.latency.commands = {0.02, 0.06};
+  const auto world = counter_at({});
   std::vector<double> drawn_s;
   for (std::uint64_t seed = 0; seed < 400; ++seed)
     drawn_s.push_back(
@@ -166,7 +161,7 @@ TEST(Latency, IsDrawnOnceAnEpisode) {
 }
 
 TEST(Latency, NoneIsTheControlStepItself) {
-  const auto world = counter({});
+  const auto world = counter_at({});
   const std::vector<int> commanded = episodes::commanded_dofs(world->robot());
   agent::Action action = episodes::still_action(world->observe());
   action.position[0] += 0.1;
@@ -209,6 +204,29 @@ TEST(RobotSenses, JointsErrByTheirDialsAndTheSameWhenAskedTwice) {
   EXPECT_NEAR(spread_of(speeds).sigma, rad_a_degree, 0.05 * rad_a_degree);
   EXPECT_NEAR(spread_of(slid).sigma, 0.001, 1e-4);
   EXPECT_NEAR(spread_of(turned).mean, 0, 0.01 * rad_a_degree);
+}
+
+// Of a gripper; a cup has no opening that could be read wrongly, and pads are not read to be nearer
+// than closed.
+TEST(RobotSenses, OpeningsErrByTheirDial) {
+  const auto world = counter_at({});
+  episodes::Realism realism;
+  realism.tools.opening_m = 0.001;
+  const episodes::RobotSenses senses(realism, episodes::realism_seed(3), world->robot(), {}, {});
+  agent::Observation truth = world->observe();
+  truth.openings_m = {0.04};
+  std::vector<double> off;
+  for (int step = 0; step < 2000; ++step) {
+    const agent::Observation told = senses.told(truth, step);
+    ASSERT_EQ(told.openings_m, senses.told(truth, step).openings_m);
+    ASSERT_EQ(told.position, truth.position);
+    off.push_back(told.openings_m[0] - 0.04);
+  }
+  EXPECT_NEAR(spread_of(off).sigma, 0.001, 5e-5);
+  EXPECT_NEAR(spread_of(off).mean, 0, 1e-4);
+  truth.openings_m = {0};
+  for (int step = 0; step < 20; ++step)
+    ASSERT_GE(senses.told(truth, step).openings_m[0], 0);
 }
 
 // It stands still: what it believes is off by the dial, and changes slowly.
@@ -277,9 +295,15 @@ TEST(CameraSenses, CalibrationErrsByItsDialsOnceAnEpisode) {
   EXPECT_NEAR(spread_of(turned).sigma, 0.5 * rad_a_degree, 0.035 * rad_a_degree);
 }
 
+// Of a lamp so many mired warmer, red over blue.
+double lamp_redness(double mired) {
+  const Vec3f light = render::lamp_light(0, mired);
+  return light.x / light.z;
+}
+
 agent::View seen(const episodes::Realism& realism, int threads = 0) {
   const ThreadLimit limit(threads);
-  const auto world = counter(realism);
+  const auto world = counter_at(realism);
   episodes::CheckoutEyes eyes(*world);
   return or_die(eyes.look("scene_camera"));
 }
@@ -292,7 +316,7 @@ double share_of_holes(const agent::View& view) {
 // The nominal place is told, whatever the true one is.
 TEST(CameraSenses, PicturesAreOfTheirRealismAndPlacesNominal) {
   const agent::View ideal = seen({});
-  episodes::Realism noisy = row("standard");
+  episodes::Realism noisy = realism_row("standard");
   noisy.basket = {};
   const agent::View one = seen(noisy, 1), two = seen(noisy, 2);
   EXPECT_EQ(one.depth_m, two.depth_m);
@@ -308,7 +332,7 @@ TEST(CameraSenses, PicturesAreOfTheirRealismAndPlacesNominal) {
 TEST(CameraSenses, PicturesAreTakenFromWhereTheCameraIs) {
   episodes::Realism off;
   off.calibration = {0.01, 0};
-  const auto world = counter(off);
+  const auto world = counter_at(off);
   const auto view = or_die(episodes::CheckoutView::create(*world));
   const render::Camera nominal = view->camera(episodes::StationCamera::scene);
   const Pose error = episodes::camera_error(off.calibration, world->noise(), "scene_camera");
@@ -324,6 +348,52 @@ TEST(CameraSenses, PicturesAreTakenFromWhereTheCameraIs) {
   EXPECT_LT(far_off / static_cast<double>(taken.depth_m.size()), 0.002);
 }
 
+TEST(CameraSenses, LampsAreDrawnOnceAnEpisodeAlikeForAllCameras) {
+  const episodes::LightDials dials{0.5, 30};
+  std::vector<double> stops, redder;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    const Vec3f light = episodes::lamps_of(dials, Seed(seed));
+    ASSERT_EQ(light, episodes::lamps_of(dials, Seed(seed)));
+    stops.push_back(std::log2(0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z));
+    redder.push_back(light.x / light.z);
+  }
+  EXPECT_NEAR(spread_of(stops).sigma, 1 / std::sqrt(12), 0.02);
+  EXPECT_LE(std::ranges::max(stops), 0.5 + 1e-5);
+  EXPECT_GE(std::ranges::min(stops), -0.5 - 1e-5);
+  EXPECT_LE(std::ranges::max(redder), lamp_redness(30) + 1e-5);
+  EXPECT_GE(std::ranges::min(redder), lamp_redness(-30) - 1e-5);
+  EXPECT_GT(std::ranges::max(redder), lamp_redness(27));
+  EXPECT_EQ(episodes::lamps_of({}, Seed(3)), (Vec3f{1, 1, 1}));
+}
+
+double mean_of(const Image& picture, std::size_t channel) {
+  double sum = 0;
+  for (std::size_t i = channel; i < picture.pixels.size(); i += 3)
+    sum += picture.pixels[i];
+  return sum / static_cast<double>(picture.pixels.size() / 3);
+}
+
+// And with nothing on, a picture is the renderer's own.
+TEST(CameraSenses, LampsChangeColorAndNothingElse) {
+  const auto world = counter_at({});
+  const auto view = or_die(episodes::CheckoutView::create(*world));
+  const render::Frame taken =
+      or_die(view->renderer().render(view->camera(episodes::StationCamera::scene), {}));
+  const agent::View ideal = seen({});
+  EXPECT_EQ(ideal.color.pixels, taken.color.pixels);
+  EXPECT_EQ(ideal.depth_m, taken.depth_m);
+  episodes::Realism lit;
+  lit.light = {1, 50};
+  const Vec3f light = episodes::lamps_of(lit.light, world->noise());
+  const agent::View other = seen(lit);
+  EXPECT_EQ(other.depth_m, ideal.depth_m);
+  for (const auto& [channel, gain] : {std::pair{0, light.x}, std::pair{1, light.y}, {2, light.z}}) {
+    ASSERT_GT(std::abs(gain - 1), 0.02) << "this seed shows nothing";
+    const auto c = static_cast<std::size_t>(channel);
+    EXPECT_EQ(mean_of(other.color, c) > mean_of(ideal.color, c), gain > 1) << c;
+  }
+}
+
 // ---- The basket ----
 
 // Where it stands is drawn; what lies in it lies as before; nothing is pressed into anything; who
@@ -335,7 +405,7 @@ TEST(BasketDials, TheBasketStandsASideWithWhatLiesInIt) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     episodes::EpisodeSpec spec = drawn(7, 0);
     spec.seed = seed;
-    const auto world = counter(realism, spec);
+    const auto world = counter_at(realism, spec);
     const Pose nominal = world->station().basket_pose(), now = world->basket_pose();
     const Vec3 aside = now.position - nominal.position;
     EXPECT_LE(std::max(std::abs(aside.x), std::abs(aside.y)), 0.03 + 1e-9);
@@ -359,8 +429,8 @@ TEST(BasketDials, TheBasketStandsASideWithWhatLiesInIt) {
 // ---- Repeatable ----
 
 TEST(Realism, TheSameSeedGivesTheSameEpisodeAndGoesOnFromAMoment) {
-  const episodes::Realism standard = row("standard");
-  const auto one = counter(standard), two = counter(standard);
+  const episodes::Realism standard = realism_row("standard");
+  const auto one = counter_at(standard), two = counter_at(standard);
   agent::Action action = episodes::still_action(one->observe());
   for (int i = 0; i < 10; ++i) {
     action.position[0] += 0.02;
@@ -375,7 +445,7 @@ TEST(Realism, TheSameSeedGivesTheSameEpisodeAndGoesOnFromAMoment) {
 
 // What an oracle rehearses errs otherwise than what then happens.
 TEST(Realism, ATwinHasNoiseOfItsOwnInTheSameWorld) {
-  const auto world = counter(row("standard"));
+  const auto world = counter_at(realism_row("standard"));
   const auto twin = or_die(world->twin());
   or_die(world->step(episodes::still_action(world->observe())));
   ASSERT_TRUE(twin->restore(world->save()).ok());
@@ -387,7 +457,7 @@ TEST(Realism, ATwinHasNoiseOfItsOwnInTheSameWorld) {
 }
 
 TEST(Realism, ResultsSayWhichItWas) {
-  const auto world = counter(row("standard"));
+  const auto world = counter_at(realism_row("standard"));
   agent::Action stop = episodes::still_action(world->observe());
   stop.stop = true;
   or_die(world->step(stop));

@@ -34,7 +34,7 @@ class AisleEnvironment : public Environment {
                                 int height,
                                 const render::RenderOptions& options) override {
     const std::scoped_lock lock(view_->mutex);
-    MARKETGEN_CHECK(show());
+    MARKETGEN_CHECK(show(camera));
     MARKETGEN_TRY(const render::Camera from, view_->view->camera(camera, width, height));
     if (camera != head) return view_->view->renderer().render(from, options);
     return episodes::sensed_picture(*aisles_, camera, view_->view->renderer(), from, options);
@@ -44,11 +44,11 @@ class AisleEnvironment : public Environment {
   // the true place would tell it how far off that is.
   Result<render::Camera> camera(const std::string& camera, int width, int height) override {
     const std::scoped_lock lock(view_->mutex);
-    MARKETGEN_CHECK(show());
+    MARKETGEN_CHECK(show(camera));
     MARKETGEN_TRY(render::Camera seen, view_->view->camera(camera, width, height));
     if (camera == head)
       seen.world_from_camera = agent::store_from_base(aisles_->observe().base) *
-                               inverse(aisles_->world_from_base()) * *seen.world_from_camera;
+                               inverse(view_->view->world_from_base()) * *seen.world_from_camera;
     return seen;
   }
 
@@ -82,7 +82,10 @@ class AisleEnvironment : public Environment {
     return {floor * Vec3{0, 0, b.height_m / 2}, {b.top_m[0], b.top_m[1], b.height_m}, floor};
   }
 
-  std::string map() const override { return io::write_json(aisles_->store().scene.layout); }
+  Result<std::string> map() const override {
+    MARKETGEN_TRY(const auto mapped, aisles_->mapped());
+    return io::write_json(mapped->scene.layout);
+  }
 
  protected:
   Result<episodes::TrackWorld*> begin(const episodes::EpisodeSpec& spec) override {
@@ -157,11 +160,12 @@ class AisleEnvironment : public Environment {
     return made;
   }
 
-  // The caller has the view's lock.
-  Result<void> show() {
-    if (view_->view) return view_->view->follow(*aisles_);
-    MARKETGEN_TRY(view_->view, episodes::AisleView::create(*aisles_));
-    return {};
+  // As that camera gives it. The caller has the view's lock.
+  Result<void> show(const std::string& camera) {
+    if (!view_->view) {
+      MARKETGEN_TRY(view_->view, episodes::AisleView::create(*aisles_));
+    }
+    return view_->view->follow(*aisles_, camera == head ? aisles_->pictured() : aisles_->scenery());
   }
 
   robots::Robot robot_;

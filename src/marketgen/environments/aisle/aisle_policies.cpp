@@ -1,4 +1,7 @@
 // Who acts in In-Aisle Item Collection.
+#include <memory>
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "collect/collect_plan.h"
@@ -23,7 +26,6 @@ class SensingCollector : public WrappedPolicy {
                    perception::LookLibrary& looks)
       : world_(world),
         eyes_(world),
-        map_(world.store()),
         stock_(std::move(stock)),
         catalog_(catalog),
         products_(world.store().scene.catalog, catalog.frictions),
@@ -33,6 +35,8 @@ class SensingCollector : public WrappedPolicy {
     const episodes::AisleStore& store = world_.store();
     MARKETGEN_TRY(const std::string row, collect::gripper_row(store.robot));
     MARKETGEN_TRY(tool_, robots::load_grasp_tool(data, row));
+    MARKETGEN_TRY(mapped_, world_.mapped());
+    map_.emplace(*mapped_);
     policy::ClassicalAisleSetup setup;
     setup.eyes = &eyes_;
     setup.products = &products_;
@@ -40,7 +44,7 @@ class SensingCollector : public WrappedPolicy {
     setup.tool = tool_;
     setup.hints = episodes::category_hints(world_.spec());
     setup.body = {
-        &store.robot, &map_, store.basket, store.driving, episodes::commanded_dofs(store.robot)};
+        &store.robot, &*map_, store.basket, store.driving, episodes::commanded_dofs(store.robot)};
     setup.modules = modules_of(name);
     policy_ = policy::make_classical_aisle(std::move(setup), seed);
     return {};
@@ -60,7 +64,8 @@ class SensingCollector : public WrappedPolicy {
 
   const episodes::AisleWorld& world_;
   episodes::AisleEyes eyes_;
-  episodes::StoreMap map_;
+  std::shared_ptr<const episodes::AisleStore> mapped_;
+  std::optional<episodes::StoreMap> map_;                       // of it
   std::shared_ptr<const std::vector<catalog::Product>> stock_;  // what is read from
   const catalog::Catalog& catalog_;
   episodes::PicturedProducts products_;

@@ -122,14 +122,17 @@ class CheckoutEnvironment : public Environment {
   }
 
   Result<render::Camera> camera_in_room(const std::string& camera, int width, int height) {
-    MARKETGEN_CHECK(show());
+    MARKETGEN_CHECK(show(camera));
     return view_->camera(camera, width, height);
   }
 
-  Result<void> show() {
-    if (view_) return view_->follow(counter_);
-    MARKETGEN_TRY(view_, episodes::CheckoutView::create(counter_));
-    return {};
+  // As that camera gives it.
+  Result<void> show(const std::string& camera) {
+    if (!view_) {
+      MARKETGEN_TRY(view_, episodes::CheckoutView::create(counter_));
+    }
+    return view_->follow(
+        counter_, camera == episodes::film_camera_name ? counter_.scenery() : counter_.pictured());
   }
 
   episodes::CheckoutWorld counter_;

@@ -15,18 +15,19 @@ Result<agent::View> AisleEyes::look(std::string_view camera) {
   if (camera != head_camera_name)
     return Error{
         "usage.bad_flag", std::string(camera), "the agent has no such camera; it has head_camera"};
-  if (view_) {
-    MARKETGEN_CHECK(view_->follow(world_));
-  } else {
+  if (!view_) {
     MARKETGEN_TRY(view_, AisleView::create(world_));
   }
+  const Scenery then = world_.pictured();
+  MARKETGEN_CHECK(view_->follow(world_, then));
   MARKETGEN_TRY(const render::Camera taken, view_->camera(camera));
   MARKETGEN_TRY(render::Frame frame, sensed_picture(world_, camera, view_->renderer(), taken, {}));
   agent::View view;
   view.camera = camera;
   const render::Intrinsics lens = render::intrinsics_of(taken);
   view.lens = {lens.fx, lens.fy, lens.cx, lens.cy};
-  view.base_from_camera = inverse(world_.world_from_base()) * render::opencv_pose_of(taken);
+  view.time_s = then.time_s;
+  view.base_from_camera = inverse(view_->world_from_base()) * render::opencv_pose_of(taken);
   view.color = std::move(frame.color);
   view.depth_m = std::move(frame.depth_m);
   return view;

@@ -23,7 +23,7 @@ class AisleEyes : public agent::Eyes {
   std::unique_ptr<AisleView> view_;  // of the episode that runs, once it was looked at
 };
 
-// The store must outlive it.
+// Of AisleWorld::mapped(), which must outlive it.
 class StoreMap : public agent::AisleMap {
  public:
   explicit StoreMap(const AisleStore& store);

@@ -59,6 +59,13 @@ class TourSearch {
 
 }  // namespace
 
+Pose base_of(const robots::Robot& robot, const std::vector<double>& state) {
+  const auto at = [&](std::string_view name) {
+    return state[static_cast<std::size_t>(robot.find_dof(name))];
+  };
+  return {{at("base_x"), at("base_y"), 0}, rotation_about({0, 0, 1}, at("base_yaw"))};
+}
+
 Vec3 axle_of(const robots::Robot& robot, const Pose& world_from_base) {
   return world_from_base * Vec3{robot.drive ? robot.drive->axle_x : 0, 0, 0};
 }

@@ -62,6 +62,8 @@ Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem
                                                            scene::Scene scene,
                                                            const std::string& tools = {});
 
+// Where the base stands, by the state of all degrees of freedom.
+Pose base_of(const robots::Robot& robot, const std::vector<double>& state);
 // Of the middle between the wheels.
 Vec3 axle_of(const robots::Robot& robot, const Pose& world_from_base);
 PointMm floor_point_mm(Vec3 at);

@@ -30,16 +30,16 @@ Result<std::unique_ptr<TrackView>> AisleWorld::open_view() const {
   return open_view_of<AisleView>(*this);
 }
 
-Result<void> AisleView::follow(const AisleWorld& world) {
+Result<void> AisleView::follow(const AisleWorld& world, const Scenery& then) {
   std::vector<render::MovedProduct> moved;
-  for (const std::uint32_t row : world.world().moved_products())
-    moved.push_back({row, world.world().product_pose(row)});
+  for (const auto& [row, pose] : then.products)
+    moved.push_back({row, pose});
   MARKETGEN_CHECK(renderer_->move_things(moved, {}));
-  const std::vector<double> state = world.robot_state();
-  MARKETGEN_CHECK(renderer_->move_actor(0, render::world_link_poses(world.robot(), state, {})));
-  world_from_base_ = world.world_from_base();
+  MARKETGEN_CHECK(
+      renderer_->move_actor(0, render::world_link_poses(world.robot(), then.robot, {})));
+  world_from_base_ = base_of(world.robot(), then.robot);
   world_from_head_ = robots::frame_pose(
-      world.robot(), state, world.robot().find_frame(station_.head_camera.frame));
+      world.robot(), then.robot, world.robot().find_frame(station_.head_camera.frame));
   return {};
 }
 

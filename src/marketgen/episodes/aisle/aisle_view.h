@@ -16,12 +16,15 @@ class AisleView {
   static Result<std::unique_ptr<AisleView>> create(const AisleWorld& world);
 
   // From now on everything is seen where it stands in `world`. Errors: render.bad_move.
-  Result<void> follow(const AisleWorld& world);
+  Result<void> follow(const AisleWorld& world) { return follow(world, world.scenery()); }
+  // The same, where it stood in `then` of that world.
+  Result<void> follow(const AisleWorld& world, const Scenery& then);
 
   // As it stood when follow() was called: "head_camera", "film_camera". 0: as many pixels as the
   // station's row says. Error camera.unknown.
   Result<render::Camera> camera(std::string_view name, int width = 0, int height = 0) const;
   render::Renderer& renderer() { return *renderer_; }
+  const Pose& world_from_base() const { return world_from_base_; }  // likewise
 
  private:
   AisleView() = default;

@@ -8,6 +8,7 @@
 #include <mujoco/mujoco.h>
 
 #include "agent/aisle_map.h"
+#include "episodes/aisle/mapped_store.h"
 #include "episodes/aisle/perturbed_aisle.h"
 #include "physics/goods/spec_geoms.h"
 
@@ -41,6 +42,14 @@ std::map<std::string, std::string> materials_of(const AisleStation& station,
   for (std::size_t i = 0; i < station.basket_boxes().size(); ++i)
     materials.emplace(fmt::format("basket/{}", i), std::string(basket_material));
   return materials;
+}
+
+robots::BasePlace start_of(const EpisodeSpec& spec) {
+  return {spec.start.x_m, spec.start.y_m, spec.start.heading_deg * std::numbers::pi / 180};
+}
+
+PointMm start_mm(const EpisodeSpec& spec, const robots::Robot& robot) {
+  return floor_point_mm(axle_of(robot, agent::store_from_base(start_of(spec))));
 }
 
 std::size_t dof_named(const robots::Robot& robot, std::string_view name) {
@@ -82,12 +91,11 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
   }
   physics::RobotActorOptions place;
   place.state = store_->driving;
-  const double heading = spec.start.heading_deg * std::numbers::pi / 180;
-  place.state[dof_named(robot, "base_x")] = spec.start.x_m;
-  place.state[dof_named(robot, "base_y")] = spec.start.y_m;
-  place.state[dof_named(robot, "base_yaw")] = heading;
-  const Pose start{{spec.start.x_m, spec.start.y_m, 0}, rotation_about({0, 0, 1}, heading)};
-  if (!store_->ways.space().free(floor_point_mm(axle_of(robot, start))))
+  const robots::BasePlace start = start_of(spec);
+  place.state[dof_named(robot, "base_x")] = start.x_m;
+  place.state[dof_named(robot, "base_y")] = start.y_m;
+  place.state[dof_named(robot, "base_yaw")] = start.heading;
+  if (!store_->ways.space().free(start_mm(spec, robot)))
     return Error{
         "episode.impossible", spec.id, "the robot would begin in something that stands there"};
   physics::WorldOptions options;
@@ -128,6 +136,10 @@ Result<std::shared_ptr<AisleWorld>> AisleWorld::twin() const {
   return twin;
 }
 
+Result<std::shared_ptr<const AisleStore>> AisleWorld::mapped() const {
+  return mapped_store(store_, realism_.map, noise_.child("map"), start_mm(spec_, robot()));
+}
+
 double AisleWorld::time_s() const {
   return world_->time_s();
 }
@@ -137,9 +149,14 @@ std::vector<double> AisleWorld::robot_state() const {
 }
 
 Pose AisleWorld::world_from_base() const {
-  const std::vector<double> q = robot_state();
-  const auto at = [&](std::string_view name) { return q[dof_named(robot(), name)]; };
-  return {{at("base_x"), at("base_y"), 0}, rotation_about({0, 0, 1}, at("base_yaw"))};
+  return base_of(robot(), robot_state());
+}
+
+Scenery AisleWorld::scenery() const {
+  Scenery now{time_s(), robot_state()};
+  for (const std::uint32_t row : world_->moved_products())
+    now.products.emplace_back(row, world_->product_pose(row));
+  return now;
 }
 
 Pose AisleWorld::world_from_basket() const {
@@ -190,6 +207,7 @@ Result<void> AisleWorld::move(const agent::Action& action) {
     MARKETGEN_CHECK(use_cups(link_.in_force()));
     MARKETGEN_CHECK(world_->step());
     controller_.feel(*world_);
+    sense(i + 1);
     const Vec3 now = axle_of(robot(), world_from_base());
     const Vec3 way = now - axle_;
     path_m_ += std::hypot(way.x, way.y);
@@ -283,7 +301,7 @@ Result<bool> AisleWorld::goals_met() {
 std::string AisleWorld::save() const {
   ByteWriter writer;
   writer(world_->snapshot().bytes(), controller_, watch_, axle_, path_m_);
-  writer(senses_, link_, steps_, done_);
+  writer(senses_, late_, link_, steps_, done_);
   return writer.take();
 }
 
@@ -294,11 +312,12 @@ Result<void> AisleWorld::restore(std::string_view moment) {
   EpisodeWatch watch = watch_;
   Vec3 axle;
   RobotSenses senses = senses_;
+  LateSenses late = late_;
   CommandLink link = link_;
   int steps = 0;
   bool done = false;
   ByteReader reader(moment);
-  reader(physics, controller, watch, axle, path, senses, link, steps, done);
+  reader(physics, controller, watch, axle, path, senses, late, link, steps, done);
   if (!reader.ok() || controller.setpoints().size() != robot().dof_count())
     return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
   MARKETGEN_TRY(const physics::WorldSnapshot snapshot, physics::WorldSnapshot::of_bytes(physics));
@@ -308,6 +327,7 @@ Result<void> AisleWorld::restore(std::string_view moment) {
   watch_ = std::move(watch);
   axle_ = axle;
   senses_ = senses;
+  late_ = std::move(late);
   link_ = std::move(link);
   steps_ = steps;
   done_ = done;

@@ -40,10 +40,15 @@ class AisleWorld : public TrackWorld {
   std::string save() const override;
   Result<void> restore(std::string_view moment) override;
 
+  // As the map has the store that the agent is given; made anew at each call. Errors: those of
+  // mapped_store.
+  Result<std::shared_ptr<const AisleStore>> mapped() const;
+
   // ---- The truth: for the oracle, pictures and tests; no policy may look. ----
 
   const AisleStore& store() const { return *store_; }
   const physics::World& world() const { return *world_; }
+  Scenery scenery() const override;
   const physics::RobotController& controller() const override { return controller_; }
   const mjModel_& model() const override { return world_->model(); }
   const mjData_& data() const override { return world_->data(); }

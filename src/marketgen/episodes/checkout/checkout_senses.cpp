@@ -33,16 +33,17 @@ Result<agent::View> CheckoutEyes::look(std::string_view camera) {
     return Error{"usage.bad_flag",
                  std::string(camera),
                  "the agent has no such camera; it has scene_camera and wrist_camera"};
-  if (view_) {
-    MARKETGEN_CHECK(view_->follow(world_));
-  } else {
+  if (!view_) {
     MARKETGEN_TRY(view_, CheckoutView::create(world_));
   }
+  const Scenery then = world_.pictured();
+  MARKETGEN_CHECK(view_->follow(world_, then));
   const render::Camera taken = view_->camera(*which);
   MARKETGEN_TRY(render::Frame frame, sensed_picture(world_, camera, view_->renderer(), taken, {}));
   items_shown_.insert_or_assign(std::string(camera), items_in(frame, world_));
   agent::View view;
   view.camera = camera;
+  view.time_s = then.time_s;
   const render::Intrinsics lens = render::intrinsics_of(taken);
   view.lens = {lens.fx, lens.fy, lens.cx, lens.cy};
   view.base_from_camera = inverse(view_->world_from_station()) * render::opencv_pose_of(taken);

@@ -50,17 +50,14 @@ std::uint32_t CheckoutView::object_of_item(const CheckoutWorld& world, std::size
   return render::first_product_object(world.scene()) + world.product_of(item);
 }
 
-Result<void> CheckoutView::follow(const CheckoutWorld& world) {
+Result<void> CheckoutView::follow(const CheckoutWorld& world, const Scenery& then) {
   std::vector<render::MovedProduct> items;
-  for (std::size_t i = 0; i < world.item_count(); ++i)
-    items.push_back({world.product_of(i), world_from_station_ * world.item_pose(i)});
-  for (const std::uint32_t product : world.moved_neighbours())
-    items.push_back({product, world.product_pose(product)});
+  for (const auto& [row, pose] : then.products)
+    items.push_back({row, pose});
   MARKETGEN_CHECK(renderer_->move_things(items, {}));
-  const Pose basket = world_from_station_ * world.basket_pose();
-  MARKETGEN_CHECK(renderer_->move_actor(0, {&basket, 1}));
+  MARKETGEN_CHECK(renderer_->move_actor(0, {&*then.basket, 1}));
   const std::vector<Pose> links =
-      render::world_link_poses(world.robot(), world.robot_state(), world_from_station_);
+      render::world_link_poses(world.robot(), then.robot, world_from_station_);
   MARKETGEN_CHECK(renderer_->move_actor(1, links));
   world_from_hand_ = links[static_cast<std::size_t>(world.robot().find_link("hand"))];
   return {};

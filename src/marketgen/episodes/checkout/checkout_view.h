@@ -25,7 +25,9 @@ class CheckoutView {
 
   // From now on everything is seen where it stands in `world`. Errors: render.bad_move, and nothing
   // has moved: the physics has lost something.
-  Result<void> follow(const CheckoutWorld& world);
+  Result<void> follow(const CheckoutWorld& world) { return follow(world, world.scenery()); }
+  // The same, where it stood in `then` of that world.
+  Result<void> follow(const CheckoutWorld& world, const Scenery& then);
 
   // As it stood when follow() was called. 0: as many pixels as the station's row says; other sizes
   // see the same width.

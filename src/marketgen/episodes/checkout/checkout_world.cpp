@@ -200,6 +200,16 @@ std::vector<double> CheckoutWorld::robot_state() const {
   return controller_.actor().position(*world_);
 }
 
+Scenery CheckoutWorld::scenery() const {
+  Scenery now{time_s(), robot_state()};
+  for (std::size_t i = 0; i < item_count(); ++i)
+    now.products.emplace_back(product_of(i), store_from_station() * item_pose(i));
+  for (const std::uint32_t product : moved_neighbours())
+    now.products.emplace_back(product, product_pose(product));
+  now.basket = store_from_station() * basket_pose();
+  return now;
+}
+
 agent::Observation CheckoutWorld::as_it_is() const {
   const physics::RobotActor& actor = controller_.actor();
   const std::vector<double> q = actor.position(*world_), v = actor.velocity(*world_);
@@ -232,6 +242,7 @@ Result<void> CheckoutWorld::move(const agent::Action& action) {
     MARKETGEN_CHECK(controller_.command(*world_, link_.next(controller_)));
     MARKETGEN_CHECK(world_->step());
     controller_.feel(*world_);
+    sense(i + 1);
     watch_.look(*world_, moment());
     if (physics_watch_) physics_watch_(world_->model(), world_->data());
   }
@@ -329,7 +340,7 @@ Result<EpisodeResult> CheckoutWorld::finish() {
 
 std::string CheckoutWorld::save() const {
   ByteWriter writer;
-  writer(world_->snapshot().bytes(), controller_, watch_, senses_, link_, steps_, done_);
+  writer(world_->snapshot().bytes(), controller_, watch_, senses_, late_, link_, steps_, done_);
   return writer.take();
 }
 
@@ -338,11 +349,12 @@ Result<void> CheckoutWorld::restore(std::string_view moment) {
   physics::RobotController controller = controller_;
   EpisodeWatch watch = watch_;
   RobotSenses senses = senses_;
+  LateSenses late = late_;
   CommandLink link = link_;
   int steps = 0;
   bool done = false;
   ByteReader reader(moment);
-  reader(physics, controller, watch, senses, link, steps, done);
+  reader(physics, controller, watch, senses, late, link, steps, done);
   if (!reader.ok() || controller.setpoints().size() != robot_->dof_count() ||
       !std::ranges::all_of(item_rows(),
                            [&](std::uint32_t row) { return watch.items().contains(row); }))
@@ -352,6 +364,7 @@ Result<void> CheckoutWorld::restore(std::string_view moment) {
   controller_ = std::move(controller);
   watch_ = std::move(watch);
   senses_ = senses;
+  late_ = std::move(late);
   link_ = std::move(link);
   steps_ = steps;
   done_ = done;

@@ -65,6 +65,7 @@ class CheckoutWorld : public TrackWorld {
   Pose item_pose(std::size_t item) const;      // station_from_product
   Vec3 item_velocity(std::size_t item) const;  // of its body's middle
   Pose basket_pose() const;                    // station_from_container
+  Scenery scenery() const override;
   const physics::RobotController& controller() const override { return controller_; }
   const EpisodeWatch& watch() const { return watch_; }
   const EpisodeWatch::Item& watched(std::size_t item) const {

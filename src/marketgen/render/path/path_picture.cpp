@@ -177,7 +177,7 @@ Result<ColorPlanes> without_noise(PathFilm film,
 }
 
 // The colour of a frame, exposed and tone mapped, and its radiance.
-Frame frame_of(const ColorPlanes& radiance, const View& view, float exposure) {
+Frame frame_of(const ColorPlanes& radiance, const View& view, Vec3f exposure) {
   Frame frame;
   frame.color = Image(view.width(), view.height());
   const std::size_t count = radiance.axis[0].size();
@@ -229,7 +229,7 @@ Result<Frame> path_picture(const PathScene& scene,
       const ColorPlanes radiance,
       without_noise(picture.film(), picture.guides(), options.denoiser, library, exposure));
   MARKETGEN_CHECK(check_interrupt());
-  return frame_of(radiance, view, exposure);
+  return frame_of(radiance, view, options.light * exposure);
 }
 
 }  // namespace marketgen::render::raytrace

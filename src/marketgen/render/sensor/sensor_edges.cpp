@@ -278,7 +278,7 @@ class StripResolver {
       for_lanes(edges_at(group, row),
                 [&](std::size_t k) { set_lane(radiance, k, sums_[edge++] * share); });
       const ToneCurve::Pixels shown =
-          tone_curve().shown(radiance * Float8(lighting_.world.exposure));
+          tone_curve().shown(exposed(radiance, lighting_.world.exposure, effort_.light));
       const std::size_t x = group * lane_count;
       std::copy_n(shown.begin(),
                   3 * std::min(lane_count, width - x),

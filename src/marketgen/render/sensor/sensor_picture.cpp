@@ -80,11 +80,11 @@ void write_geometry(const SensorTile& tile, int width, const FrameBuffers& to) {
   });
 }
 
-void write_color(const SensorTile& tile, const SensorShot& shot) {
+void write_color(const SensorTile& tile, const SensorShot& shot, Vec3f light) {
   const World& world = shot.lighting->world;
   tile.for_groups(shot.view.width(), [&](std::size_t g, std::size_t place, std::size_t count) {
     const ToneCurve::Pixels shown =
-        tone_curve().shown(radiance_of(world, tile, g) * Float8(world.exposure));
+        tone_curve().shown(exposed(radiance_of(world, tile, g), world.exposure, light));
     std::copy_n(shown.begin(), 3 * count, shot.to.rgb + 3 * place);
   });
 }
@@ -105,6 +105,7 @@ SensorDetail detail_of(const SensorShot& shot, SensorDetail detail) {
 SensorEffort sensor_effort(const RenderOptions& options) {
   SensorEffort effort;
   effort.detail.opaque_mask = options.hide_ceiling ? mask_solid : mask_opaque;
+  effort.light = options.light;
   switch (options.quality) {
     case Quality::fast:
       effort.detail.textures = TextureDetail::level;
@@ -152,7 +153,7 @@ void take_pictures(std::span<const SensorShot> shots,
       if (smooth)
         planes[tiles[t].shot].take(shot.lighting->world, tile);
       else
-        write_color(tile, shot);
+        write_color(tile, shot, effort.light);
     }
     progress.advance();
   });

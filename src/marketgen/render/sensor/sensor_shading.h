@@ -18,6 +18,7 @@ struct SensorEffort {
   bool contact_shadows = true;
   bool all_contact_pixels = false;  // else every other pixel
   int edge_samples = 2;             // more, on pixels with an edge
+  Vec3f light{1, 1, 1};             // RenderOptions::light
 };
 
 // Fills the tile's light: irradiance, gloss, overlay, openness. Precondition: trace_tile().
