@@ -75,7 +75,7 @@ TEST(MappedStore, RunsStandElsewhereAsAWhole) {
     farthest = std::max({farthest, std::abs(shift.first), std::abs(shift.second)});
     const std::string run = there.endcap_of.empty() ? there.run : there.endcap_of;
     EXPECT_EQ(shifts.try_emplace(run, shift).first->second, shift) << there.id;
-    for (const std::size_t axis : {0, 1})
+    for (const std::size_t axis : {0U, 1U})
       EXPECT_NEAR(1e3 * (mapped->scene.fixtures[f].position_m[axis] -
                          store->scene.fixtures[f].position_m[axis]),
                   axis == 0 ? shift.first : shift.second,

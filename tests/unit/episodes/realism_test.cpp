@@ -387,10 +387,10 @@ TEST(CameraSenses, LampsChangeColorAndNothingElse) {
   const Vec3f light = episodes::lamps_of(lit.light, world->noise());
   const agent::View other = seen(lit);
   EXPECT_EQ(other.depth_m, ideal.depth_m);
-  for (const auto& [channel, gain] : {std::pair{0, light.x}, std::pair{1, light.y}, {2, light.z}}) {
+  for (const auto& [channel, gain] :
+       {std::pair{0U, light.x}, std::pair{1U, light.y}, std::pair{2U, light.z}}) {
     ASSERT_GT(std::abs(gain - 1), 0.02) << "this seed shows nothing";
-    const auto c = static_cast<std::size_t>(channel);
-    EXPECT_EQ(mean_of(other.color, c) > mean_of(ideal.color, c), gain > 1) << c;
+    EXPECT_EQ(mean_of(other.color, channel) > mean_of(ideal.color, channel), gain > 1) << channel;
   }
 }
 
