@@ -71,8 +71,9 @@ struct LightDials {
   static constexpr auto fields = field_list(
       field("stops",
             &LightDials::stops,
-            "brighter or darker by so much at most, a stop being twice; CIE 97: lamps are cleaned "
-            "and replaced at about 0.8 of what they gave as new, 0.3 stops",
+            "brighter or darker by so much at most, a stop being twice; assumed: lamps that are "
+            "cleaned and replaced at 0.8 of what they gave as new, their maintenance factor after "
+            "CIE 97, are 0.3 stops",
             range(0, 3)),
       field("mired",
             &LightDials::mired,
