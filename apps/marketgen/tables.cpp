@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "base/interrupt.h"
+#include "base/parallel.h"
 #include "command.h"
 #include "evaluation/differences_table.h"
 #include "evaluation/goals_table.h"

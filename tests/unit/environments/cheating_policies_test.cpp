@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "environments/run_episode.h"
 #include "episodes/checkout/checkout_world.h"
@@ -12,6 +11,7 @@
 #include "io/json.h"
 #include "robots/arm_ik.h"
 #include "support/drawn_checkout.h"
+#include "support/oracle_until.h"
 
 namespace marketgen {
 namespace {
@@ -70,37 +70,6 @@ class Waypoints : public agent::Policy {
   std::size_t next_ = 0;
   int steps_left_ = 0;
   std::vector<double> target_, goal_;
-};
-
-// The oracle until a goal is where `now_` says; from then on what `cheat_` does.
-class OracleUntil : public agent::Policy {
- public:
-  using When = std::function<bool(const agent::Action& next, bool pressed)>;
-  using Cheat = std::function<agent::Action(agent::Action last, int step)>;
-  OracleUntil(std::unique_ptr<agent::Policy> oracle, When now, Cheat cheat)
-      : oracle_(std::move(oracle)), now_(std::move(now)), cheat_(std::move(cheat)) {}
-
-  Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
-    return oracle_->begin(task, first);
-  }
-  Result<agent::Action> act(const agent::Observation& now) override {
-    if (steps_ == 0) {
-      MARKETGEN_TRY(agent::Action next, oracle_->act(now));
-      if (!now_(next, !last_.tools.empty() && last_.tools[0].opening_m <= 0)) {
-        last_ = next;
-        return next;
-      }
-    }
-    return cheat_(last_, ++steps_);
-  }
-  bool has_cheated() const { return steps_ > 0; }
-
- private:
-  std::unique_ptr<agent::Policy> oracle_;
-  When now_;
-  Cheat cheat_;
-  agent::Action last_;
-  int steps_ = 0;
 };
 
 class Cheats : public testing::Test {
