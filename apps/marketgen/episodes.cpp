@@ -38,13 +38,14 @@ struct StockedStore {
   std::unique_ptr<environments::StoreSampler> sampler;
 };
 
-Result<std::vector<StockedStore>> stocked_stores(std::vector<store::Store> opened,
-                                                 environments::EpisodeSampler& sampler,
-                                                 environments::Arena& arena) {
+Result<std::vector<StockedStore>> stocked_stores(
+    const std::vector<std::shared_ptr<const store::Store>>& opened,
+    environments::EpisodeSampler& sampler,
+    environments::Arena& arena) {
   std::vector<StockedStore> stores;
-  for (store::Store& store : opened) {
-    StockedStore made{environments::store_row(store), nullptr};
-    arena.offer(std::make_shared<const store::Store>(std::move(store)));
+  for (const auto& store : opened) {
+    StockedStore made{environments::store_row(*store), nullptr};
+    arena.offer(store);
     const episodes::EpisodeStore& row = made.store;
     MARKETGEN_TRY(made.sampler, sampler.of_store({row.name, row.scene_hash, row.plan_hash}));
     stores.push_back(std::move(made));
@@ -275,7 +276,8 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
-  MARKETGEN_TRY(store::OpenedStores opened, store::open_stores(flags.folders, std::move(rows)));
+  MARKETGEN_TRY(const store::OpenedStores opened,
+                store::open_stores(flags.folders, std::move(rows)));
   const catalog::Catalog& catalog = opened.catalog;
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
   MARKETGEN_TRY(const episodes::Split split, split_named(flags.split));
@@ -285,8 +287,7 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_TRY(
       const auto sampler,
       environments::environment_entry_of(track).sampler(arena, flags.tools, split, instructions));
-  MARKETGEN_TRY(std::vector<StockedStore> stores,
-                stocked_stores(std::move(opened.stores), *sampler, arena));
+  MARKETGEN_TRY(std::vector<StockedStore> stores, stocked_stores(opened.stores, *sampler, arena));
   if (split == episodes::Split::certified) file.header.products = products_of(stores);
   MARKETGEN_TRY(const std::unique_ptr<episodes::EpisodeJournal> journal,
                 begin_journal(flags, draw_hash(flags, stores, catalog)));

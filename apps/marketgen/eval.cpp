@@ -206,6 +206,47 @@ Result<void> eval(const EvalFlags& given) {
   return print_beside(flags, std::move(others));
 }
 
+// Who acts, and what it is given.
+void add_policy(CLI::App& command, EvalFlags& flags) {
+  command
+      .add_option("--policy",
+                  flags.policy,
+                  "who acts: oracle (knows everything), classical (sees pictures), highest, "
+                  "random or stop (know nothing)")
+      ->capture_default_str();
+  command
+      .add_option("--truth",
+                  flags.truth,
+                  "modules of classical in whose place the truth stands: masks, target, grasp, "
+                  "language")
+      ->delimiter(',');
+  command
+      .add_option("--realism",
+                  flags.realism,
+                  "what stands between the world and the robot: ideal (nothing), standard or "
+                  "hard, or a file of your own that ends with .json; rankings are meant to use "
+                  "standard")
+      ->capture_default_str();
+}
+
+// Of a policy that acts in a process of its own.
+void add_limits(CLI::App& command, EvalFlags& flags) {
+  command
+      .add_option("--act-limit-s",
+                  flags.answer.cpu_s,
+                  "processor time for one answer of the policy, which acts in a process of its "
+                  "own; 0 = none, and all in one process")
+      ->check(real_number(0, 86400))
+      ->capture_default_str();
+  command
+      .add_option("--hang-limit-s",
+                  flags.answer.hang_s,
+                  "wall time after which a policy in its own process that has not answered is "
+                  "taken to hang; 0 = never")
+      ->check(real_number(0, 86400))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 Run add_eval(CLI::App& app) {
@@ -215,25 +256,7 @@ Run add_eval(CLI::App& app) {
       ->add_option(
           "--episodes", flags->episodes, "file of `marketgen episodes`; - = standard input")
       ->required();
-  command
-      ->add_option("--policy",
-                   flags->policy,
-                   "who acts: oracle (knows everything), classical (sees pictures), highest, "
-                   "random or stop (know nothing)")
-      ->capture_default_str();
-  command
-      ->add_option("--truth",
-                   flags->truth,
-                   "modules of classical in whose place the truth stands: masks, target, grasp, "
-                   "language")
-      ->delimiter(',');
-  command
-      ->add_option("--realism",
-                   flags->realism,
-                   "what stands between the world and the robot: ideal (nothing), standard or "
-                   "hard, or a file of your own that ends with .json; rankings are meant to use "
-                   "standard")
-      ->capture_default_str();
+  add_policy(*command, *flags);
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(whole_number(0, 1024));
   command->add_option("--shard",
@@ -244,20 +267,7 @@ Run add_eval(CLI::App& app) {
                       flags->against,
                       "results of other policies on the same episodes, to be compared with");
   add_output(*command, "-o,--output", flags->output, "folder for the results");
-  command
-      ->add_option("--act-limit-s",
-                   flags->answer.cpu_s,
-                   "processor time for one answer of the policy, which acts in a process of its "
-                   "own; 0 = none, and all in one process")
-      ->check(real_number(0, 86400))
-      ->capture_default_str();
-  command
-      ->add_option("--hang-limit-s",
-                   flags->answer.hang_s,
-                   "wall time after which a policy in its own process that has not answered is "
-                   "taken to hang; 0 = never")
-      ->check(real_number(0, 86400))
-      ->capture_default_str();
+  add_limits(*command, *flags);
   command->add_flag("--worker", flags->worker, "run what standard input says")->group("");
   command->add_flag("--perception",
                     flags->perception,

@@ -61,13 +61,10 @@ Result<std::string> goals(const TablesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
-  MARKETGEN_TRY(store::OpenedStores opened, store::open_stores(flags.folders, std::move(rows)));
-  std::vector<std::shared_ptr<const store::Store>> stores;
-  for (store::Store& store : opened.stores)
-    stores.push_back(std::make_shared<const store::Store>(std::move(store)));
-  MARKETGEN_TRY(const evaluation::GoalsTable table, until_interrupted([&] {
-                  return evaluation::goals_table(stores, data, opened.catalog);
-                }));
+  MARKETGEN_TRY(const store::OpenedStores opened,
+                store::open_stores(flags.folders, std::move(rows)));
+  MARKETGEN_TRY(const evaluation::GoalsTable table,
+                until_interrupted([&] { return evaluation::goals_table(opened, data); }));
   return text_of(table, flags);
 }
 

@@ -62,12 +62,8 @@ std::string goals_table(const std::vector<std::string>& folders) {
   return value_or_raise(without_interpreter([&]() -> Result<std::string> {
     MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
     MARKETGEN_TRY(catalog::Catalog rows, assets::usable_catalog());
-    MARKETGEN_TRY(store::OpenedStores opened, store::open_stores(folders, std::move(rows)));
-    std::vector<std::shared_ptr<const store::Store>> stores;
-    for (store::Store& store : opened.stores)
-      stores.push_back(std::make_shared<const store::Store>(std::move(store)));
-    MARKETGEN_TRY(const evaluation::GoalsTable table,
-                  evaluation::goals_table(stores, data, opened.catalog));
+    MARKETGEN_TRY(const store::OpenedStores opened, store::open_stores(folders, std::move(rows)));
+    MARKETGEN_TRY(const evaluation::GoalsTable table, evaluation::goals_table(opened, data));
     return io::write_json(table);
   }));
 }

@@ -17,8 +17,13 @@ namespace {
 
 using Groups = std::map<std::string, GoalGroup>;
 
-// What a store's offer is in one variant: as long as its stock.
 using Chances = std::vector<episodes::GoalChance>;
+
+struct StoreOffer {
+  const store::Store* store = nullptr;
+  std::vector<catalog::Product> stock = {};
+  std::vector<Chances> chances = {};  // variant by variant, of each of the stock
+};
 
 Result<std::vector<GoalVariant>> variants_in(const std::filesystem::path& data) {
   std::vector<GoalVariant> variants;
@@ -31,15 +36,15 @@ Result<std::vector<GoalVariant>> variants_in(const std::filesystem::path& data) 
   return variants;
 }
 
-// Of a store in which nothing can be asked for at all.
-Chances impossible(std::size_t products) {
-  return {products, {"impossible", {}}};
-}
-
-Result<Chances> chances_of(const std::vector<catalog::Product>& stock,
-                           environments::StoreSampler& sampler) {
+Result<Chances> chances_in(const StoreOffer& offer, environments::EpisodeSampler& sampler) {
+  const std::vector<catalog::Product>& stock = offer.stock;
+  const episodes::EpisodeStore row = environments::store_row(*offer.store);
+  const auto of_store = sampler.of_store({row.name, row.scene_hash, row.plan_hash});
+  if (!of_store.ok() && of_store.error().code == "episode.impossible")
+    return Chances(stock.size(), {"impossible"});
+  if (!of_store.ok()) return of_store.error();
   const auto found = parallel_map(stock.size(), [&](std::size_t i) {
-    return std::make_shared<Result<episodes::GoalChance>>(sampler.goal_chance(stock[i]));
+    return std::make_shared<Result<episodes::GoalChance>>((*of_store)->goal_chance(stock[i]));
   });
   Chances chances;
   for (const auto& chance : found) {
@@ -47,6 +52,14 @@ Result<Chances> chances_of(const std::vector<catalog::Product>& stock,
     chances.push_back(chance->value());
   }
   return chances;
+}
+
+// Whether it is taken off one of these fixtures.
+bool is_taken_off(const episodes::GoalChance& chance, const std::set<std::uint32_t>& fixtures) {
+  if (!chance.why_not.empty()) return false;
+  return !chance.fixtures || std::ranges::any_of(fixtures, [&](std::uint32_t fixture) {
+    return chance.fixtures->contains(fixture);
+  });
 }
 
 // Adds up the stores.
@@ -57,24 +70,19 @@ class GoalCount {
     reasons_.resize(variants_.size());
   }
 
-  const std::vector<GoalVariant>& variants() const { return variants_; }
-
-  // `chances` variant by variant.
-  void add(const scene::Scene& scene,
-           const std::vector<catalog::Product>& stock,
-           const std::vector<Chances>& chances) {
-    for (std::size_t i = 0; i < stock.size(); ++i) {
+  void add(const StoreOffer& offer) {
+    for (std::size_t i = 0; i < offer.stock.size(); ++i) {
       std::vector<bool> may;
       for (std::size_t variant = 0; variant < variants_.size(); ++variant) {
-        const std::string& why_not = chances[variant][i].why_not;
+        const std::string& why_not = offer.chances[variant][i].why_not;
         may.push_back(why_not.empty());
         if (!why_not.empty()) ++reasons_[variant][why_not];
       }
       count(may, all_);
-      count(may, group(categories_, stock[i].category));
-      count(may, group(shapes_, stock[i].archetype));
+      count(may, group(categories_, offer.stock[i].category));
+      count(may, group(shapes_, offer.stock[i].archetype));
     }
-    add_fixtures(scene, stock, chances);
+    add_fixtures(offer);
   }
 
   GoalsTable table() && {
@@ -110,21 +118,18 @@ class GoalCount {
     if (std::ranges::find(may, true) != may.end()) ++group.any;
   }
 
-  void add_fixtures(const scene::Scene& scene,
-                    const std::vector<catalog::Product>& stock,
-                    const std::vector<Chances>& chances) {
-    const auto kind_of = [&](std::uint32_t fixture) { return scene.layout.fixtures[fixture].kind; };
-    std::map<std::string, std::set<std::string>> kinds;  // by SKU
-    for (const scene::SceneProduct& item : scene.products)
-      kinds[scene.catalog[item.sku].sku].insert(
-          kind_of(scene.shelves[scene.facings[item.facing].shelf].fixture));
-    for (std::size_t i = 0; i < stock.size(); ++i) {
-      for (const std::string& kind : kinds[stock[i].sku]) {
+  void add_fixtures(const StoreOffer& offer) {
+    const scene::Scene& scene = offer.store->scene;
+    std::map<std::string, std::map<std::string, std::set<std::uint32_t>>> kinds;  // by SKU
+    for (const scene::SceneProduct& item : scene.products) {
+      const std::uint32_t fixture = scene.shelves[scene.facings[item.facing].shelf].fixture;
+      kinds[scene.catalog[item.sku].sku][scene.layout.fixtures[fixture].kind].insert(fixture);
+    }
+    for (std::size_t i = 0; i < offer.stock.size(); ++i) {
+      for (const auto& [kind, fixtures] : kinds[offer.stock[i].sku]) {
         std::vector<bool> may;
-        for (const Chances& of_variant : chances)
-          may.push_back(std::ranges::any_of(of_variant[i].fixtures, [&](std::uint32_t fixture) {
-            return kind_of(fixture) == kind;
-          }));
+        for (const Chances& of_variant : offer.chances)
+          may.push_back(is_taken_off(of_variant[i], fixtures));
         count(may, group(fixtures_, kind));
       }
     }
@@ -168,38 +173,31 @@ std::string with_goals(const std::string& kinds, const std::vector<GoalGroup>& g
 
 }  // namespace
 
-Result<GoalsTable> goals_table(const std::vector<std::shared_ptr<const store::Store>>& stores,
-                               const std::filesystem::path& data,
-                               const catalog::Catalog& catalog) {
+Result<GoalsTable> goals_table(const store::OpenedStores& opened,
+                               const std::filesystem::path& data) {
   const episodes::EpisodeHeader header;
-  environments::Arena arena(data, header, catalog);
-  for (const auto& store : stores)
+  environments::Arena arena(data, header, opened.catalog);
+  std::vector<StoreOffer> offers;
+  for (const auto& store : opened.stores) {
     arena.offer(store);
+    offers.push_back({store.get(), episodes::store_stock(store->scene)});
+  }
   MARKETGEN_TRY(std::vector<GoalVariant> variants, variants_in(data));
-  std::vector<std::vector<Chances>> chances(stores.size());  // by store, then by variant
   for (const GoalVariant& variant : variants) {
     const auto& entry = environments::environment_entry_of(variant.track);
     MARKETGEN_TRY(const auto sampler, entry.sampler(arena, variant.tools));
-    for (std::size_t i = 0; i < stores.size(); ++i) {
-      const episodes::EpisodeStore row = environments::store_row(*stores[i]);
-      const std::vector<catalog::Product> stock = episodes::store_stock(stores[i]->scene);
-      const auto of_store = sampler->of_store({row.name, row.scene_hash, row.plan_hash});
-      if (!of_store.ok() && of_store.error().code != "episode.impossible") return of_store.error();
-      if (!of_store.ok()) {
-        chances[i].push_back(impossible(stock.size()));
-        continue;
-      }
-      MARKETGEN_TRY(Chances found, chances_of(stock, **of_store));
-      chances[i].push_back(std::move(found));
+    for (StoreOffer& offer : offers) {
+      MARKETGEN_TRY(Chances found, chances_in(offer, *sampler));
+      offer.chances.push_back(std::move(found));
     }
     MARKETGEN_CHECK(sampler->keep());
   }
   GoalCount count(std::move(variants));
-  for (std::size_t i = 0; i < stores.size(); ++i)
-    count.add(stores[i]->scene, episodes::store_stock(stores[i]->scene), chances[i]);
+  for (const StoreOffer& offer : offers)
+    count.add(offer);
   GoalsTable table = std::move(count).table();
-  for (const auto& store : stores)
-    table.stores.push_back(store->manifest.name);
+  for (const StoreOffer& offer : offers)
+    table.stores.push_back(offer.store->manifest.name);
   return table;
 }
 

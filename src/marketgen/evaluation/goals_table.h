@@ -2,16 +2,14 @@
 // rest: market-goals/1.
 #pragma once
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/fields.h"
 #include "base/result.h"
-#include "catalog/catalog.h"
 #include "episodes/episode_spec.h"
 #include "evaluation/text_table.h"
-#include "store/store.h"
+#include "store/open_stores.h"
 
 namespace marketgen::evaluation {
 
@@ -61,11 +59,10 @@ struct GoalsTable {
 
 // Of episodes that are drawn by themselves (Split::planned): where products stand, and whether the
 // tool holds them. A plan past an item's neighbours may still not be found. Products that no study
-// of grasps knows are tried in physics. `catalog` has the rows of the stores' own goods. Errors:
-// those of EnvironmentEntry::sampler and StoreSampler::goal_chance.
-Result<GoalsTable> goals_table(const std::vector<std::shared_ptr<const store::Store>>& stores,
-                               const std::filesystem::path& data,
-                               const catalog::Catalog& catalog);
+// of grasps knows are tried in physics. Errors: those of EnvironmentEntry::sampler and
+// StoreSampler::goal_chance.
+Result<GoalsTable> goals_table(const store::OpenedStores& opened,
+                               const std::filesystem::path& data);
 
 // Shares in percent, with what is left out, and why, as notes.
 TextTable text_of(const GoalsTable& table);

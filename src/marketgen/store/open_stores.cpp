@@ -10,16 +10,16 @@ Result<OpenedStores> open_stores(const std::vector<std::string>& folders, catalo
   OpenedStores opened{{}, std::move(rows)};
   for (const std::string& folder : folders) {
     MARKETGEN_TRY(Store store, open_store(folder, opened.catalog));
-    const auto same = [&](const Store& other) {
-      return other.manifest.scene_hash == store.manifest.scene_hash;
+    const auto same = [&](const std::shared_ptr<const Store>& other) {
+      return other->manifest.scene_hash == store.manifest.scene_hash;
     };
     if (std::ranges::any_of(opened.stores, same))
       return Error{"usage.bad_flag", folder, "is the same store as another one: name each once"};
-    opened.stores.push_back(std::move(store));
+    opened.stores.push_back(std::make_shared<const Store>(std::move(store)));
   }
-  for (const Store& store : opened.stores)
-    if (store.manifest.own)
-      opened.catalog = catalog::with_own_products(std::move(opened.catalog), *store.manifest.own);
+  for (const auto& store : opened.stores)
+    if (store->manifest.own)
+      opened.catalog = catalog::with_own_products(std::move(opened.catalog), *store->manifest.own);
   return opened;
 }
 

@@ -1,5 +1,6 @@
 // Several stores that one command is about.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 namespace marketgen::store {
 
 struct OpenedStores {
-  std::vector<Store> stores;
+  std::vector<std::shared_ptr<const Store>> stores;
   catalog::Catalog catalog;  // with the rows of the stores' own goods
 };
 

@@ -36,7 +36,7 @@ std::shared_ptr<const store::Store> corner_shop() {
 
 const evaluation::GoalsTable& goals_of_shop() {
   static const evaluation::GoalsTable table =
-      evaluation::goals_table({corner_shop()}, io::data_folder().value(), committed_catalog())
+      evaluation::goals_table({{corner_shop()}, committed_catalog()}, io::data_folder().value())
           .value();
   return table;
 }
@@ -92,7 +92,7 @@ TEST(GoalsTable, WhatIsDrawnMayBeAskedFor) {
         of_store->goal_chance(*std::ranges::find(stock, goal.sku, &catalog::Product::sku));
     ASSERT_TRUE(chance.ok());
     EXPECT_EQ(chance->why_not, "") << goal.sku;
-    EXPECT_FALSE(chance->fixtures.empty()) << goal.sku;
+    EXPECT_FALSE(chance->fixtures.value().empty()) << goal.sku;
   }
 }
 

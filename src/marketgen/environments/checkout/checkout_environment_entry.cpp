@@ -15,17 +15,16 @@ class CheckoutStoreSampler : public StoreSampler {
  public:
   CheckoutStoreSampler(Arena& arena,
                        episodes::EpisodeOrigin origin,
-                       std::shared_ptr<const scene::Scene> scene,
+                       const scene::Scene& scene,
                        const episodes::CheckoutStation& station,
                        episodes::Split split,
                        episodes::Instructions instructions)
       : arena_(arena),
         origin_(std::move(origin)),
-        scene_(std::move(scene)),
         instructions_(instructions),
-        stock_(episodes::checkout_stock(*scene_)),
-        lanes_(episodes::checkout_lanes(*scene_, arena.catalog(), station)),
-        exclusions_(episodes::checkout_exclusions(*scene_)) {
+        stock_(episodes::checkout_stock(scene)),
+        lanes_(episodes::checkout_lanes(scene, arena.catalog(), station)),
+        exclusions_(episodes::checkout_exclusions(scene)) {
     exclusions_.lanes = lanes_.left_out;
     if (split == episodes::Split::planned || split == episodes::Split::certified)
       certify_ = oracle::checkout_certifier(arena.data());
@@ -53,13 +52,14 @@ class CheckoutStoreSampler : public StoreSampler {
   const std::vector<catalog::Product>& products() const override { return stock_; }
   episodes::EpisodeExclusions exclusions() const override { return exclusions_; }
   Result<episodes::GoalChance> goal_chance(const catalog::Product& product) override {
-    return episodes::checkout_chance(*scene_, product);
+    const episodes::CheckoutRefusal why = episodes::checkout_refusal(product);
+    return episodes::GoalChance{why == episodes::CheckoutRefusal::none ? ""
+                                                                       : std::string(name_of(why))};
   }
 
  private:
   Arena& arena_;
   episodes::EpisodeOrigin origin_;
-  std::shared_ptr<const scene::Scene> scene_;
   episodes::Instructions instructions_;
   std::vector<catalog::Product> stock_;
   episodes::CheckoutLanes lanes_;
@@ -73,10 +73,10 @@ class CheckoutSampling : public EpisodeSampler {
   CheckoutSampling(Arena& arena, episodes::Split split, episodes::Instructions instructions)
       : arena_(arena), split_(split), instructions_(instructions) {}
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
-    MARKETGEN_TRY(auto scene, arena_.scene(origin.scene_hash));
+    MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
     MARKETGEN_TRY(const auto station, episodes::load_checkout_station(arena_.data()));
     return std::unique_ptr<StoreSampler>(std::make_unique<CheckoutStoreSampler>(
-        arena_, origin, std::move(scene), station, split_, instructions_));
+        arena_, origin, *scene, station, split_, instructions_));
   }
 
  private:

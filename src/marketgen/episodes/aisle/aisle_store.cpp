@@ -125,12 +125,18 @@ ShelfRefusal AisleStore::shelf_refusal(std::uint32_t product) const {
   return carries_another(product) ? ShelfRefusal::under_another : ShelfRefusal::none;
 }
 
-std::vector<std::uint32_t> AisleStore::front_items(const std::string& sku) const {
+std::vector<std::uint32_t> AisleStore::items_of(const std::string& sku) const {
+  const auto kind = static_cast<std::uint32_t>(
+      std::ranges::find(scene.catalog, sku, &catalog::Product::sku) - scene.catalog.begin());
   std::vector<std::uint32_t> rows;
   for (std::uint32_t row = 0; row < scene.products.size(); ++row)
-    if (scene.catalog[scene.products[row].sku].sku == sku &&
-        shelf_refusal(row) == ShelfRefusal::none)
-      rows.push_back(row);
+    if (scene.products[row].sku == kind) rows.push_back(row);
+  return rows;
+}
+
+std::vector<std::uint32_t> AisleStore::front_items(const std::string& sku) const {
+  std::vector<std::uint32_t> rows = items_of(sku);
+  std::erase_if(rows, [&](std::uint32_t row) { return shelf_refusal(row) != ShelfRefusal::none; });
   return rows;
 }
 

@@ -49,6 +49,8 @@ struct AisleStore {
   // How far it may go straight back, at most max_back_off_m.
   double room_behind_m(const Pose& world_from_base) const;
   ShelfRefusal shelf_refusal(std::uint32_t product) const;
+  std::vector<std::uint32_t> items_of(
+      const std::string& sku) const;  // rows, of all that is stocked
   // Rows of its items that can be reached from the front, no door before them, nothing on them.
   std::vector<std::uint32_t> front_items(const std::string& sku) const;
   bool carries_another(std::uint32_t row) const;  // a pack stands on it

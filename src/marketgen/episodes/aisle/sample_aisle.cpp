@@ -79,40 +79,26 @@ bool AisleSampler::is_drawn_from(const catalog::Product& product) const {
          !store_->standing_places(product.sku).empty();
 }
 
-// As far as where its items stand says.
-GoalChance AisleSampler::chance_on_shelves(const catalog::Product& product) const {
-  const scene::Scene& scene = store_->scene;
-  const auto sku = static_cast<std::uint32_t>(
-      std::ranges::find(scene.catalog, product.sku, &catalog::Product::sku) -
-      scene.catalog.begin());
-  GoalChance chance;
-  ShelfRefusal nearest = ShelfRefusal::behind_another;  // of the item that came farthest
-  for (std::uint32_t row = 0; row < scene.products.size(); ++row) {
-    if (scene.products[row].sku != sku) continue;
-    const ShelfRefusal refusal = store_->shelf_refusal(row);
-    if (refusal != ShelfRefusal::none)
-      nearest = std::max(nearest, refusal);
-    else if (store_->standing_place(row))
-      chance.fixtures.insert(
-          scene.shelves[scene.facings[scene.products[row].facing].shelf].fixture);
-    else
-      chance.why_not = "no_room_before";
-  }
-  if (!chance.fixtures.empty())
-    chance.why_not = product.rigidity == catalog::Rigidity::soft ? "soft" : "";
-  else if (chance.why_not.empty())
-    chance.why_not = std::string(name_of(nearest));
-  return chance;
+// What is_drawn_from misses: of where its items stand what came nearest to it.
+std::string AisleSampler::why_not_drawn(const catalog::Product& product) const {
+  if (!store_->front_items(product.sku).empty())
+    return store_->standing_places(product.sku).empty() ? "no_room_before" : "soft";
+  ShelfRefusal nearest = ShelfRefusal::behind_another;
+  for (const std::uint32_t row : store_->items_of(product.sku))
+    nearest = std::max(nearest, store_->shelf_refusal(row));
+  return std::string(name_of(nearest));
 }
 
 Result<GoalChance> AisleSampler::goal_chance(const catalog::Product& product) {
-  GoalChance chance = chance_on_shelves(product);
-  if (chance.why_not.empty()) {
-    MARKETGEN_TRY(StudiedProduct studied, book_->study(product));
-    chance.why_not = std::move(studied.why_not);
-  }
-  if (!chance.why_not.empty()) chance.fixtures.clear();
-  return chance;
+  if (!is_drawn_from(product)) return GoalChance{why_not_drawn(product)};
+  MARKETGEN_TRY(const StudiedProduct studied, book_->study(product));
+  if (!studied.why_not.empty()) return GoalChance{studied.why_not};
+  const scene::Scene& scene = store_->scene;
+  std::set<std::uint32_t> fixtures;
+  for (const std::uint32_t row : store_->front_items(product.sku))
+    if (store_->standing_place(row))
+      fixtures.insert(scene.shelves[scene.facings[scene.products[row].facing].shelf].fixture);
+  return GoalChance{"", std::move(fixtures)};
 }
 
 // Numbers of the grasps by which a product can be fetched; none when it cannot.

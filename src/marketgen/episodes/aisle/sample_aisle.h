@@ -40,9 +40,9 @@ class AisleSampler {
                              int index,
                              const EpisodeProver& prove = {});
 
-  // Whether tasks may ask for a product of the store, and off which fixtures it is taken then, of
-  // Split::planned. What depends on the neighbours of one item is not looked at: a plan past them
-  // may not be found. Errors: those of GraspBook::study.
+  // Whether tasks may ask for a product of the store, and off which fixtures it is taken then. For
+  // a sampler of Split::planned. What depends on the neighbours of one item is not looked at: a
+  // plan past them may not be found. Errors: those of GraspBook::study.
   Result<GoalChance> goal_chance(const catalog::Product& product);
 
   // Of the products that were considered so far: those that the grasp study does not hold, or that
@@ -58,7 +58,7 @@ class AisleSampler {
   Result<std::vector<int>> grasps_for(const catalog::Product& product);
   std::vector<std::string> shown() const;
   bool is_drawn_from(const catalog::Product& product) const;
-  GoalChance chance_on_shelves(const catalog::Product& product) const;
+  std::string why_not_drawn(const catalog::Product& product) const;
   std::vector<std::uint32_t> nearest_rows(const std::string& sku, const Vec3& axle) const;
   bool can_be_told(const catalog::Product& product, Seed words);
   Result<int> witnessed(

@@ -201,8 +201,8 @@ class CheckoutSampler {
       order[i] = i;
     Stream draw = seed.child("order").stream();
     draw.shuffle(std::span(order));
-    std::ranges::stable_partition(
-        order, [&](std::size_t i) { return !is_checkout_item(*drawn[i]); });
+    std::ranges::stable_partition(order,
+                                  [&](std::size_t i) { return !is_checkout_item(*drawn[i]); });
     std::vector<physics::SharedGoodsBody> bulk(drawn.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       MARKETGEN_TRY(bulk[i], physics::goods_body(*drawn[order[i]], physics::GoodsUse::bulk));
@@ -282,19 +282,6 @@ CheckoutRefusal checkout_refusal(const catalog::Product& product) {
   if (size[2] > longest_mm) return CheckoutRefusal::too_long;
   return physics::fits_in(physics::checkout_basket, product) ? CheckoutRefusal::none
                                                              : CheckoutRefusal::too_large;
-}
-
-GoalChance checkout_chance(const scene::Scene& scene, const catalog::Product& product) {
-  if (const CheckoutRefusal why = checkout_refusal(product); why != CheckoutRefusal::none)
-    return {std::string(name_of(why)), {}};
-  const auto sku = static_cast<std::uint32_t>(
-      std::ranges::find(scene.catalog, product.sku, &catalog::Product::sku) -
-      scene.catalog.begin());
-  GoalChance chance;
-  for (const scene::SceneProduct& item : scene.products)
-    if (item.sku == sku)
-      chance.fixtures.insert(scene.shelves[scene.facings[item.facing].shelf].fixture);
-  return chance;
 }
 
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene) {
