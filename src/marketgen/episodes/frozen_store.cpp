@@ -30,7 +30,7 @@ class RowFiles {
     std::error_code failed;
     for (const auto& entry : fs::directory_iterator(folder_, failed)) {
       const std::string id = entry.path().stem().string();
-      if (texts_.contains(id) || !text.contains('"' + id + '"')) continue;
+      if (texts_.contains(id) || text.find('"' + id + '"') == std::string::npos) continue;
       MARKETGEN_TRY(texts_[id], io::read_file(entry.path(), max_row_bytes));
       MARKETGEN_CHECK(read_named_in(std::string(texts_[id])));
     }
