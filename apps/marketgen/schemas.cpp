@@ -11,6 +11,7 @@
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
+#include "episodes/motion.h"
 #include "episodes/realism.h"
 #include "evaluation/differences_table.h"
 #include "evaluation/generator_table.h"
@@ -115,6 +116,9 @@ Result<void> write_schemas(const std::string& root) {
   MARKETGEN_CHECK(
       outputs.put(schemas / "market-scene-1.fbs",
                   io::flatbuffer_schema_of(type_of<scene::Scene>(), scene::scene_file_identifier)));
+  MARKETGEN_CHECK(outputs.put(
+      schemas / "market-motion-1.fbs",
+      io::flatbuffer_schema_of(type_of<episodes::Motion>(), episodes::motion_file_identifier)));
   return outputs.commit();
 }
 

@@ -22,22 +22,6 @@ std::string line_of(const std::string& source, std::size_t line) {
   return fmt::format("{}:{}", source, line);
 }
 
-// The sets of data/benchmark: "pool/aisle" for pool/aisle.jsonl, packed or not.
-std::map<std::string, fs::path> episode_sets(const fs::path& data) {
-  std::map<std::string, fs::path> sets;
-  std::error_code failed;
-  for (const auto& folder : fs::directory_iterator(data / "benchmark", failed)) {
-    if (!folder.is_directory()) continue;
-    for (const auto& entry : fs::directory_iterator(folder.path(), failed)) {
-      const std::string name = entry.path().filename().string();
-      const std::size_t end = name.find(".jsonl");
-      if (end != std::string::npos)
-        sets[folder.path().filename() / name.substr(0, end)] = entry.path();
-    }
-  }
-  return sets;
-}
-
 // A file as it was named, else the set of that name.
 Result<fs::path> file_or_set(const fs::path& named, const fs::path& data) {
   std::error_code failed;
@@ -114,6 +98,21 @@ Result<EpisodeFile> read_episodes(std::string_view text, const std::string& sour
                              file.episodes.size())};
   MARKETGEN_CHECK(check_episodes(file, source));
   return file;
+}
+
+std::map<std::string, fs::path> episode_sets(const fs::path& data) {
+  std::map<std::string, fs::path> sets;
+  std::error_code failed;
+  for (const auto& folder : fs::directory_iterator(data / "benchmark", failed)) {
+    if (!folder.is_directory()) continue;
+    for (const auto& entry : fs::directory_iterator(folder.path(), failed)) {
+      const std::string name = entry.path().filename().string();
+      const std::size_t end = name.find(".jsonl");
+      if (end != std::string::npos)
+        sets[folder.path().filename() / name.substr(0, end)] = entry.path();
+    }
+  }
+  return sets;
 }
 
 Result<EpisodeFile> read_episode_file(const fs::path& named) {
