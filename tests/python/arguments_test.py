@@ -77,7 +77,7 @@ CALLS = {
         lambda on: on.store.edit(patches=[{"set_look": {"floor": object()}}]),
         lambda on: on.store.edit(patches=[{"swop_leaves": {}}]),
     ],
-    "path": [lambda on: marketgen.read_photo(5), lambda on: marketgen.read_motion(5), lambda on: marketgen.read_motion("none")],
+    "path": [lambda on: marketgen.read_photo(5), lambda on: marketgen.read_motion(5)],
     "record_motion": [
         lambda on: marketgen.evaluate(on.tasks, record_motion="yes", folder=on.folder),
         lambda on: marketgen.evaluate(on.tasks, lambda seen: None, record_motion=True, folder=on.folder),
