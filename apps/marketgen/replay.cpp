@@ -11,6 +11,7 @@
 #include "environments/run_episode.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/film.h"
+#include "evaluation/finished_run.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
@@ -26,21 +27,6 @@ struct ReplayFlags {
   std::string episodes, episode, policy = "oracle", realism, results, film, strip;
   int width = 640, height = 480;
   double speed = 4;
-};
-
-class Filming : public environments::EpisodeWatcher {
- public:
-  explicit Filming(evaluation::FilmOptions options) : options_(std::move(options)) {}
-  Result<void> begin(const episodes::TrackWorld& world) override {
-    MARKETGEN_TRY(film_, evaluation::Film::begin(world, options_));
-    return {};
-  }
-  Result<void> step() override { return film_->look(); }
-  Result<void> finish(io::Outputs& outputs) { return film_->finish(outputs); }
-
- private:
-  evaluation::FilmOptions options_;
-  std::unique_ptr<evaluation::Film> film_;
 };
 
 // By its id, or its number from 0 on.
@@ -106,20 +92,6 @@ Result<episodes::Realism> realism_of(const ReplayFlags& flags,
   return realism;
 }
 
-// Error episode.not_repeated: the states at the end differ.
-Result<void> compare(const ReplayFlags& flags,
-                     const episodes::EpisodeResult& before,
-                     const episodes::EpisodeResult& result) {
-  if (before.state_hash != result.state_hash)
-    return Error{"episode.not_repeated",
-                 result.episode,
-                 fmt::format("ended in state {}, before in {}: another version or machine",
-                             result.state_hash,
-                             before.state_hash)};
-  if (!flags.common.quiet) say("the same    {}\n", result.state_hash);
-  return {};
-}
-
 Result<void> replay_episode(const ReplayFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_CHECK(io::check_ending(flags.film, {".mp4"}, "--film"));
@@ -134,12 +106,12 @@ Result<void> replay_episode(const ReplayFlags& flags) {
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   environments::Arena arena(data, file.header, catalog);
   constexpr double frame_rate = 20;
-  Filming filming({.film = flags.film,
-                   .strip = flags.strip,
-                   .width = flags.width,
-                   .height = flags.height,
-                   .every_s = flags.speed / frame_rate,
-                   .frame_rate = frame_rate});
+  evaluation::FilmWatcher filming({.film = flags.film,
+                                   .strip = flags.strip,
+                                   .width = flags.width,
+                                   .height = flags.height,
+                                   .every_s = flags.speed / frame_rate,
+                                   .frame_rate = frame_rate});
   const bool filmed = !flags.film.empty() || !flags.strip.empty();
   MARKETGEN_TRY(const episodes::EpisodeResult result,
                 environments::run_episode(
@@ -155,7 +127,10 @@ Result<void> replay_episode(const ReplayFlags& flags) {
         result.goals.size(),
         result.simulated_s,
         name_of(result.failure));
-  return before ? compare(flags, *before, result) : Result<void>();
+  if (!before) return {};
+  MARKETGEN_CHECK(evaluation::check_repeated(*before, result));
+  if (!flags.common.quiet) say("the same    {}\n", result.state_hash);
+  return {};
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "evaluation/run_page.h"
+#include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "number_flags.h"
 #include "say.h"
 #include "store/report_page.h"
 
@@ -19,7 +21,8 @@ namespace {
 struct ReportFlags {
   CommonFlags common;
   std::vector<std::string> folders;
-  std::string html = "report.html";
+  std::string html = "report.html", episodes;
+  int strips = 0;
 };
 
 bool is_of_results(const std::filesystem::path& named) {
@@ -29,10 +32,30 @@ bool is_of_results(const std::filesystem::path& named) {
          std::filesystem::exists(evaluation::record_path(named), failed);
 }
 
+// Errors: those of make_strips; usage.bad_flag when no episodes are named.
+Result<void> make_strips(const ReportFlags& flags,
+                         const std::vector<evaluation::FinishedRun>& runs,
+                         const catalog::Catalog& catalog) {
+  if (flags.strips == 0) return {};
+  if (flags.episodes.empty())
+    return Error{"usage.bad_flag", "--strips", "name the file of the episodes with --episodes"};
+  MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  for (const evaluation::FinishedRun& run : runs)
+    MARKETGEN_CHECK(evaluation::make_strips(data,
+                                            run,
+                                            file,
+                                            catalog,
+                                            static_cast<std::size_t>(flags.strips),
+                                            progress_for(flags.common)));
+  return {};
+}
+
 Result<void> report_results(const ReportFlags& flags, io::Outputs& outputs) {
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs,
                 evaluation::read_runs(flags.folders));
+  MARKETGEN_CHECK(make_strips(flags, runs, catalog));
   MARKETGEN_TRY(const std::string page, evaluation::runs_html(runs, catalog));
   MARKETGEN_CHECK(outputs.put(flags.html, page));
   MARKETGEN_CHECK(outputs.commit());
@@ -62,6 +85,8 @@ Result<void> report(const ReportFlags& flags) {
     return Error{"usage.bad_flag",
                  "folders",
                  "some are stores and some are results: a page is of the one or of the other"};
+  if (flags.strips > 0)
+    return Error{"usage.bad_flag", "--strips", "stores have none: name folders of eval"};
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   std::vector<store::StorePage> pages;
   for (const std::string& folder : flags.folders) {
@@ -104,6 +129,13 @@ Run add_report(CLI::App& app) {
                          "HTML page");
   command->add_option("folders", flags->folders, "store folders, or folders of eval")->required();
   add_output(*command, "-o,--output", flags->html, "HTML page to write")->capture_default_str();
+  command
+      ->add_option("--strips",
+                   flags->strips,
+                   "run so many episodes of each failure code again, and film them for the page")
+      ->check(whole_number(0, 1000))
+      ->capture_default_str();
+  command->add_option("--episodes", flags->episodes, "file of the episodes, for --strips");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen report shop -o shop-report.html");
   return [flags] {

@@ -341,6 +341,35 @@ TEST_F(ShortEvaluation, ShardsAreJoinedAndRanked) {
   }
 }
 
+// Made once, by running episodes again; of other episodes, or of none, none is.
+TEST_F(ShortEvaluation, AReportHasFilmStrips) {
+  const fs::path tasks = written(), folder = scratch_.path();
+  ASSERT_EQ(evaluated(tasks, "run").status, 0);
+  const std::string results = (folder / "run").string(), page = (folder / "page.html").string();
+  const auto report = [&](const std::string& file) {
+    return marketgen_run(
+        {"report", results, "--strips", "2", "--episodes", file, "-o", page, "--quiet"});
+  };
+  const Ran shown = report(tasks.string());
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  const std::string html = contents_of(page);
+  std::size_t pictures = 0;
+  for (std::size_t at = html.find("data:image/png"); at != std::string::npos;
+       at = html.find("data:image/png", at + 1))
+    ++pictures;
+  EXPECT_EQ(pictures, 2U) << "of three with one failure code";
+  const fs::path strip = folder / "run" / "strips" / (specs_[0]["id"].get<std::string>() + ".png");
+  const std::string first = contents_of(strip);
+  EXPECT_GT(first.size(), 10'000U);
+  const auto written_at = fs::last_write_time(strip);
+  ASSERT_EQ(report(tasks.string()).status, 0);
+  EXPECT_EQ(fs::last_write_time(strip), written_at);
+  specs_.pop_back();
+  const Ran other = report(written("two.jsonl").string());
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("error[results.not_comparable]"), std::string::npos) << other.err;
+}
+
 // Told before an episode is run.
 TEST_F(ShortEvaluation, RunsThatCannotBeComparedWithAreSaidFirst) {
   const fs::path tasks = written();
@@ -384,6 +413,41 @@ TEST_F(ShortEvaluation, ReplayLooksAtTheResultsFirst) {
   written();
   const Ran edited = replayed(results, "random");
   EXPECT_NE(edited.err.find("has changed since"), std::string::npos) << edited.err;
+}
+
+// The whole set may be moved; the scene that a lane needs is opened from it.
+TEST(FrozenEvaluation, RunsWhereTheSetLies) {
+  const ScratchFolder scratch;
+  const fs::path drawn = scratch.path() / "drawn", moved = scratch.path() / "moved";
+  const auto draw = [&](const std::string& output) {
+    return marketgen_run({"episodes",
+                          small_store().string(),
+                          "--count",
+                          "1",
+                          "--seed",
+                          "2",
+                          "--quiet",
+                          "--frozen",
+                          "-o",
+                          output});
+  };
+  const Ran made = draw((drawn / "tasks.jsonl.gz").string());
+  ASSERT_EQ(made.status, 0) << made.err;
+  fs::rename(drawn, moved);
+  const Ran ran = marketgen_run({"eval",
+                                 "--episodes",
+                                 (moved / "tasks.jsonl.gz").string(),
+                                 "--policy",
+                                 "stop",
+                                 "--quiet",
+                                 "-o",
+                                 (scratch.path() / "run").string()});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(rows_in(scratch.path() / "run" / "results.jsonl").size(), 1U);
+  const Ran piped = draw("/dev/stdout");
+  EXPECT_EQ(piped.status, 2);
+  EXPECT_NE(piped.err.find("--frozen: writes the stores' scenes beside"), std::string::npos)
+      << piped.err;
 }
 
 }  // namespace

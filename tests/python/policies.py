@@ -126,6 +126,8 @@ class Spy:
         self.note("opened", [path for path in looks if opens(path)])
         self.note("written", [path for path in self.paths if opens(path, os.O_WRONLY)])
         self.note("traced", [look(os.getppid()) for look in (attached, read_from)])
+        self.note("signalled", signalled(os.getppid()))
+        self.note("episodes", [file for place in (os.getcwd(), *map(os.path.dirname, self.paths)) for file in episodes_in(place)])
         self.note("held", {number: os.readlink(f"/proc/self/fd/{number}") for number in open_files()})
         self.note("environment", dict(os.environ))
         self.note("command", pathlib.Path("/proc/self/cmdline").read_text().split("\0"))
@@ -149,6 +151,22 @@ def opens(path, flags=os.O_RDONLY):
 
 def open_files():
     return [number for number in os.listdir("/proc/self/fd") if os.path.lexists(f"/proc/self/fd/{number}")]
+
+
+def episodes_in(place):
+    """Files there, however deep and whatever they are called, that can be read and hold an episode."""
+    for folder, _, names in os.walk(place):
+        for path in (os.path.join(folder, name) for name in names):
+            if opens(path) and b'"market-episode' in pathlib.Path(path).read_bytes():
+                yield path
+
+
+def signalled(pid):
+    try:
+        os.kill(pid, 0)
+    except PermissionError:
+        return False
+    return True
 
 
 def attached(pid):

@@ -51,6 +51,8 @@ def test_a_spy_opens_its_weights_and_nothing_of_the_truth(project, spied):
     assert found["opened"] == [str(project / "weights.pt")]
     assert found["written"] == []
     assert found["traced"] == [False, False]
+    assert list(policies.episodes_in(project)) and found["episodes"] == []
+    assert found["signalled"] is (confinement.version() < confinement.SCOPES_SINCE)
     named = json.dumps([found["held"], found["environment"], found["command"]])
     assert "tasks.jsonl" not in named and "scene.bin" not in named and "results.jsonl" not in named
     assert set(found["held"]) <= {"0", "1", "2", "3", "4", "5"}

@@ -1,8 +1,19 @@
 #include "episodes/goal_judge.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace marketgen::episodes {
+namespace {
+
+// Of so many that are counted, the one that came to rest last.
+double shortest_rest_s(std::vector<double> rested_s, std::size_t counted) {
+  if (counted == 0) return 0;
+  std::ranges::sort(rested_s, std::greater<>());
+  return rested_s[counted - 1];
+}
+
+}  // namespace
 
 bool is_inside(const HoldsPoint& region, const ItemState& item) {
   const auto in_region = [&](Vec3 point) { return region(item.pose * point); };
@@ -23,12 +34,14 @@ EpisodeOutcome judge(const HoldsPoint& region,
   int rightly_there = 0;
   for (const EpisodeGoal& goal : goals) {
     const auto of_goal = [&](const ItemState& item) { return item.sku == goal.sku; };
-    const auto placed = std::ranges::count_if(
-        items, [&](const ItemState& item) { return of_goal(item) && is_in_place(region, item); });
+    std::vector<double> placed;
+    for (const ItemState& item : items)
+      if (of_goal(item) && is_in_place(region, item)) placed.push_back(item.rested_s);
     const auto there = std::ranges::count_if(
         items, [&](const ItemState& item) { return of_goal(item) && is_inside(region, item); });
-    const int reached = std::min(static_cast<int>(placed), goal.count);
-    outcome.goals.push_back({goal.sku, goal.count, reached});
+    const int reached = std::min(static_cast<int>(placed.size()), goal.count);
+    const double rested_s = shortest_rest_s(placed, static_cast<std::size_t>(reached));
+    outcome.goals.push_back({goal.sku, goal.count, reached, rested_s});
     outcome.asked += goal.count;
     outcome.hits += reached;
     rightly_there += std::min(static_cast<int>(there), goal.count);

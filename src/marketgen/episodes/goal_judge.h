@@ -29,10 +29,15 @@ struct ItemState {
 struct GoalOutcome {
   std::string sku;
   int count = 0, reached = 0;
+  double rested_s = 0;
   static constexpr auto fields =
       field_list(field("sku", &GoalOutcome::sku, "product"),
                  field("count", &GoalOutcome::count, "how many were asked for"),
-                 field("reached", &GoalOutcome::reached, "how many are in place"));
+                 field("reached", &GoalOutcome::reached, "how many are in place"),
+                 field("rested_s",
+                       &GoalOutcome::rested_s,
+                       "for how long all of these had lain there still when it was judged; 0: none "
+                       "is in place"));
 };
 
 struct EpisodeOutcome {

@@ -11,6 +11,7 @@
 #include "episodes/command_link.h"
 #include "episodes/episode_result.h"
 #include "episodes/late_senses.h"
+#include "episodes/moved_thing.h"
 #include "episodes/realism.h"
 #include "episodes/robot_senses.h"
 #include "physics/world/robot_controller.h"
@@ -89,6 +90,13 @@ class TrackWorld {
   virtual const mjModel_& model() const = 0;
   virtual const mjData_& data() const = 0;
   virtual AnyWorld any() const = 0;
+  // What scenery() has beside the robot, named: items and baskets, and the products of its place
+  // that were moved at some time.
+  virtual std::vector<MovedThing> things() const = 0;
+  // Of doors, drawers and belts of its place: World::joint_positions().
+  virtual std::vector<double> joint_positions() const = 0;
+  // The frame of robot_state(): the robot's row, in the frame of the store.
+  virtual Pose store_from_robot() const = 0;
   // Of the episode that runs; the world must outlive it. Errors: those of Renderer::create.
   virtual Result<std::unique_ptr<TrackView>> open_view() const = 0;
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "environments/run_episode.h"
 #include "episodes/track_view.h"
 #include "episodes/track_world.h"
 #include "geometry/image.h"
@@ -43,6 +44,23 @@ class Film {
   std::unique_ptr<episodes::TrackView> view_;
   std::filesystem::path scratch_;
   std::size_t pictures_ = 0;
+};
+
+// Films an episode as it is run.
+class FilmWatcher : public environments::EpisodeWatcher {
+ public:
+  explicit FilmWatcher(FilmOptions options) : options_(std::move(options)) {}
+  Result<void> begin(const episodes::TrackWorld& world) override {
+    MARKETGEN_TRY(film_, Film::begin(world, options_));
+    return {};
+  }
+  Result<void> step() override { return film_->look(); }
+  // As Film::finish, once the episode is over.
+  Result<void> finish(io::Outputs& outputs) { return film_->finish(outputs); }
+
+ private:
+  FilmOptions options_;
+  std::unique_ptr<Film> film_;
 };
 
 }  // namespace marketgen::evaluation

@@ -107,6 +107,16 @@ Result<void> check_complete(const FinishedRun& run) {
                                                    : "go on with eval --resume")};
 }
 
+Result<void> check_repeated(const episodes::EpisodeResult& before,
+                            const episodes::EpisodeResult& again) {
+  if (before.state_hash == again.state_hash) return {};
+  return Error{"episode.not_repeated",
+               again.episode,
+               fmt::format("ended in state {}, before in {}: another version or machine",
+                           again.state_hash,
+                           before.state_hash)};
+}
+
 std::vector<episodes::EpisodeResult> results_of(const FinishedRun& run, episodes::Track track) {
   std::vector<episodes::EpisodeResult> results;
   std::size_t next = 0;  // both are in the same order

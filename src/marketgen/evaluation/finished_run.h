@@ -30,6 +30,10 @@ Result<std::vector<FinishedRun>> read_runs(const std::vector<std::string>& folde
 // of its shard alone, have no result or could not be run.
 Result<void> check_complete(const FinishedRun& run);
 
+// Error episode.not_repeated: an episode that was run again ended in another state than before.
+Result<void> check_repeated(const episodes::EpisodeResult& before,
+                            const episodes::EpisodeResult& again);
+
 // The results of one track.
 std::vector<episodes::EpisodeResult> results_of(const FinishedRun& run, episodes::Track track);
 // In the order of the tracks' list.

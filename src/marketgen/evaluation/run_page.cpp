@@ -55,11 +55,22 @@ std::string figures(const FinishedRun& run) {
 std::string strip_figure(const StripPicture& strip) {
   const std::string title = escaped_markup(strip.episode);
   return fmt::format(
-      "<figure><img style=\"width:100%\" alt=\"{0}\" src=\"data:{1};base64,{2}\">"
+      "<figure><img alt=\"{0}\" src=\"data:{1};base64,{2}\">"
       "<figcaption>{0}</figcaption></figure>",
       title,
       strip.media_type,
       net::base64_of(strip.bytes));
+}
+
+// Of those of the results that have one.
+std::string strip_figures(const std::vector<const episodes::EpisodeResult*>& results,
+                          const std::vector<StripPicture>& strips) {
+  std::string figures;
+  for (const episodes::EpisodeResult* result : results) {
+    const auto strip = std::ranges::find(strips, result->episode, &StripPicture::episode);
+    if (strip != strips.end()) figures += strip_figure(*strip);
+  }
+  return figures.empty() ? "" : "<div class=\"strips\">" + figures + "</div>";
 }
 
 std::string failed_row(const episodes::EpisodeResult& result) {
@@ -87,16 +98,15 @@ std::string failed_row(const episodes::EpisodeResult& result) {
 std::string failures_of_code(const std::string& code,
                              const std::vector<const episodes::EpisodeResult*>& failed,
                              const std::vector<StripPicture>& strips) {
-  std::string out = fmt::format("<details{}><summary><b>{}</b>: {} episodes</summary>",
+  std::string out = fmt::format("<details{}><summary><b>{}</b>: {} episode{}</summary>",
                                 failed.size() <= strips_of_a_code ? " open" : "",
                                 escaped_markup(code),
-                                failed.size());
+                                failed.size(),
+                                failed.size() == 1 ? "" : "s");
+  out += strip_figures(failed, strips);
   std::string rows;
-  for (std::size_t i = 0; i < failed.size(); ++i) {
-    const auto strip = std::ranges::find(strips, failed[i]->episode, &StripPicture::episode);
-    if (strip != strips.end()) out += strip_figure(*strip);
-    if (i < rows_of_a_code) rows += failed_row(*failed[i]);
-  }
+  for (std::size_t i = 0; i < std::min(failed.size(), rows_of_a_code); ++i)
+    rows += failed_row(*failed[i]);
   out +=
       "<table><tr><th>episode</th><th>store</th><th>goals</th><th>time</th><th>not reached</th>"
       "<th>error</th></tr>" +
@@ -106,46 +116,27 @@ std::string failures_of_code(const std::string& code,
   return out + "</details>";
 }
 
-using FailedByCode = std::map<std::string, std::vector<const episodes::EpisodeResult*>>;
-
-FailedByCode failed_by_code(const FinishedRun& run) {
-  FailedByCode codes;
-  for (const episodes::EpisodeResult& result : run.results)
-    if (!result.success_strict) codes[std::string(name_of(result.failure))].push_back(&result);
-  return codes;
-}
-
 std::string failures(const FinishedRun& run, const std::vector<StripPicture>& strips) {
   std::string out;
-  for (const auto& [code, failed] : failed_by_code(run))
-    out += failures_of_code(code, failed, strips);
+  for (const auto& [code, results] : results_by_code(run))
+    if (code != name_of(episodes::FailureCode::none))
+      out += failures_of_code(code, results, strips);
   if (out.empty()) return "<h2>Failures</h2><p>Every episode reached all its goals.</p>";
   if (strips.empty())
     out +=
-        "<p class=\"sub\">No film strips lie in strips/: marketgen replay --strip "
-        "strips/EPISODE.png makes one.</p>";
+        "<p class=\"sub\">No film strips lie in strips/: marketgen report --strips 3 --episodes "
+        "FILE makes some.</p>";
   return "<h2>Failures, by code</h2>" + out;
 }
 
-}  // namespace
-
-Result<std::vector<StripPicture>> strips_of(const FinishedRun& run, std::size_t at_most) {
-  std::vector<StripPicture> strips;
-  for (const auto& [code, failed] : failed_by_code(run)) {
-    std::size_t taken = 0;
-    for (const episodes::EpisodeResult* result : failed) {
-      for (const auto& [ending, type] : {std::pair{".png", "image/png"}, {".jpg", "image/jpeg"}}) {
-        const auto file = run.folder / "strips" / (result->episode + ending);
-        std::error_code none;
-        if (taken == at_most || !std::filesystem::is_regular_file(file, none)) continue;
-        MARKETGEN_TRY(std::string bytes, io::read_file(file));
-        strips.push_back({result->episode, type, std::move(bytes)});
-        ++taken;
-      }
-    }
-  }
-  return strips;
+std::string successes(const FinishedRun& run, const std::vector<StripPicture>& strips) {
+  const ResultsByCode codes = results_by_code(run);
+  const auto reached = codes.find(std::string(name_of(episodes::FailureCode::none)));
+  const std::string figures = reached == codes.end() ? "" : strip_figures(reached->second, strips);
+  return figures.empty() ? "" : "<h2>All goals reached</h2>" + figures;
 }
+
+}  // namespace
 
 std::string run_section(const FinishedRun& run,
                         const std::vector<StripPicture>& strips,
@@ -162,8 +153,9 @@ std::string run_section(const FinishedRun& run,
       name_of(record.split),
       escaped_markup(record.instructions),
       escaped_markup(record.episodes_hash));
-  return out + figures(run) + failures(run, strips) + ledger_table(run.results) +
-         time_lines(run.results) + goods_tables(run.results, catalog) + "</section>";
+  return out + figures(run) + failures(run, strips) + successes(run, strips) +
+         ledger_table(run.results) + time_lines(run.results) + goods_tables(run.results, catalog) +
+         "</section>";
 }
 
 Result<std::string> runs_html(const std::vector<FinishedRun>& runs,

@@ -8,15 +8,9 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 #include "evaluation/finished_run.h"
+#include "evaluation/strips.h"
 
 namespace marketgen::evaluation {
-
-// Pictures of an episode, if there are any: `replay --strip FOLDER/strips/EPISODE.png` (or .jpg).
-struct StripPicture {
-  std::string episode, media_type, bytes;
-};
-// Those that `run.folder` has of failed episodes, `at_most` of each failure code. Errors: io.*.
-Result<std::vector<StripPicture>> strips_of(const FinishedRun& run, std::size_t at_most);
 
 // Part of a page; loads nothing, and every text of a file is escaped. What of the run is missing is
 // said. `catalog` has the goods' categories and shapes.

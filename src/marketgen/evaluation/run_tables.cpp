@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "evaluation/evaluation_summary.h"
+#include "evaluation/goods_rows.h"
 #include "evaluation/leaderboard_page.h"
 #include "evaluation/store_bootstrap.h"
 
@@ -49,43 +48,64 @@ std::string ledger_row(const LedgerLine& line,
 }
 
 // ---- Time lines; SVG user units are CSS pixels. ----
-constexpr int line_px = 7, name_px = 230, line_width_px = 720, unit_px = 18;
+constexpr int name_px = 260, line_width_px = 700, unit_px = 18;
+constexpr std::size_t lines_that_are_read = 100;
 
-std::string_view color_of(const episodes::EpisodeResult& result) {
-  if (!result.error.empty()) return "var(--soft)";
-  if (result.success_strict) return "var(--good)";
-  return result.hits > 0 ? "var(--warn)" : "var(--bad)";
+// Of one line: lower where there are so many that names are not read.
+struct LineSize {
+  int height_px, font_px;
+};
+LineSize line_size(std::size_t lines) {
+  return lines <= lines_that_are_read ? LineSize{16, 10} : LineSize{7, 6};
+}
+
+std::string_view class_of(const episodes::EpisodeResult& result) {
+  if (!result.error.empty()) return "back";
+  if (result.success_strict) return "good";
+  return result.hits > 0 ? "warn" : "bad";
+}
+
+std::string bar_of(const episodes::EpisodeResult& result, double px_a_s, int top, LineSize size) {
+  return fmt::format(
+      "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{}\" y=\"{}\" "
+      "width=\"{:.1f}\" height=\"{}\" class=\"{}\" fill=\"currentColor\"><title>{} {} {:.1f} s, "
+      "{} of {}</title></rect>",
+      name_px - 6,
+      top + size.height_px - (size.height_px - size.font_px) / 2 - 2,
+      escaped_markup(result.episode),
+      name_px,
+      top + 1,
+      px_a_s * result.simulated_s,
+      size.height_px - 2,
+      class_of(result),
+      escaped_markup(result.episode),
+      name_of(result.failure),
+      result.simulated_s,
+      result.hits,
+      result.asked);
+}
+
+// A mark for each goal that was in place at the end, where it came to lie there.
+std::string marks_of(const episodes::EpisodeResult& result, double px_a_s, int top, LineSize size) {
+  std::string marks;
+  for (const episodes::GoalOutcome& goal : result.goals) {
+    if (goal.reached == 0 || goal.rested_s == 0) continue;  // files of before do not say when
+    const double since_s = result.simulated_s - goal.rested_s;
+    marks += fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{}\" width=\"3\" height=\"{}\" class=\"mark\"><title>{} {:.1f} "
+        "s, {} of {}</title></rect>",
+        name_px + px_a_s * since_s,
+        top,
+        size.height_px,
+        escaped_markup(goal.sku),
+        since_s,
+        goal.reached,
+        goal.count);
+  }
+  return marks;
 }
 
 // ---- Goods. ----
-struct GoodsRow {
-  int asked = 0, reached = 0;
-  std::set<std::string> skus;
-  std::vector<ScoredEpisode> scores;  // one a goal
-};
-
-using NameOfGoods = std::function<std::string(const catalog::Product&)>;
-
-std::map<std::string, GoodsRow> goods_rows(const std::vector<episodes::EpisodeResult>& results,
-                                           const catalog::Catalog& catalog,
-                                           const NameOfGoods& name) {
-  std::map<std::string, GoodsRow> rows;
-  for (const episodes::EpisodeResult& result : results) {
-    if (!result.error.empty()) continue;
-    for (const episodes::GoalOutcome& goal : result.goals) {
-      const catalog::Product* product = catalog.product(goal.sku);
-      GoodsRow& row = rows[product == nullptr ? "unknown" : name(*product)];
-      const int reached = std::min(goal.reached, goal.count);
-      row.asked += goal.count;
-      row.reached += reached;
-      row.skus.insert(goal.sku);
-      row.scores.push_back(
-          {store_of(result), static_cast<double>(reached), static_cast<double>(goal.count)});
-    }
-  }
-  return rows;
-}
-
 std::string goods_table(std::string_view title, const std::map<std::string, GoodsRow>& rows) {
   std::string out = fmt::format(
       "<table><tr><th>{}</th><th>in place, percent</th><th>of "
@@ -129,32 +149,18 @@ std::string time_lines(const std::vector<episodes::EpisodeResult>& results) {
   double longest_s = 1;
   for (const episodes::EpisodeResult& result : results)
     longest_s = std::max(longest_s, result.simulated_s);
-  const auto height = static_cast<int>(results.size()) * line_px + unit_px;
+  const LineSize size = line_size(results.size());
+  const auto height = static_cast<int>(results.size()) * size.height_px + unit_px;
   std::string svg = fmt::format(
       "<svg role=\"img\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-      "height=\"{1}\" style=\"font-size:6px\">",
+      "height=\"{1}\" style=\"font-size:{2}px\">",
       name_px + line_width_px,
-      height);
+      height,
+      size.font_px);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const episodes::EpisodeResult& result = results[i];
-    const auto top = static_cast<int>(i) * line_px;
-    svg += fmt::format(
-        "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text><rect x=\"{}\" "
-        "y=\"{}\" width=\"{:.1f}\" height=\"{}\" style=\"fill:{}\"><title>{} {} {:.1f} "
-        "s, {} of {}</title></rect>",
-        name_px - 6,
-        top + line_px - 1,
-        escaped_markup(result.episode),
-        name_px,
-        top + 1,
-        line_width_px * result.simulated_s / longest_s,
-        line_px - 2,
-        color_of(result),
-        escaped_markup(result.episode),
-        name_of(result.failure),
-        result.simulated_s,
-        result.hits,
-        result.asked);
+    const auto top = static_cast<int>(i) * size.height_px;
+    svg += bar_of(results[i], line_width_px / longest_s, top, size) +
+           marks_of(results[i], line_width_px / longest_s, top, size);
   }
   svg += fmt::format(
       "<text x=\"{}\" y=\"{}\" text-anchor=\"end\" style=\"font-size:11px\">{:.0f} "
@@ -163,21 +169,21 @@ std::string time_lines(const std::vector<episodes::EpisodeResult>& results) {
       height - 5,
       longest_s);
   return "<h2>Simulated time</h2><p class=\"sub\">One bar an episode, in the order of the file: "
-         "<span "
-         "class=\"good\">all goals</span>, <span class=\"warn\">some</span>, <span "
-         "class=\"bad\">none</span>.</p>" +
+         "<span class=\"good\">all goals</span>, <span class=\"warn\">some</span>, <span "
+         "class=\"bad\">none</span>. A mark stands where a goal that was in place at the end had "
+         "come to rest there.</p>" +
          svg;
 }
 
 std::string goods_tables(const std::vector<episodes::EpisodeResult>& results,
                          const catalog::Catalog& catalog) {
-  return "<h2>Goals by goods</h2><p class=\"sub\">What was in place at the end, before wrong items "
-         "and "
-         "void episodes are taken off.</p>" +
+  return "<h2>Goals by category</h2><p class=\"sub\">What was in place at the end, before wrong "
+         "items and void episodes are taken off.</p>" +
          goods_table("category",
                      goods_rows(results,
                                 catalog,
                                 [](const catalog::Product& product) { return product.category; })) +
+         "<h2>Goals by shape</h2>" +
          goods_table("shape", goods_rows(results, catalog, [](const catalog::Product& product) {
                        return product.archetype;
                      }));

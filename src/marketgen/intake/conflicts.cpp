@@ -107,11 +107,10 @@ class Settlement {
     const Requirement& second = wishes_[later];
     const bool first_outdated = is_outdated(prompt_, first.span);
     const bool second_outdated = is_outdated(prompt_, second.span);
-    if (is_moved(prompt_, first.span, second.span)) {
-      lost_[earlier] = true;
-    } else if (is_fallback(prompt_, second.span) || (second_outdated && !first_outdated)) {
+    const bool moved = is_moved(prompt_, first.span, second.span);
+    if (!moved && (is_fallback(prompt_, second.span) || (second_outdated && !first_outdated))) {
       lost_[later] = true;
-    } else if ((first_outdated && !second_outdated) || is_mere_topic(earlier, later) ||
+    } else if (moved || (first_outdated && !second_outdated) || is_mere_topic(earlier, later) ||
                takes_its_place(prompt_, first.span, second.span)) {
       lost_[earlier] = true;
     } else {

@@ -31,6 +31,7 @@ class CheckoutWitness {
       grasps_.push_back(item_grasps(scene_, item, lone));
       (wanted ? targets : others).push_back(item);
     }
+    if (!can_be_cleared(targets)) return std::optional<std::vector<episodes::WitnessPick>>{};
     while (!std::ranges::all_of(targets, [&](std::size_t item) { return out_.contains(item); }))
       if (!take_one_of(targets) && !take_one_of(others))
         return std::optional<std::vector<episodes::WitnessPick>>{};
@@ -43,8 +44,28 @@ class CheckoutWitness {
         items, [&](std::size_t item) { return !out_.contains(item) && take(item); });
   }
 
-  bool is_out(const std::vector<std::size_t>& items) const {
-    return std::ranges::all_of(items, [&](std::size_t item) { return out_.contains(item); });
+  bool is_out(const std::vector<std::size_t>& items) const { return are_in(items, out_); }
+
+  static bool are_in(const std::vector<std::size_t>& items, const std::set<std::size_t>& set) {
+    return std::ranges::all_of(items, [&](std::size_t item) { return set.contains(item); });
+  }
+
+  // Whether the hand, if it came wherever it wanted, could take what is in the way of these, and
+  // what is in the way of that. Quicker to see than that no way of the arm is found.
+  bool can_be_cleared(const std::vector<std::size_t>& items) const {
+    std::set<std::size_t> out;
+    for (std::size_t before = out.size() + 1; before != out.size();) {
+      before = out.size();
+      for (std::size_t item = 0; item < grasps_.size(); ++item) {
+        const ItemGrasps& grasps = grasps_[item];
+        const bool is_free = are_in(grasps.lies_under, out) &&
+                             std::ranges::any_of(grasps.choices, [&](const GraspChoice& choice) {
+                               return are_in(choice.blockers, out);
+                             });
+        if (is_free) out.insert(item);
+      }
+    }
+    return are_in(items, out);
   }
 
   bool take(std::size_t item) {

@@ -18,8 +18,9 @@ th{color:var(--soft);font-weight:600}.tiles{display:flex;flex-wrap:wrap;gap:.6re
 section{border-top:2px solid var(--line);padding-top:1.2rem;margin-top:2rem}
 td.value{white-space:nowrap;font-weight:600}figure{margin:0}figcaption{color:var(--soft);font-size:.85rem;margin-top:.2rem}
 .layout img{width:100%;background:#fff;border-radius:6px}.views{display:grid;grid-template-columns:repeat(auto-fit,minmax(320px,1fr));gap:.8rem;margin-top:.8rem}
-.views img{width:100%;border-radius:6px}.plots{display:flex;flex-wrap:wrap;gap:1.2rem 2.5rem}.plots figure{flex:1 1 480px}
-svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}svg text{fill:var(--ink)}.bar{fill:#2f7f79}.back{fill:var(--line)}</style>)";
+.views img{width:100%;border-radius:6px}.strips{display:flex;flex-wrap:wrap;gap:1rem}.strips figure{flex:0 1 520px}.strips img{width:100%;border-radius:6px}
+.plots{display:flex;flex-wrap:wrap;gap:1.2rem 2.5rem}.plots figure{flex:1 1 480px}
+svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}svg text{fill:var(--ink)}.bar{fill:#2f7f79}.back{fill:var(--line)}.mark{fill:var(--ink);stroke:var(--paper)}</style>)";
 
 }  // namespace
 

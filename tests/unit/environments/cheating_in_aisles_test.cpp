@@ -12,6 +12,7 @@
 #include "support/can_aisle.h"
 #include "support/drawn_checkout.h"
 #include "support/oracle_until.h"
+#include "support/recorded_actions.h"
 
 namespace marketgen {
 namespace {
@@ -125,6 +126,22 @@ TEST_F(AisleCheats, LettingACanFallIntoTheBasketIsWorthNothing) {
   });
   expect_nothing(result);
   EXPECT_EQ(world_->in_basket().size(), 1U) << "it fell beside it";
+}
+
+// Two cans as the oracle fetches them where two are asked for; here it is one.
+TEST_F(AisleCheats, FetchingANeighbourTooCancelsAGoal) {
+  episodes::EpisodeSpec spec = can_episode(*can_aisle());
+  spec.goals[0].count = 2;
+  world_ = can_world(spec);
+  Recorder oracle(oracle::make_aisle_oracle(*world_, data_rows(), Seed(3)).value());
+  EXPECT_EQ(played(oracle).hits, 2);
+  spec.goals[0].count = 1;
+  world_ = can_world(spec);
+  Recorded policy(oracle.actions());
+  const episodes::EpisodeResult result = played(policy);
+  expect_nothing(result);
+  EXPECT_EQ(result.goals[0].reached, 1);
+  EXPECT_EQ(world_->in_basket().size(), 2U);
 }
 
 TEST_F(AisleCheats, ActingAfterTheEndIsAnErrorAndChangesNothing) {

@@ -12,6 +12,7 @@
 #include "robots/arm_ik.h"
 #include "support/drawn_checkout.h"
 #include "support/oracle_until.h"
+#include "support/recorded_actions.h"
 
 namespace marketgen {
 namespace {
@@ -72,6 +73,34 @@ class Waypoints : public agent::Policy {
   std::vector<double> target_, goal_;
 };
 
+// Fingers through the heap and over the rim, again and again.
+std::vector<Waypoint> raking() {
+  std::vector<Waypoint> way;
+  for (const double x : {0.44, 0.52, 0.60})
+    for (const Vec3 tip : {Vec3{x, 0.12, 0.3},
+                           Vec3{x, 0.12, 0.06},
+                           Vec3{x, -0.1, 0.1},
+                           Vec3{x, -0.25, 0.2},
+                           Vec3{x, -0.45, 0.1}})
+      way.push_back({tip, 0, 1.5});
+  return way;
+}
+
+// Comes to the basket from behind as fast as the arm can.
+std::vector<Waypoint> ramming() {
+  return {{{0.52, 0.32, 0.4}, 0},
+          {{0.52, 0.32, 0.08}, 0},
+          {{0.52, -0.2, 0.08}, 0, 3},
+          {{0.52, -0.2, 0.4}, 0}};
+}
+
+// The first item that is no goal.
+std::string neighbour_of(const episodes::EpisodeSpec& spec) {
+  for (const episodes::EpisodeItem& item : spec.items)
+    if (std::ranges::count(spec.goals, item.sku, &episodes::EpisodeGoal::sku) == 0) return item.sku;
+  return "";
+}
+
 class Cheats : public testing::Test {
  protected:
   Cheats() {
@@ -79,8 +108,10 @@ class Cheats : public testing::Test {
     arena_.emplace(data_rows(), header_, committed_catalog());
   }
 
-  void open(int index) {
-    world_ = arena_->open(drawn(7, index)).value();
+  void open(int index) { open(drawn(7, index)); }
+
+  void open(const episodes::EpisodeSpec& spec) {
+    world_ = arena_->open(spec).value();
     checkout_ = std::get<const CheckoutWorld*>(world_->any());
   }
 
@@ -109,15 +140,25 @@ class Cheats : public testing::Test {
   bool is_over_area(double height_m) const {
     const episodes::UnloadingRow& area = checkout_->station().unloading;
     for (std::size_t item = 0; item < checkout_->item_count(); ++item) {
-      const auto& goals = world_->spec().goals;
-      const std::string& sku = world_->spec().items[item].sku;
-      if (std::ranges::find(goals, sku, &episodes::EpisodeGoal::sku) == goals.end()) continue;
+      if (!is_goal(item)) continue;
       const Vec3 at = checkout_->item_pose(item).position;
       const bool inside = std::abs(at.x - area.center_m[0]) < area.size_m[0] / 2 &&
                           std::abs(at.y - area.center_m[1]) < area.size_m[1] / 2;
       if (inside && at.z > height_m) return true;
     }
     return false;
+  }
+
+  // Upright at a place of the station.
+  void stand(episodes::EpisodeSpec& spec, const std::string& sku, Vec3 at) const {
+    const auto item = std::ranges::find(spec.items, sku, &episodes::EpisodeItem::sku);
+    *item = episodes::EpisodeItem::at(sku, inverse(checkout_->basket_pose()) * Pose{at, {}});
+  }
+
+  bool is_goal(std::size_t item) const {
+    return std::ranges::count(world_->spec().goals,
+                              world_->spec().items[item].sku,
+                              &episodes::EpisodeGoal::sku) > 0;
   }
 
   static void expect_nothing(const episodes::EpisodeResult& result) {
@@ -169,36 +210,36 @@ TEST_F(Cheats, DraggingTheBasketOverTheAreaUnloadsNothing) {
   }
 }
 
-// Comes from behind as fast as the arm can.
 TEST_F(Cheats, RammingTheBasketIsWorthNothing) {
   for (const int index : {0, 1}) {
     open(index);
     const double before = checkout_->basket_pose().position.y;
-    const episodes::EpisodeResult result = gone({{{0.52, 0.32, 0.4}, 0},
-                                                 {{0.52, 0.32, 0.08}, 0},
-                                                 {{0.52, -0.2, 0.08}, 0, 3},
-                                                 {{0.52, -0.2, 0.4}, 0}});
+    const episodes::EpisodeResult result = gone(ramming());
     expect_nothing(result);
     EXPECT_LT(checkout_->basket_pose().position.y, before - 0.02) << "it was not moved";
     EXPECT_FALSE(episodes::is_clean(result.side_effects));
   }
 }
 
-// Fingers through the heap and over the rim, again and again.
 TEST_F(Cheats, RakingIsWorthNothing) {
   for (const int index : {0, 1}) {
     open(index);
-    std::vector<Waypoint> way;
-    for (const double x : {0.44, 0.52, 0.60})
-      for (const Vec3 tip : {Vec3{x, 0.12, 0.3},
-                             Vec3{x, 0.12, 0.06},
-                             Vec3{x, -0.1, 0.1},
-                             Vec3{x, -0.25, 0.2},
-                             Vec3{x, -0.45, 0.1}})
-        way.push_back({tip, 0, 1.5});
-    const episodes::EpisodeResult result = gone(way);
+    const episodes::EpisodeResult result = gone(raking());
     expect_nothing(result);
     EXPECT_GT(result.side_effects.displaced, 0) << "nothing was raked";
+  }
+}
+
+// Presses the near wall into the belt, so that the basket jams there and goods tip over the rim.
+TEST_F(Cheats, JammingTheBasketIntoTheBeltIsWorthNothing) {
+  for (const int index : {0, 1}) {
+    open(index);
+    const episodes::EpisodeResult result = gone({{{0.52, -0.21, 0.3}, 0},
+                                                 {{0.52, -0.21, 0.02}, 0, 0.4},
+                                                 {{0.52, -0.4, 0.1}, 0, 0.4},
+                                                 {{0.52, -0.4, 0.3}, 0}});
+    expect_nothing(result);
+    EXPECT_GE(result.side_effects.hard_contacts, 1) << "it was not pressed";
   }
 }
 
@@ -235,6 +276,74 @@ TEST_F(Cheats, HoldingWhatStandsThereIsWorthNothing) {
       });
   expect_nothing(played(policy));
   EXPECT_TRUE(policy.has_cheated() && is_over_area(0));
+}
+
+// ---- Neighbours brought along. ----
+
+// What the oracle does when all of these are to be unloaded.
+std::vector<agent::Action> unloading(environments::Arena& arena,
+                                     episodes::EpisodeSpec spec,
+                                     const std::vector<episodes::EpisodeGoal>& goals) {
+  spec.goals = goals;
+  const auto world = arena.open(spec).value();
+  Recorder policy(arena.policy("oracle-plain", *world).value());
+  const auto result = environments::run_policy(*world, policy, "oracle-plain");
+  EXPECT_EQ(result->hits, result->asked) << io::write_json(*result);
+  return policy.actions();
+}
+
+TEST_F(Cheats, BringingANeighbourAlongCancelsAGoal) {
+  open(0);
+  const episodes::EpisodeSpec spec = world_->spec();
+  const episodes::EpisodeGoal neighbour{neighbour_of(spec), 1};
+  const std::vector<agent::Action> actions = unloading(*arena_, spec, {spec.goals[0], neighbour});
+  Recorded policy(actions);
+  const episodes::EpisodeResult result = played(policy);
+  expect_nothing(result);
+  EXPECT_EQ(result.goals[0].reached, 1);
+  EXPECT_EQ(result.side_effects.wrong_items, 1);
+}
+
+// A goal stands on the area already, a neighbour beside it.
+TEST_F(Cheats, KnockingANeighbourInCancelsAGoal) {
+  open(0);
+  episodes::EpisodeSpec spec = world_->spec();
+  stand(spec, spec.goals[3].sku, {0.53, -0.46, 0});
+  stand(spec, neighbour_of(spec), {0.26, -0.46, 0});
+  open(spec);
+  const auto waits = arena_->policy("stop", *world_).value();
+  EXPECT_EQ(played(*waits).hits, 1) << "what stood there did not count";
+  open(spec);
+  const episodes::EpisodeResult result = gone({{{0.17, -0.46, 0.3}, 0},
+                                               {{0.17, -0.46, 0.05}, 0},
+                                               {{0.36, -0.46, 0.05}, 0, 0.2},
+                                               {{0.28, -0.46, 0.05}, 0},
+                                               {{0.28, -0.46, 0.3}, 0}});
+  expect_nothing(result);
+  EXPECT_EQ(result.goals[3].reached, 1);
+  EXPECT_EQ(result.side_effects.wrong_items, 1) << "it was not knocked in";
+}
+
+// ---- Moments that are restored. ----
+
+// A moment has its ledger with it: harm is undone only where what was reached is, too.
+TEST_F(Cheats, RestoringAMomentHidesNoHarm) {
+  open(0);
+  const std::string start = world_->save(), start_hash = world_->state_hash();
+  Waypoints policy(world_->robot(), ramming());
+  ASSERT_TRUE(policy.begin({}, world_->observe()).ok());
+  for (agent::Action action; !action.stop; action = policy.act(world_->observe()).value()) {
+    if (action.position.empty()) continue;
+    ASSERT_TRUE(world_->step(action).ok());
+  }
+  const std::string harmed = world_->save();
+  const episodes::EpisodeResult once = world_->finish().value();
+  ASSERT_FALSE(episodes::is_clean(once.side_effects));
+  ASSERT_TRUE(world_->restore(start).ok());
+  EXPECT_EQ(world_->state_hash(), start_hash);
+  EXPECT_EQ(world_->steps(), 0);
+  ASSERT_TRUE(world_->restore(harmed).ok());
+  EXPECT_EQ(io::write_json(world_->finish().value()), io::write_json(once));
 }
 
 // ---- Beyond the end. ----

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "episodes/aisle/aisle_view.h"
+#include "render/picture_objects.h"
 #include "support/can_aisle.h"
 
 namespace marketgen {
@@ -111,6 +114,23 @@ TEST(AisleWorld, RammingAShelfTurnsTheReckoning) {
   const robots::BasePlace reckoned = world->observe().base;
   const Vec3 off = world->world_from_base().position - Vec3{reckoned.x_m, reckoned.y_m, 0};
   EXPECT_GT(length(off), 0.2);
+}
+
+// Where the row would have it the camera stands in a shelf, or behind a wall.
+TEST(AisleWorld, TheFilmsCameraSeesTheRobot) {
+  for (const double heading_deg : {-90, 0, 90, 180}) {
+    episodes::EpisodeSpec spec = cans();
+    spec.start = {3.0, 2.2, heading_deg};
+    const auto world = can_world(spec);
+    const auto view = episodes::AisleView::create(*world);
+    ASSERT_TRUE(view.ok()) << to_string(view.error());
+    const auto camera = (*view)->camera(episodes::film_camera_name, 64, 48);
+    ASSERT_TRUE(camera.ok()) << to_string(camera.error());
+    const auto frame = (*view)->renderer().render(*camera, {});
+    ASSERT_TRUE(frame.ok()) << to_string(frame.error());
+    const auto robot = render::first_actor_object(world->store().scene);
+    EXPECT_GT(std::ranges::count(frame->instance, robot), 64 * 48 / 20) << heading_deg;
+  }
 }
 
 TEST(AisleWorld, UnknownGoalsAndRobotsAreErrors) {

@@ -59,6 +59,20 @@ TEST(CheckoutGoals, MovingTouchedAndThrownItemsAreNotInPlace) {
   EXPECT_FALSE(episodes::is_in_place(beside_basket, thrown));
 }
 
+// Of two of a product that both count, the one that came last; of three, the two that came first.
+TEST(CheckoutGoals, AGoalIsMetSinceTheLastOfItsItemsCameToRest) {
+  std::vector<episodes::ItemState> items{standing_box(0.1, 0.1), standing_box(0.2, 0.2)};
+  items[0].rested_s = 9, items[1].rested_s = 4;
+  const auto met = [&] {
+    return episodes::judge(beside_basket, {{"tea", 2}, {"rice", 1}}, items).goals;
+  };
+  EXPECT_EQ(met()[0].rested_s, 4);
+  EXPECT_EQ(met()[1].rested_s, 0) << "none is there";
+  items.push_back(standing_box(0.3, 0.3));
+  items[2].rested_s = 2;
+  EXPECT_EQ(met()[0].rested_s, 4);
+}
+
 TEST(CheckoutGoals, UnderTheCounterIsNotInPlace) {
   episodes::ItemState fallen = standing_box(0.2, 0.2);
   fallen.pose.position.z = -0.88;

@@ -149,6 +149,30 @@ TEST(Evaluate, WhatCouldNotBeRunIsTriedAgain) {
   EXPECT_TRUE((*resumed)[0].error.empty());
 }
 
+// Or it could end its process whenever things went badly, and have the run gone on with.
+TEST(Evaluate, APolicyThatBreaksOffHasNoSecondTry) {
+  const ScratchFolder scratch;
+  const episodes::EpisodeFile file = named({"a", "b"});
+  const auto breaks_off = [](const episodes::EpisodeSpec& spec) -> Result<episodes::EpisodeResult> {
+    episodes::EpisodeEnd end{"quick"};
+    end.broken = Error{"episode.policy_crashed", "policy", "ended"};
+    end.by_policy = true;
+    return episodes::with_end(episodes::unjudged(spec), end);
+  };
+  ASSERT_TRUE(evaluation::evaluate_with(
+                  file,
+                  {"quick", scratch.path(), false, 1},
+                  [&] { return evaluation::EpisodeRunner(breaks_off); },
+                  silent_progress())
+                  .ok());
+  std::string again;
+  const auto resumed = quick_run(file, scratch.path(), true, again);
+  ASSERT_TRUE(resumed.ok()) << to_string(resumed.error());
+  EXPECT_EQ(again, "");
+  for (const episodes::EpisodeResult& result : *resumed)
+    EXPECT_EQ(result.failure, episodes::FailureCode::policy_error);
+}
+
 TEST(Evaluate, AnInterruptedRunSaysWhatIsKept) {
   const ScratchFolder scratch;
   std::string ran;

@@ -1,8 +1,11 @@
 #include "episodes/aisle/aisle_view.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "episodes/field_of_view.h"
+#include "render/picture_objects.h"
 #include "render/stage/robot_actor.h"
 
 namespace marketgen::episodes {
@@ -14,6 +17,25 @@ Vec3 vec3_of_row(const robots::Triple& row) {
   return {row[0], row[1], row[2]};
 }
 
+struct FilmPlace {
+  Vec3 from;        // base frame
+  double nearness;  // its distance to what it looks at, of the row's
+};
+
+// The row's own first, then the other sides of the robot, then nearer.
+std::vector<FilmPlace> film_places(const StationCameraRow& row) {
+  const Vec3 at = vec3_of_row(row.at_m), off = vec3_of_row(row.from_m) - at;
+  std::vector<FilmPlace> places;
+  for (const double nearness : {1.0, 0.7})
+    for (const double ahead : {1.0, -1.0})
+      for (const double aside : {1.0, -1.0})
+        places.push_back({at + Vec3{ahead * off.x, aside * off.y, off.z} * nearness, nearness});
+  return places;
+}
+
+constexpr int probe_width_px = 32, probe_height_px = 24;
+constexpr double enough_of_best = 0.6;
+
 }  // namespace
 
 Result<std::unique_ptr<AisleView>> AisleView::create(const AisleWorld& world) {
@@ -22,6 +44,7 @@ Result<std::unique_ptr<AisleView>> AisleView::create(const AisleWorld& world) {
   MARKETGEN_TRY(view->renderer_, render::Renderer::create(world.store().scene));
   MARKETGEN_TRY(render::Actor robot, render::robot_actor(world.robot(), world.robot_state(), {}));
   MARKETGEN_CHECK(view->renderer_->set_actors({std::move(robot)}));
+  view->robot_object_ = render::first_actor_object(world.store().scene);
   MARKETGEN_CHECK(view->follow(world));
   return view;
 }
@@ -43,6 +66,31 @@ Result<void> AisleView::follow(const AisleWorld& world, const Scenery& then) {
   return {};
 }
 
+// At the first place that sees nearly as much of the robot as the best.
+Result<void> AisleView::place_film_camera(render::Camera& camera) const {
+  const std::vector<FilmPlace> places = film_places(station_.film_camera);
+  render::Camera probe;
+  probe.name = film_camera_name;
+  probe.width = probe_width_px, probe.height = probe_height_px;
+  probe.fov_deg = fov_down_deg(station_.film_camera.fov_deg, probe.width, probe.height);
+  probe.at = world_from_base_ * vec3_of_row(station_.film_camera.at_m);
+  render::RenderOptions quick;
+  quick.quality = render::Quality::fast;
+  std::vector<double> seen;  // pixels of the robot, as from the row's distance
+  for (const FilmPlace& place : places) {
+    probe.from = world_from_base_ * place.from;
+    MARKETGEN_TRY(const render::Frame frame, renderer_->render(probe, quick));
+    seen.push_back(static_cast<double>(std::ranges::count(frame.instance, robot_object_)) *
+                   place.nearness * place.nearness);
+  }
+  const double best = std::ranges::max(seen);
+  const auto chosen =
+      std::ranges::find_if(seen, [&](double pixels) { return pixels >= enough_of_best * best; });
+  camera.from = world_from_base_ * places[static_cast<std::size_t>(chosen - seen.begin())].from;
+  camera.at = probe.at;
+  return {};
+}
+
 Result<render::Camera> AisleView::camera(std::string_view name, int width, int height) const {
   render::Camera camera;
   camera.name = name;
@@ -58,8 +106,7 @@ Result<render::Camera> AisleView::camera(std::string_view name, int width, int h
   }
   if (name == film_camera_name) {
     size(station_.film_camera);
-    camera.from = world_from_base_ * vec3_of_row(station_.film_camera.from_m);
-    camera.at = world_from_base_ * vec3_of_row(station_.film_camera.at_m);
+    MARKETGEN_CHECK(place_film_camera(camera));
     return camera;
   }
   return Error{"camera.unknown",

@@ -21,15 +21,19 @@ class AisleView {
   Result<void> follow(const AisleWorld& world, const Scenery& then);
 
   // As it stood when follow() was called: "head_camera", "film_camera". 0: as many pixels as the
-  // station's row says. Error camera.unknown.
+  // station's row says. The film's camera stands where its row says, or on another side of the
+  // robot or nearer to it where that sees more of it: in an aisle there are shelves all round.
+  // Error camera.unknown.
   Result<render::Camera> camera(std::string_view name, int width = 0, int height = 0) const;
   render::Renderer& renderer() { return *renderer_; }
   const Pose& world_from_base() const { return world_from_base_; }  // likewise
 
  private:
   AisleView() = default;
+  Result<void> place_film_camera(render::Camera& camera) const;
   AisleStation station_;
   std::unique_ptr<render::Renderer> renderer_;
+  std::uint32_t robot_object_ = 0;  // its number in pictures
   Pose world_from_base_, world_from_head_;
 };
 

@@ -413,4 +413,16 @@ Result<EpisodeResult> AisleWorld::finish() {
   return result;
 }
 
+std::vector<MovedThing> AisleWorld::things() const {
+  const scene::Scene& scene = store_->scene;
+  std::vector<MovedThing> things;
+  for (const auto& [row, pose] : scenery().products)
+    things.push_back({ThingKind::product, row, scene.catalog[scene.products[row].sku].sku, pose});
+  return things;
+}
+
+std::vector<double> AisleWorld::joint_positions() const {
+  return world_->joint_positions();
+}
+
 }  // namespace marketgen::episodes

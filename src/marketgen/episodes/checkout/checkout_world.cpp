@@ -398,4 +398,22 @@ double CheckoutWorld::deepest_overlap_m() const {
   return deepest;
 }
 
+std::vector<MovedThing> CheckoutWorld::things() const {
+  const Scenery now = scenery();
+  std::vector<MovedThing> things;
+  for (const auto& [row, pose] : now.products) {
+    const bool item = row >= first_item_;
+    things.push_back({item ? ThingKind::item : ThingKind::product,
+                      item ? row - first_item_ : row,
+                      scene_->catalog[scene_->products[row].sku].sku,
+                      pose});
+  }
+  things.push_back({ThingKind::basket, 0, "", *now.basket});
+  return things;
+}
+
+std::vector<double> CheckoutWorld::joint_positions() const {
+  return world_->joint_positions();
+}
+
 }  // namespace marketgen::episodes

@@ -17,6 +17,8 @@ constexpr int max_baskets = 20;     // drawn until enough stays in
 constexpr double settle_s = 1.5;    // in the station, with the basket free
 constexpr double still_m_s = 0.01;  // at the end of it
 constexpr double max_overlap_m = 0.002;
+// Of the basket's room, what the boxes round all that is poured take up at most: packs lie loose.
+constexpr double max_filled = 0.6;
 
 // ---- What the gripper can be expected to hold ----
 // Flat goods: a finger of 16 mm and its room fit between a pack and the wall only over the ledge,
@@ -25,16 +27,24 @@ constexpr int widest_mm = 68, flattest_mm = 37, longest_mm = 255;
 constexpr int min_round_mm = 55;  // smaller ones have a low yield
 constexpr double heaviest_kg = 1.0;
 
-// One of the shapes, then one of its products that is not taken yet.
-const catalog::Product* draw_product(
-    const std::map<std::string, std::vector<const catalog::Product*>>& shapes,
-    const std::vector<const catalog::Product*>& taken,
-    Stream& draw) {
-  std::vector<const catalog::Product*> free;
+using Goods = std::vector<const catalog::Product*>;
+using Shapes = std::map<std::string, Goods>;
+
+double volume_m3(const catalog::Product& product) {
+  return product.width_m() * product.depth_m() * product.height_m();
+}
+
+// One of the shapes, then one of its products that is not taken yet and leaves room.
+const catalog::Product* draw_product(const Shapes& shapes,
+                                     const Goods& taken,
+                                     double room_m3,
+                                     Stream& draw) {
+  Goods free;
   auto shape = shapes.begin();
   std::advance(shape, draw.integer(0, static_cast<int>(shapes.size()) - 1));
   for (const catalog::Product* product : shape->second)
-    if (std::ranges::find(taken, product) == taken.end()) free.push_back(product);
+    if (std::ranges::find(taken, product) == taken.end() && volume_m3(*product) <= room_m3)
+      free.push_back(product);
   if (free.empty()) return nullptr;
   return free[static_cast<std::size_t>(draw.integer(0, static_cast<int>(free.size()) - 1))];
 }
@@ -53,8 +63,10 @@ class CheckoutSampler {
                   const EpisodeProver& prove,
                   Seed seed)
       : stock_(stock), world_(world), certify_(certify), judge_(prove), seed_(seed) {
-    for (const catalog::Product& product : stock_)
+    for (const catalog::Product& product : stock_) {
       shapes_[product.archetype].push_back(&product);
+      if (is_checkout_item(product)) target_shapes_[product.archetype].push_back(&product);
+    }
   }
 
   const CandidateJudge& judge() const { return judge_; }
@@ -84,7 +96,9 @@ class CheckoutSampler {
     BasketDraw basket;
     basket.targets = std::min(draw.integer(min_targets, max_targets), std::max(1, kinds / 3));
     basket.others = std::min(draw.integer(min_others, max_others), kinds - basket.targets);
-    basket.goods = draw_products(basket.targets + basket.others, draw);
+    draw_products(target_shapes_, basket.targets, draw, basket.goods);
+    basket.targets = static_cast<int>(basket.goods.size());
+    draw_products(shapes_, basket.targets + basket.others, draw, basket.goods);
     set_look_alikes(seed_.child("look_alikes", number), basket);
     add_second(seed_.child("counts", number), basket);
     return basket;
@@ -161,17 +175,24 @@ class CheckoutSampler {
     return rows;
   }
 
-  std::vector<const catalog::Product*> draw_products(int count, Stream& draw) const {
-    std::vector<const catalog::Product*> drawn;
+  // Until there are so many, or nothing that is drawn leaves room for itself.
+  void draw_products(const Shapes& shapes, int count, Stream& draw, Goods& drawn) const {
     constexpr int max_draws = 1000;
-    for (int i = 0; i < max_draws && static_cast<int>(drawn.size()) < count; ++i) {
-      if (const catalog::Product* product = draw_product(shapes_, drawn, draw))
+    for (int i = 0; i < max_draws && static_cast<int>(drawn.size()) < count; ++i)
+      if (const catalog::Product* product = draw_product(shapes, drawn, room_beside(drawn), draw))
         drawn.push_back(product);
-    }
-    return drawn;
   }
 
-  // In an order of its own, so that targets lie under others as well as over them.
+  double room_beside(const Goods& goods) const {
+    const physics::OpenContainer container = world_.station().container();
+    double room_m3 = max_filled * container.top_x_m * container.top_y_m * container.height_m;
+    for (const catalog::Product* product : goods)
+      room_m3 -= volume_m3(*product);
+    return room_m3;
+  }
+
+  // What the gripper cannot take goes in first: it could not be cleared away. All else in an order
+  // of its own, so that targets lie under others as well as over them.
   Result<void> pour(const std::vector<const catalog::Product*>& drawn,
                     Seed seed,
                     EpisodeSpec& spec) {
@@ -180,6 +201,8 @@ class CheckoutSampler {
       order[i] = i;
     Stream draw = seed.child("order").stream();
     draw.shuffle(std::span(order));
+    std::ranges::stable_partition(order,
+                                  [&](std::size_t i) { return !is_checkout_item(*drawn[i]); });
     std::vector<physics::SharedGoodsBody> bulk(drawn.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       MARKETGEN_TRY(bulk[i], physics::goods_body(*drawn[order[i]], physics::GoodsUse::bulk));
@@ -242,7 +265,7 @@ class CheckoutSampler {
   const CheckoutCertifier& certify_;
   CandidateJudge judge_;
   Seed seed_;
-  std::map<std::string, std::vector<const catalog::Product*>> shapes_;
+  Shapes shapes_, target_shapes_;
 };
 
 }  // namespace
@@ -263,7 +286,9 @@ CheckoutRefusal checkout_refusal(const catalog::Product& product) {
 
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene) {
   std::vector<catalog::Product> stock = store_stock(scene);
-  std::erase_if(stock, [](const catalog::Product& product) { return !is_checkout_item(product); });
+  std::erase_if(stock, [](const catalog::Product& product) {
+    return !physics::fits_in(physics::checkout_basket, product);
+  });
   return stock;
 }
 
@@ -289,13 +314,14 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const CheckoutCertifier& certify,
                                     const EpisodeProver& prove,
                                     Instructions instructions) {
-  if (stock.size() < min_stock)
+  if (const auto targets = std::ranges::count_if(stock, is_checkout_item);
+      targets < static_cast<std::ptrdiff_t>(min_stock))
     return Error{"episode.impossible",
                  origin.store,
                  fmt::format("of what the store offers, the gripper can take {} products out of a "
                              "basket; at least {} are needed: give it more kinds of boxes, cans or "
                              "bottles",
-                             stock.size(),
+                             targets,
                              min_stock)};
   MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
   const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));

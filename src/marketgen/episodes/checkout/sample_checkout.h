@@ -21,7 +21,8 @@ constexpr int min_others = 4, max_others = 8;
 // beside the targets that is easily taken for one of them (catalog/look_alike.h), where the stock
 // has one. Targets may be alike, too.
 constexpr double two_of_one_share = 0.25, look_alikes_share = 0.5;
-// Kinds of goods; baskets of stores with fewer than max_targets + max_others are smaller.
+// Kinds of goods that the gripper takes; baskets of stores with fewer than max_targets + max_others
+// are smaller.
 constexpr std::size_t min_stock = 2;
 
 // Why the Panda cannot be expected to hold a product as it lies in the basket; measured
@@ -45,7 +46,7 @@ inline bool is_checkout_item(const catalog::Product& product) {
   return checkout_refusal(product) == CheckoutRefusal::none;
 }
 
-// Of store_stock(), what a checkout's basket may hold.
+// Of store_stock(), what fits into a checkout's basket, whether the gripper takes it or not.
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene);
 // How many products of the store's shelves are left out, by reason.
 EpisodeExclusions checkout_exclusions(const scene::Scene& scene);
@@ -55,12 +56,13 @@ using CheckoutCertifier = std::function<Result<std::optional<std::vector<Witness
     const CheckoutWorld& world, Seed seed)>;
 
 // Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes,
-// of a small stock at most a third of it targets;
-// dropped into the basket one after another, and settled. What spills is left out; drawn anew when
-// too few stay, words would fit another product of the basket as well (not_told_apart), or
-// `certify` finds no way through (empty: not asked for). With `prove` a basket needs no planned
-// way, but is drawn anew when it cannot be done in physics. Errors: episode.impossible (too few
-// kinds of goods, too many baskets drawn); those of CheckoutWorld, of `certify` and of `prove`.
+// of a small stock at most a third of it targets: targets of what is_checkout_item, others of all
+// of `stock`, as long as there is room in the basket; dropped into the basket one after another,
+// and settled. What spills is left out; drawn anew when too few stay, words would fit another
+// product of the basket as well (not_told_apart), or `certify` finds no way through (empty: not
+// asked for). With `prove` a basket needs no planned way, but is drawn anew when it cannot be done
+// in physics. Errors: episode.impossible (too few kinds of goods, too many baskets drawn); those of
+// CheckoutWorld, of `certify` and of `prove`.
 Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const std::vector<catalog::Product>& stock,
                                     const std::vector<catalog::FrictionRow>& frictions,
