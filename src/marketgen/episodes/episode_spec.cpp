@@ -115,19 +115,19 @@ std::map<std::string, fs::path> episode_sets(const fs::path& data) {
   return sets;
 }
 
-Result<EpisodeFile> read_episode_file(const fs::path& named) {
+Result<EpisodeFile> read_episode_file(const fs::path& file) {
   MARKETGEN_TRY(const fs::path data, io::data_folder());
-  const bool told = named == "-";
-  MARKETGEN_TRY(const fs::path file,
-                told ? Result<fs::path>("/dev/stdin") : file_or_set(named, data));
-  const std::string source = told ? "standard input" : file.filename().string();
-  MARKETGEN_TRY(std::string text, io::read_file(file));
+  const bool told = file == "-";
+  MARKETGEN_TRY(const fs::path found,
+                told ? Result<fs::path>("/dev/stdin") : file_or_set(file, data));
+  const std::string source = told ? "standard input" : found.filename().string();
+  MARKETGEN_TRY(std::string text, io::read_file(found));
   if (io::is_gzip(text)) {
     MARKETGEN_TRY(text, io::gunzip(text, source));
   }
   MARKETGEN_TRY(EpisodeFile episodes, read_episodes(text, source));
   MARKETGEN_CHECK(check_robots(episodes, source, data));
-  MARKETGEN_CHECK(check_frozen(episodes, source, told ? fs::path() : file.parent_path(), data));
+  MARKETGEN_CHECK(check_frozen(episodes, source, told ? fs::path() : found.parent_path(), data));
   return episodes;
 }
 

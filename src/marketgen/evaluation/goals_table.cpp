@@ -198,7 +198,7 @@ Result<GoalsTable> goals_table(const store::OpenedStores& opened,
     const Result<void> added = until_interrupted([&] { return add_chances(offers, *sampler); });
     const NoForcedEnd keeping;  // what was studied until then
     MARKETGEN_CHECK(sampler->keep());
-    MARKETGEN_CHECK(added);
+    if (!added.ok()) return added.error();
   }
   GoalCount count(std::move(variants));
   for (const StoreOffer& offer : offers)

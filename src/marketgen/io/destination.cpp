@@ -309,16 +309,16 @@ Result<void> write_new(const fs::path& file,
   return {};
 }
 
-Result<void> write_to(const Destination& to, std::string_view bytes, Durable durable) {
-  switch (to.reach) {
+Result<void> write_to(const Destination& destination, std::string_view bytes, Durable durable) {
+  switch (destination.reach) {
     case Reach::streamed:
-      return write_streamed(to, bytes);
+      return write_streamed(destination, bytes);
     case Reach::descriptor:
-      return write_descriptor(to, bytes);
+      return write_descriptor(destination, bytes);
     case Reach::in_place:
-      return write_in_place(to, bytes);
+      return write_in_place(destination, bytes);
     default:
-      return replace(to, bytes, durable);
+      return replace(destination, bytes, durable);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "io/gzip.h"
 #include "store/store.h"
 #include "support/committed_catalog.h"
+#include "support/run_program.h"
 
 namespace marketgen {
 namespace {
@@ -40,7 +41,6 @@ const scene::Scene& scene_of_first_store() {
 class Frozen : public testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
     episodes::EpisodeStore& store = file_.header.stores.front();
     file_.header.stores.resize(1);
     std::erase_if(file_.episodes, [&](const episodes::EpisodeSpec& spec) {
@@ -67,7 +67,8 @@ class Frozen : public testing::Test {
     return scene.ok() ? Error{"none", "", ""} : scene.error();
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "frozen_episodes";
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path() / "frozen";
   episodes::EpisodeFile file_ = pool_file();
   std::string packed_;
 };
@@ -124,8 +125,7 @@ TEST_F(Frozen, AFileOutsideTheirFolderIsNotOpened) {
 
 // Rows that a track's robot does not reach do not count.
 TEST_F(Frozen, RowsHashIsOfWhatTheEpisodesUse) {
-  const fs::path copy = fs::path(testing::TempDir()) / "frozen_rows";
-  fs::remove_all(copy);
+  const fs::path copy = scratch_.path() / "rows";
   for (const char* part : {"robots", "benchmark", "friction.json"}) {
     fs::create_directories(copy);
     fs::copy(data / part, copy / part, fs::copy_options::recursive);
