@@ -322,7 +322,7 @@ Run add_episodes(CLI::App& app) {
   command->add_option(
       "--tools",
       flags->tools,
-      "what the robot in aisles fetches with: gripper or suction; gripper by itself");
+      "what the robot takes goods with: gripper or suction; gripper by itself");
   command
       ->add_option(
           "--split",

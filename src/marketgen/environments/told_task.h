@@ -30,7 +30,7 @@ struct ToldTask {
       field("track", &ToldTask::track, "what kind of task"),
       field("station", &ToldTask::station, "checkout: as of the episode"),
       field("robot", &ToldTask::robot, "row in data/robots"),
-      field("tools", &ToldTask::tools, "aisle: a tool set of market-aisle/1"),
+      field("tools", &ToldTask::tools, "a tool set of market-checkout/1 or market-aisle/1; empty: the first"),
       field("cameras", &ToldTask::cameras, "that the agent has"),
       field("instruction", &ToldTask::instruction, "what is to be done"),
       field("goals", &ToldTask::goals, "what the instruction names"),
