@@ -14,6 +14,7 @@ namespace marketgen::episodes {
 namespace {
 
 constexpr int max_baskets = 20;     // drawn until enough stays in
+constexpr int max_cup_baskets = 80;  // a cup needs a flat face up, and no finger rights a pack
 constexpr double settle_s = 1.5;    // in the station, with the basket free
 constexpr double still_m_s = 0.01;  // at the end of it
 constexpr double max_overlap_m = 0.002;
@@ -317,7 +318,9 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
   CheckoutSampler sampler(stock, world, certify, prove, hand, own);
-  for (int number = 0; number < max_baskets; ++number) {
+  const bool cup = world.robot().tools.front().kind == robots::ToolKind::suction;
+  const int max_drawn = cup ? max_cup_baskets : max_baskets;
+  for (int number = 0; number < max_drawn; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);
   }
@@ -326,7 +329,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
       spec.id,
       fmt::format("in {} baskets drawn, too few goods stayed inside, or could be taken out again "
                   "({})",
-                  max_baskets,
+                  max_drawn,
                   sampler.judge().spoken())};
 }
 
