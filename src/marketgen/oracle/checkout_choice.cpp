@@ -213,8 +213,7 @@ Result<bool> CheckoutOracle::take(std::size_t item, bool to_be_placed) {
       skills::ReachRequest request =
           skills::reach_over_rim(tip, scene_->rim_z_m(), choice.opening_m);
       request.force_n = skills::touch_n;
-      if (memory_.tried.failed_before(
-              item, inverse(world_->item_pose(item)) * tip, tool_.kind) ||
+      if (memory_.tried.failed_before(item, inverse(world_->item_pose(item)) * tip, tool_.kind) ||
           !skills::is_reached(memory_.arm, request, hand, walls))
         continue;
       if (to_be_placed && (searches++ >= search_.max_place_searches ||

@@ -12,8 +12,8 @@
 namespace marketgen::oracle {
 namespace {
 
-constexpr double way_reach_m = 1.4;       // obstacles farther from the robot do not count
-constexpr double let_go_wider_m = 0.02;   // than what was held, when it is let go
+constexpr double way_reach_m = 1.4;      // obstacles farther from the robot do not count
+constexpr double let_go_wider_m = 0.02;  // than what was held, when it is let go
 
 }  // namespace
 

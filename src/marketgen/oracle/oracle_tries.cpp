@@ -33,8 +33,7 @@ bool OracleTries::failed_before(std::size_t item,
     return failed.first == item &&
            length(product_from_tip.position - then.position) < same_grasp_m &&
            cosine({0, 0, 1}) > same_grasp_cosine &&
-           (tool == robots::ToolKind::suction ||
-            std::abs(cosine({0, 1, 0})) > same_grasp_cosine);
+           (tool == robots::ToolKind::suction || std::abs(cosine({0, 1, 0})) > same_grasp_cosine);
   });
 }
 

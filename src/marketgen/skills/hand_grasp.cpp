@@ -32,9 +32,8 @@ double open_m(const robots::GraspTool& tool) {
 }
 
 double let_go_m(const robots::GraspTool& tool, double held_m) {
-  return tool.kind == robots::ToolKind::suction
-             ? agent::cup_off_m
-             : std::min(tool.opening_m, held_m + let_go_wider_m);
+  return tool.kind == robots::ToolKind::suction ? agent::cup_off_m
+                                                : std::min(tool.opening_m, held_m + let_go_wider_m);
 }
 
 double tilt_deg(const Quaternion& base_from_tip) {
@@ -76,8 +75,8 @@ HandGrasp lifting_grasp(const LyingPack& pack, const motion::GraspCandidate& can
   HandGrasp grasp;
   grasp.strategy = candidate.strategy;
   grasp.base_from_tip = pack.base_from_product * candidate.grasp.product_from_tool;
-  grasp.opening_m = candidate.tool == robots::ToolKind::suction ? agent::cup_off_m
-                                                                : candidate.grasp.opening_m;
+  grasp.opening_m =
+      candidate.tool == robots::ToolKind::suction ? agent::cup_off_m : candidate.grasp.opening_m;
   grasp.width_m = candidate.width_m;
   grasp.force_n = std::clamp(candidate.grasp.force_n * firmness, min_grip_n, max_grip_n);
   grasp.score = of_firmness * candidate.score;

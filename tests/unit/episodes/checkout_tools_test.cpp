@@ -25,7 +25,8 @@ episodes::CheckoutWorld world_with(const std::string& tools) {
 }
 
 const robots::GraspTool& cup() {
-  static const robots::GraspTool tool = taken(robots::load_grasp_tool(data_rows(), "panda-suction"));
+  static const robots::GraspTool tool =
+      taken(robots::load_grasp_tool(data_rows(), "panda-suction"));
   return tool;
 }
 
@@ -58,8 +59,8 @@ TEST(CheckoutTools, TheArmWithACupIsFreeAsItBegins) {
   const episodes::CheckoutWorld world = world_with("suction");
   const auto pairs = robots::pairs_that_may_touch(world.robot());
   const auto q = episodes::ready_state(world.station(), world.robot());
-  EXPECT_FALSE(
-      robots::first_contact(world.robot(), robots::link_poses(world.robot(), q), pairs).has_value());
+  EXPECT_FALSE(robots::first_contact(world.robot(), robots::link_poses(world.robot(), q), pairs)
+                   .has_value());
 }
 
 TEST(CheckoutTools, OtherToolsThanTheStationsAreErrors) {
@@ -103,11 +104,13 @@ TEST(CheckoutTools, AHandKnowsWhatItTakesOfTheProductsItWasMadeFor) {
   heavy.sku = "heavy";
   heavy.mass_kg = 2;
   const auto& frictions = committed_catalog().frictions;
-  const auto with_cup = taken(episodes::checkout_hand(data_rows(), frictions, {wide, heavy}, "suction"));
+  const auto with_cup =
+      taken(episodes::checkout_hand(data_rows(), frictions, {wide, heavy}, "suction"));
   EXPECT_EQ(with_cup.tools, "suction");
   EXPECT_TRUE(with_cup.takes(wide));
   EXPECT_FALSE(with_cup.takes(heavy));
-  const auto with_fingers = taken(episodes::checkout_hand(data_rows(), frictions, {wide}, "gripper"));
+  const auto with_fingers =
+      taken(episodes::checkout_hand(data_rows(), frictions, {wide}, "gripper"));
   EXPECT_EQ(with_fingers.tools, "") << "episodes of before have none";
   EXPECT_FALSE(with_fingers.takes(wide));
 }
@@ -125,15 +128,14 @@ episodes::EpisodeSpec under_the_lip(const episodes::CheckoutWorld& world,
   const Pose tip = robots::frame_pose(world.robot(),
                                       episodes::ready_state(world.station(), world.robot()),
                                       world.robot().tools.front().frame);
-  const Pose item = tip * Pose{{0, 0, apart_m}, {}} *
-                    inverse(grasps.found.front().grasp.product_from_tool);
+  const Pose item =
+      tip * Pose{{0, 0, apart_m}, {}} * inverse(grasps.found.front().grasp.product_from_tool);
   episodes::EpisodeSpec spec;
   spec.id = "under-the-lip";
   spec.robot = world.station().robot;
   spec.tools = world.station().tools().id;
   spec.limit_s = 60;
-  spec.items = {
-      episodes::EpisodeItem::at(pack.sku, inverse(world.station().basket_pose()) * item)};
+  spec.items = {episodes::EpisodeItem::at(pack.sku, inverse(world.station().basket_pose()) * item)};
   spec.goals = {{pack.sku, 1}};
   return spec;
 }

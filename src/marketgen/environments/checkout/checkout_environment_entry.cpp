@@ -82,11 +82,10 @@ class CheckoutSampling : public EpisodeSampler {
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
     MARKETGEN_TRY(const auto station, episodes::load_checkout_station(arena_.data()));
-    MARKETGEN_TRY(episodes::CheckoutHand hand,
-                  episodes::checkout_hand(arena_.data(),
-                                          arena_.catalog().frictions,
-                                          episodes::store_stock(*scene),
-                                          tools_));
+    MARKETGEN_TRY(
+        episodes::CheckoutHand hand,
+        episodes::checkout_hand(
+            arena_.data(), arena_.catalog().frictions, episodes::store_stock(*scene), tools_));
     return std::unique_ptr<StoreSampler>(std::make_unique<CheckoutStoreSampler>(
         arena_, origin, *scene, station, std::move(hand), split_, instructions_));
   }
@@ -105,12 +104,11 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
       const episodes::EpisodeSpec& spec,
       const std::optional<episodes::Perturbation>& perturbation,
       const episodes::Realism& realism) const override {
-    MARKETGEN_TRY(
-        episodes::CheckoutWorld made,
-        episodes::CheckoutWorld::create(arena.data(),
-                                        arena.catalog().frictions,
-                                        spec.station.value_or(episodes::checkout_station),
-                                        spec.tools));
+    MARKETGEN_TRY(episodes::CheckoutWorld made,
+                  episodes::CheckoutWorld::create(arena.data(),
+                                                  arena.catalog().frictions,
+                                                  spec.station.value_or(episodes::checkout_station),
+                                                  spec.tools));
     auto world = std::make_unique<episodes::CheckoutWorld>(std::move(made));
     MARKETGEN_TRY(auto lane, shared_lane(arena, world->station(), spec));
     MARKETGEN_CHECK(

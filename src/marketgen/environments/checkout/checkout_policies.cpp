@@ -86,13 +86,14 @@ class HeightsPolicy : public WrappedPolicy {
 // Who sees looks for faces between which fingers fit.
 Result<void> check_has_gripper(const episodes::CheckoutWorld& world, const std::string& policy) {
   if (world.robot().tools.front().kind == robots::ToolKind::gripper) return {};
-  return Error{"usage.bad_flag",
-               "--policy",
-               fmt::format("at the counter \"{}\" grasps with a gripper alone, and the episode \"{}\" "
-                           "is for the tools \"{}\": take an oracle, or a policy of your own",
-                           policy,
-                           world.spec().id,
-                           world.station().tools().id)};
+  return Error{
+      "usage.bad_flag",
+      "--policy",
+      fmt::format("at the counter \"{}\" grasps with a gripper alone, and the episode \"{}\" "
+                  "is for the tools \"{}\": take an oracle, or a policy of your own",
+                  policy,
+                  world.spec().id,
+                  world.station().tools().id)};
 }
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 #include "episodes/aisle/aisle_store.h"
 #include "episodes/aisle/studied_grasps.h"
+#include "episodes/cup_commands.h"
 #include "episodes/episode_goods.h"
 #include "episodes/episode_watch.h"
 #include "episodes/perturbation.h"
 #include "episodes/track_world.h"
 #include "motion/collision_world.h"
-#include "episodes/cup_commands.h"
 
 namespace marketgen::episodes {
 

@@ -63,8 +63,8 @@ struct CheckoutHand {
   }
 };
 
-// Of a tool set of Checkout Unloading (the first when `tools` is empty), for these products. Errors:
-// those of load_checkout_station, load_grasp_tool and cup_refusal.
+// Of a tool set of Checkout Unloading (the first when `tools` is empty), for these products.
+// Errors: those of load_checkout_station, load_grasp_tool and cup_refusal.
 Result<CheckoutHand> checkout_hand(const std::filesystem::path& data,
                                    const std::vector<catalog::FrictionRow>& frictions,
                                    const std::vector<catalog::Product>& products,

@@ -33,11 +33,10 @@ class CheckoutWorld : public TrackWorld {
 
   // `lane`: the place of an episode that names one, made for this station; none for others. Errors:
   // catalog.unknown_sku for an item without a row in `products`; robot.unknown when the episode is
-  // for another robot, station or tool set; episode.other_store when it is at another lane; assets.*,
-  // physics.failed.
-  // With a perturbation basket and items come to lie a little elsewhere: each item as far of what
-  // is drawn for it as it meets nothing, all then left to settle; spec() tells where they lie. So
-  // does the basket with what lies in it where the realism displaces it.
+  // for another robot, station or tool set; episode.other_store when it is at another lane;
+  // assets.*, physics.failed. With a perturbation basket and items come to lie a little elsewhere:
+  // each item as far of what is drawn for it as it meets nothing, all then left to settle; spec()
+  // tells where they lie. So does the basket with what lies in it where the realism displaces it.
   Result<void> reset(const EpisodeSpec& spec,
                      const std::vector<catalog::Product>& products,
                      std::shared_ptr<const CheckoutPlace> lane = nullptr,

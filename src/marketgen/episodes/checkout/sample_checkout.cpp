@@ -13,10 +13,10 @@
 namespace marketgen::episodes {
 namespace {
 
-constexpr int max_baskets = 20;     // drawn until enough stays in
+constexpr int max_baskets = 20;      // drawn until enough stays in
 constexpr int max_cup_baskets = 80;  // a cup needs a flat face up, and no finger rights a pack
-constexpr double settle_s = 1.5;    // in the station, with the basket free
-constexpr double still_m_s = 0.01;  // at the end of it
+constexpr double settle_s = 1.5;     // in the station, with the basket free
+constexpr double still_m_s = 0.01;   // at the end of it
 constexpr double max_overlap_m = 0.002;
 // Of the basket's room, what the boxes round all that is poured take up at most: packs lie loose.
 constexpr double max_filled = 0.6;
@@ -196,8 +196,7 @@ class CheckoutSampler {
       order[i] = i;
     Stream draw = seed.child("order").stream();
     draw.shuffle(std::span(order));
-    std::ranges::stable_partition(order,
-                                  [&](std::size_t i) { return !hand_.takes(*drawn[i]); });
+    std::ranges::stable_partition(order, [&](std::size_t i) { return !hand_.takes(*drawn[i]); });
     std::vector<physics::SharedGoodsBody> bulk(drawn.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       MARKETGEN_TRY(bulk[i], physics::goods_body(*drawn[order[i]], physics::GoodsUse::bulk));
