@@ -3,7 +3,7 @@
 #   MuJoCo::MuJoCo  embree::embree  TBB::tbb  Eigen3::Eigen  Cairo::Pango  Fontconfig::Fontconfig  Zint::Zint
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog  tinyxml2::tinyxml2
 #   xsimd::xsimd  squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
-#   PNG::PNG  JPEG::JPEG  TinyEXR::TinyEXR  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
+#   PNG::PNG  ZLIB::ZLIB  JPEG::JPEG  TinyEXR::TinyEXR  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
 #   polyclipping::polyclipping  OpenCV::Imgproc
 #   GTest::gtest  GTest::gtest_main  fcl::fcl (tests)
 #
@@ -48,6 +48,7 @@ marketgen_find(libspdlog-dev spdlog)
 marketgen_find(libtinygltf-dev TinyGLTF)
 marketgen_find(libmeshoptimizer-dev meshoptimizer)
 marketgen_find(libpng-dev PNG)
+marketgen_find(zlib1g-dev ZLIB)
 marketgen_find(libjpeg62-turbo-dev JPEG)
 marketgen_find(libsqlite3-dev SQLite3)
 marketgen_find(libtinyxml2-dev tinyxml2)

@@ -14,7 +14,9 @@
 #include "command.h"
 #include "environments/environment_entry.h"
 #include "episodes/episode_journal.h"
+#include "episodes/frozen_store.h"
 #include "io/file.h"
+#include "io/gzip.h"
 #include "io/json.h"
 #include "io/output.h"
 #include "number_flags.h"
@@ -30,7 +32,7 @@ struct EpisodesFlags {
   std::string track = "checkout", tools, output;
   std::string split = "planned", instructions = "words";
   int count = 10;
-  bool resume = false;
+  bool resume = false, frozen = false;
 };
 
 struct StockedStore {
@@ -270,14 +272,62 @@ void print_drawn(const episodes::EpisodeFile& file) {
   print_shares(*file.header.drawn);
 }
 
+// Gives the episodes their stores' scenes as files beside theirs.
+Result<void> freeze(const EpisodesFlags& flags,
+                    const std::filesystem::path& data,
+                    environments::Arena& arena,
+                    io::Outputs& outputs,
+                    episodes::EpisodeFile& file) {
+  const std::filesystem::path folder = std::filesystem::path(flags.output).parent_path();
+  for (episodes::EpisodeStore& store : file.header.stores) {
+    MARKETGEN_TRY(const auto scene, arena.scene(store.scene_hash));
+    const std::string bytes = episodes::pack_scene(*scene);
+    store.scene = {episodes::frozen_scene_file(store), io::sha256_hex(bytes)};
+    MARKETGEN_CHECK(outputs.put(folder / store.scene->file, bytes));
+  }
+  MARKETGEN_TRY(file.header.rows_hash, episodes::rows_hash(data, file));
+  return {};
+}
+
+std::filesystem::path scenes_folder(const EpisodesFlags& flags) {
+  return std::filesystem::path(flags.output).parent_path() / episodes::scenes_folder;
+}
+
+// What will be written, before any work.
+Result<void> add_outputs(const EpisodesFlags& flags, io::Outputs& outputs) {
+  MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
+  if (!flags.frozen) return {};
+  MARKETGEN_TRY(const auto file, io::LineJournal::place_beside(flags.output));
+  if (!file)
+    return Error{"usage.bad_flag",
+                 "--frozen",
+                 "writes the stores' scenes beside the episodes: name a file with --output"};
+  return outputs.add_folder(scenes_folder(flags));
+}
+
+// Goods of a user's own have meshes, which do not travel with a scene.
+Result<void> check_can_freeze(const EpisodesFlags& flags,
+                              const std::vector<std::shared_ptr<const store::Store>>& stores) {
+  if (!flags.frozen) return {};
+  for (const auto& store : stores)
+    if (store->manifest.own)
+      return Error{"usage.bad_flag",
+                   "--frozen",
+                   fmt::format("{} has goods of your own, which cannot be frozen yet: leave "
+                               "--frozen out, or draw from stores without them",
+                               store->manifest.name)};
+  return {};
+}
+
 Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   io::Outputs outputs;
-  MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
+  MARKETGEN_CHECK(add_outputs(flags, outputs));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
   MARKETGEN_TRY(const store::OpenedStores opened,
                 store::open_stores(flags.folders, std::move(rows)));
+  MARKETGEN_CHECK(check_can_freeze(flags, opened.stores));
   const catalog::Catalog& catalog = opened.catalog;
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
   MARKETGEN_TRY(const episodes::Split split, split_named(flags.split));
@@ -296,7 +346,10 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_TRY(file.episodes, draw(flags, stores, *sampler, journal.get()));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   finish_header(flags, split, stores, file);
-  MARKETGEN_CHECK(outputs.put(flags.output, episodes::write_episodes(file)));
+  if (flags.frozen) MARKETGEN_CHECK(freeze(flags, data, arena, outputs, file));
+  const std::string text = episodes::write_episodes(file);
+  const bool packed = flags.output.ends_with(".gz");
+  MARKETGEN_CHECK(outputs.put(flags.output, packed ? io::gzip(text) : text));
   MARKETGEN_CHECK(outputs.commit());
   if (journal) journal->lines().remove();
   if (flags.common.quiet) return {};
@@ -340,7 +393,15 @@ Run add_episodes(CLI::App& app) {
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(whole_number(1, 100000))
       ->capture_default_str();
-  add_output(*command, "-o,--output", flags->output, "JSON Lines file")->required();
+  add_output(*command,
+             "-o,--output",
+             flags->output,
+             "JSON Lines file; packed with gzip when it ends with .gz")
+      ->required();
+  command->add_flag("--frozen",
+                    flags->frozen,
+                    "also write the stores' scenes, to the folder scenes beside the output: later "
+                    "versions of marketgen then run the episodes in the same stores");
   command->add_flag("--resume", flags->resume, "go on with a draw that was broken off");
   add_common_flags(*command, flags->common, Takes::seed);
   command->footer("Example:  marketgen episodes shop --track checkout --count 20 -o tasks.jsonl");

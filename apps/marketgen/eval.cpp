@@ -30,7 +30,7 @@ struct EvalFlags {
   std::string shard, realism = "ideal";
   int jobs = 0;
   evaluation::AnswerLimits answer{120, 1200};
-  bool resume = false, perception = false, worker = false;
+  bool resume = false, perception = false, worker = false, record_motion = false;
 };
 
 template <class Share>
@@ -135,6 +135,7 @@ Result<evaluation::EvaluationOptions> options_of(const EvalFlags& flags,
   MARKETGEN_TRY(options.realism, episodes::load_realism(data, flags.realism));
   options.jobs = flags.jobs > 0 ? flags.jobs : thread_count();
   options.answer = flags.answer;
+  options.record_motion = flags.record_motion;
   if (!flags.shard.empty()) {
     MARKETGEN_TRY(options.shard, evaluation::read_shard(flags.shard));
   }
@@ -272,6 +273,9 @@ Run add_eval(CLI::App& app) {
   command->add_flag("--perception",
                     flags->perception,
                     "measure masks, recognition and poses of `classical` alone, on the baskets");
+  command->add_flag("--record-motion",
+                    flags->record_motion,
+                    "also keep what moved in each episode, in motion/ID.bin.gz of the results");
   command->add_flag("--resume", flags->resume, "go on with a run that was broken off");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen eval --episodes tasks.jsonl --policy oracle -o results");

@@ -11,10 +11,13 @@
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
+#include "episodes/motion.h"
 #include "episodes/realism.h"
 #include "evaluation/differences_table.h"
+#include "evaluation/generator_table.h"
 #include "evaluation/goals_table.h"
 #include "evaluation/leaderboard.h"
+#include "evaluation/shapes_table.h"
 #include "evaluation/tracks_table.h"
 #include "intake/photos_file.h"
 #include "io/flatbuffer.h"
@@ -76,12 +79,18 @@ std::vector<Document> documents() {
       {"market-tracks-1",
        "Policies on all tracks, beside published scores",
        type_of<evaluation::TracksTable>()},
+      {"market-shapes-1",
+       "Goals by shape, beside published grasps",
+       type_of<evaluation::ShapesTable>()},
       {"market-differences-1",
        "What a change is worth, on the same episodes",
        type_of<evaluation::DifferencesTable>()},
       {"market-goals-1",
        "How much of what stores offer tasks may ask for",
        type_of<evaluation::GoalsTable>()},
+      {"market-generator-1",
+       "What generated stores are worth, beside published generators",
+       type_of<evaluation::GeneratorTable>()},
       {"market-published-1", "Scores that others have published", type_of<evaluation::Published>()},
       {"market-camera-1",
        "Where a picture is taken from, and its lens",
@@ -107,6 +116,9 @@ Result<void> write_schemas(const std::string& root) {
   MARKETGEN_CHECK(
       outputs.put(schemas / "market-scene-1.fbs",
                   io::flatbuffer_schema_of(type_of<scene::Scene>(), scene::scene_file_identifier)));
+  MARKETGEN_CHECK(outputs.put(
+      schemas / "market-motion-1.fbs",
+      io::flatbuffer_schema_of(type_of<episodes::Motion>(), episodes::motion_file_identifier)));
   return outputs.commit();
 }
 

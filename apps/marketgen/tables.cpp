@@ -5,7 +5,9 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "evaluation/differences_table.h"
+#include "evaluation/generator_table.h"
 #include "evaluation/goals_table.h"
+#include "evaluation/shapes_table.h"
 #include "evaluation/tracks_table.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -68,6 +70,25 @@ Result<std::string> goals(const TablesFlags& flags) {
   return text_of(table, flags);
 }
 
+Result<std::string> generator(const TablesFlags& flags) {
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const evaluation::Published published, evaluation::load_published(data));
+  MARKETGEN_TRY(const evaluation::GeneratorTable table,
+                evaluation::generator_table(flags.folders, published));
+  return text_of(table, flags);
+}
+
+Result<std::string> shapes(const TablesFlags& flags) {
+  MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs,
+                evaluation::read_runs(flags.folders));
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const evaluation::Published published, evaluation::load_published(data));
+  MARKETGEN_TRY(const catalog::Catalog rows, load_rows());
+  MARKETGEN_TRY(const evaluation::ShapesTable table,
+                evaluation::shapes_table(runs, rows, published));
+  return text_of(table, flags);
+}
+
 Result<void> print_or_put(const TablesFlags& flags, const Action& action) {
   io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
@@ -86,9 +107,9 @@ Result<void> print_or_put(const TablesFlags& flags, const Action& action) {
 Run add_tables(CLI::App& app) {
   auto flags = std::make_shared<TablesFlags>();
   auto action = std::make_shared<Action>(tracks);
-  CLI::App* command = app.add_subcommand(
-      "tables",
-      "Tables for papers: tracks beside published scores, swaps, realism, what is asked for");
+  CLI::App* command = app.add_subcommand("tables",
+                                         "Tables for papers: tracks and shapes beside published "
+                                         "scores, swaps, realism, what is asked for");
   command->require_subcommand(1);
   const auto add = [&](const char* name,
                        const char* what,
@@ -105,6 +126,9 @@ Run add_tables(CLI::App& app) {
   add("tracks",
       "Policies on all tracks, and what others have published (the paper's table 2)",
       tracks);
+  add("shapes",
+      "Goals by shape (bottles, cans, boxes, bags), and what was published (the paper's table 3)",
+      shapes);
   add("swap",
       "One policy with the truth in the place of modules (eval --truth), beside itself",
       [](const TablesFlags& given) { return differences(given, evaluation::Varied::truth); });
@@ -114,6 +138,10 @@ Run add_tables(CLI::App& app) {
   add("goals",
       "How much of what stores offer tasks may ask for, by track, tool, category, shape, fixture",
       goals,
+      "stores");
+  add("generator",
+      "What generated stores are worth (collisions, floor, wishes, time), and published generators",
+      generator,
       "stores");
   command->footer(
       "Example:  marketgen tables tracks checkout-run aisle-run --format latex -o table.tex");

@@ -24,6 +24,7 @@ void add_renderers(nb::module_& module);
 void add_environments(nb::module_& module);
 void add_evaluations(nb::module_& module);
 void add_rankings(nb::module_& module);
+void add_motions(nb::module_& module);
 void add_program_policies(nb::module_& module);
 
 template <class T>

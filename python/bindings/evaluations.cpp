@@ -1,14 +1,17 @@
 // Evaluations for marketgen/evaluation.py: with the policies of the program, and with Python's.
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <array>
+#include <map>
 
 #include "assets/usable_catalog.h"
 #include "base/parallel.h"
 #include "binding.h"
 #include "environments/policy_name.h"
+#include "episodes/episode_spec.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
 #include "io/file.h"
@@ -42,6 +45,7 @@ void evaluate(const std::string& episodes,
               bool resume,
               int jobs,
               const std::string& shard,
+              bool record_motion,
               const std::vector<std::string>& worker,
               const std::array<double, 3>& limits_s,
               const Callable& progress) {
@@ -49,6 +53,7 @@ void evaluate(const std::string& episodes,
   options.answer = {limits_s[0], limits_s[1]};
   options.start_limit_s = limits_s[2];
   options.worker = worker;
+  options.record_motion = record_motion;
   value_or_raise(environments::read_policy_name(policy));
   value_or_raise(
       telling(progress, [&](Progress& told) -> Result<std::vector<episodes::EpisodeResult>> {
@@ -134,6 +139,14 @@ io::ProcessGroup started(const std::vector<std::string>& command, const std::arr
   return value_or_raise(io::ProcessGroup::start(command, ends));
 }
 
+// By name, the sets of episodes that come with the program.
+std::map<std::string, std::string> episode_sets() {
+  std::map<std::string, std::string> sets;
+  for (const auto& [name, file] : episodes::episode_sets(value_or_raise(io::data_folder())))
+    sets[name] = file.string();
+  return sets;
+}
+
 std::string data_folder_or_raise() {
   return value_or_raise(io::data_folder()).string();
 }
@@ -156,6 +169,7 @@ void add_evaluations(nb::module_& module) {
   module.def("evaluate", &evaluate);
   module.def("evaluate_with", &evaluate_with);
   module.def("serve_episodes", &serve);
+  module.def("episode_sets", &episode_sets);
   module.def("thread_count", &thread_count);
   module.def("data_folder", &data_folder_or_raise);
   module.def("cache_folder", [] { return io::cache_folder().string(); });

@@ -19,5 +19,6 @@ NB_MODULE(_core, module) {
   add_environments(module);
   add_evaluations(module);
   add_rankings(module);
+  add_motions(module);
   add_program_policies(module);
 }

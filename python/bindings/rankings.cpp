@@ -5,9 +5,11 @@
 #include "assets/usable_catalog.h"
 #include "binding.h"
 #include "evaluation/differences_table.h"
+#include "evaluation/generator_table.h"
 #include "evaluation/goals_table.h"
 #include "evaluation/leaderboard_page.h"
 #include "evaluation/merge_runs.h"
+#include "evaluation/shapes_table.h"
 #include "evaluation/tracks_table.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -47,6 +49,19 @@ std::string tracks_table(const std::vector<std::string>& folders) {
   }));
 }
 
+// market-shapes/1.
+std::string shapes_table(const std::vector<std::string>& folders) {
+  return value_or_raise(without_interpreter([&]() -> Result<std::string> {
+    MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs, evaluation::read_runs(folders));
+    MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+    MARKETGEN_TRY(const evaluation::Published published, evaluation::load_published(data));
+    MARKETGEN_TRY(const catalog::Catalog rows, assets::usable_catalog());
+    MARKETGEN_TRY(const evaluation::ShapesTable table,
+                  evaluation::shapes_table(runs, rows, published));
+    return io::write_json(table);
+  }));
+}
+
 std::string differences_table(const std::vector<std::string>& folders, const std::string& varied) {
   return value_or_raise(without_interpreter([&]() -> Result<std::string> {
     MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs, evaluation::read_runs(folders));
@@ -68,14 +83,27 @@ std::string goals_table(const std::vector<std::string>& folders) {
   }));
 }
 
+// market-generator/1 of stores.
+std::string generator_table(const std::vector<std::string>& folders) {
+  return value_or_raise(without_interpreter([&]() -> Result<std::string> {
+    MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+    MARKETGEN_TRY(const evaluation::Published published, evaluation::load_published(data));
+    MARKETGEN_TRY(const evaluation::GeneratorTable table,
+                  evaluation::generator_table(folders, published));
+    return io::write_json(table);
+  }));
+}
+
 }  // namespace
 
 void add_rankings(nb::module_& module) {
   module.def("merge", &merge);
   module.def("leaderboard", &leaderboard);
   module.def("tracks_table", &tracks_table);
+  module.def("shapes_table", &shapes_table);
   module.def("differences_table", &differences_table);
   module.def("goals_table", &goals_table);
+  module.def("generator_table", &generator_table);
 }
 
 }  // namespace marketgen::python

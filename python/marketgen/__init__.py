@@ -18,6 +18,7 @@ from . import _core, policies
 from ._core import __version__
 from .errors import Error, IsolationWarning, StoreWarning
 from .evaluation import Evaluation, Policy, evaluate
+from .motion import read_motion
 from .photos import read_photo
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch
 from .rankings import leaderboard, merge, tables
@@ -54,6 +55,7 @@ __all__ = [
     "merge",
     "open_store",
     "policies",
+    "read_motion",
     "read_photo",
     "render_batch",
     "tables",

@@ -10,6 +10,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from . import _core
 from .errors import Error
 
 PathLike = str | os.PathLike[str]
@@ -35,6 +36,12 @@ def a_path(name: str, value: Any) -> str:
         return os.fsdecode(value)
     except TypeError:
         raise bad(name, value, "a path: str or os.PathLike") from None
+
+
+def episodes_path(name: str, value: Any) -> str:
+    """A whole path: of the file, or of a set that comes with the program, by its name ("pool/aisle")."""
+    path = a_path(name, value)
+    return os.path.abspath(path) if os.path.exists(path) else _core.episode_sets().get(path, os.path.abspath(path))
 
 
 def paths(name: str, values: Any) -> list[str]:

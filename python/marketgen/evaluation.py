@@ -75,6 +75,7 @@ def evaluate(
     start_limit_s: float = 120.0,
     shard: str = "",
     realism: PathLike = "ideal",
+    record_motion: bool = False,
     policy_files: Sequence[PathLike] = (),
     progress: Progress | None = None,
     **options: Unpack[TaskOptions],
@@ -99,6 +100,7 @@ def evaluate(
     shard        "2/4": the second of four parts of the file; merge() joins their results
     realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard" or "hard", or a
                  file of your own that ends with .json. Rankings are meant to use "standard"
+    record_motion  also keep what moved, in motion/ID.bin.gz of the folder (read_motion()); of the program's own policies
     policy_files  files and folders that a policy written in Python reads and writes, as weights and logs. Its process opens
                  these, Python's own files and the folders of its code (sys.path), but no episodes and no stores, and looks
                  into no other process. Where that cannot be had (no Landlock in the kernel, act_limit_s=0) it is an
@@ -111,7 +113,7 @@ def evaluate(
     the reason in `detail`), and the next one follows. An episode that cannot be run is a result with `error`; it counts in no
     share. Ctrl-C keeps what was finished. Raises Error store.exists, io.in_use, episode.*, usage.bad_flag.
     """
-    path = os.path.abspath(arguments.a_path("episodes", episodes))
+    path = arguments.episodes_path("episodes", episodes)
     into = os.path.abspath(arguments.a_path("folder", folder))
     run = _Run(
         into=into,
@@ -124,8 +126,9 @@ def evaluate(
         ),
         shard=arguments.a_text("shard", shard),
         realism=arguments.a_path("realism", realism),
+        record_motion=arguments.a_truth("record_motion", record_motion),
         policy_files=tuple(_existing("policy_files", file) for file in arguments.paths("policy_files", policy_files)),
-        truth=(path, into, _core.cache_folder(), os.path.join(_core.data_folder(), "benchmark", "pool")),
+        truth=(path, into, _core.cache_folder(), *_episode_folders()),
         progress=arguments.a_progress(progress),
     )
     with _read_once(path) as readable:
@@ -140,6 +143,11 @@ def evaluation_in(folder: str) -> Evaluation:
     lines = (pathlib.Path(folder) / "results.jsonl").read_text(encoding="utf-8").splitlines()
     summary = json.loads((pathlib.Path(folder) / "summary.json").read_text(encoding="utf-8"))
     return Evaluation([json.loads(line) for line in lines], summary, folder)
+
+
+def _episode_folders() -> list[str]:
+    """Of the sets that come with the program: data/benchmark has others too, of rows."""
+    return [os.path.dirname(file) for file in _core.episode_sets().values()]
 
 
 def _existing(argument: str, file: str) -> str:
@@ -179,6 +187,7 @@ class _Run:
     limits_s: tuple[float, float, float]  # of computing for one answer, until it is taken to hang, until it is ready
     shard: str  # "" or "2/4"
     realism: str  # a row's name or a file
+    record_motion: bool
     policy_files: tuple[str, ...]
     truth: tuple[str, ...]  # files and folders that no policy may open, wherever they lie
     progress: Progress | None
@@ -196,7 +205,7 @@ def _evaluate_named(path: str, policy: str, run: _Run, options: dict[str, Any]) 
         raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
     worker = _worker_command(policy, run.jobs) if run.acts_apart else []
     _core.evaluate(
-        path, policy, run.realism, run.into, run.resume, run.jobs, run.shard, worker, run.limits_s, run.progress
+        path, policy, run.realism, run.into, run.resume, run.jobs, run.shard, run.record_motion, worker, run.limits_s, run.progress
     )
 
 
@@ -215,6 +224,8 @@ def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any])
     acts = isinstance(policy, PolicyFile) or callable(getattr(policy, "act", None)) or callable(policy)
     if not acts:
         raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
+    if run.record_motion:
+        raise Error("usage.bad_flag", "record_motion", "motion is recorded of the program's own policies alone: leave it out")
     if options.get("segmentation"):
         raise Error("usage.bad_flag", "segmentation", "object numbers are the truth: they are refused in evaluation")
     if options.setdefault("obs_mode", "state_robot") == "state":

@@ -42,17 +42,23 @@ def tables(kind: str, folders: Sequence[PathLike]) -> dict[str, Any]:
     """Results, and what stores give to ask for, in the form that papers print; `marketgen tables` from Python, which also
     writes LaTeX, Markdown and CSV.
 
-    kind     "tracks": policies on all tracks beside published scores; "swap": one policy with the truth in the place of
+    kind     "tracks": policies on all tracks beside published scores; "shapes": goals by shape (bottles, cans, boxes, bags) beside
+             published grasps; "swap": one policy with the truth in the place of
              modules (evaluate("classical+target")) beside itself; "realism": one policy at several levels beside itself at ideal;
-             "goals": how much of what stores offer tasks may ask for, and why not the rest
-    folders  of evaluate() or merge(), complete ones only; for "goals" stores
+             "goals": how much of what stores offer tasks may ask for, and why not the rest; "generator": what stores are worth
+             (collisions, floor, wishes met, time) beside published generators
+    folders  of evaluate() or merge(), complete ones only; for "goals" and "generator" stores
 
-    Returns a market-tracks/1, market-differences/1 or market-goals/1. Raises Error results.*, store.*, io.*, json.*.
+    Returns a market-tracks/1, market-shapes/1, market-differences/1, market-goals/1 or market-generator/1. Raises Error results.*, store.*, io.*, json.*.
     """
-    chosen = arguments.a_name("kind", kind, ("tracks", "swap", "realism", "goals"))
+    chosen = arguments.a_name("kind", kind, ("tracks", "shapes", "swap", "realism", "goals", "generator"))
     named = arguments.paths("folders", folders)
     if chosen == "tracks":
         return json.loads(_core.tracks_table(named))
+    if chosen == "shapes":
+        return json.loads(_core.shapes_table(named))
+    if chosen == "generator":
+        return json.loads(_core.generator_table(named))
     if chosen == "goals":
         return json.loads(_core.goals_table(named))
     return json.loads(_core.differences_table(named, "truth" if chosen == "swap" else "realism"))

@@ -415,5 +415,40 @@ TEST_F(ShortEvaluation, ReplayLooksAtTheResultsFirst) {
   EXPECT_NE(edited.err.find("has changed since"), std::string::npos) << edited.err;
 }
 
+// The whole set may be moved; the scene that a lane needs is opened from it.
+TEST(FrozenEvaluation, RunsWhereTheSetLies) {
+  const ScratchFolder scratch;
+  const fs::path drawn = scratch.path() / "drawn", moved = scratch.path() / "moved";
+  const auto draw = [&](const std::string& output) {
+    return marketgen_run({"episodes",
+                          small_store().string(),
+                          "--count",
+                          "1",
+                          "--seed",
+                          "2",
+                          "--quiet",
+                          "--frozen",
+                          "-o",
+                          output});
+  };
+  const Ran made = draw((drawn / "tasks.jsonl.gz").string());
+  ASSERT_EQ(made.status, 0) << made.err;
+  fs::rename(drawn, moved);
+  const Ran ran = marketgen_run({"eval",
+                                 "--episodes",
+                                 (moved / "tasks.jsonl.gz").string(),
+                                 "--policy",
+                                 "stop",
+                                 "--quiet",
+                                 "-o",
+                                 (scratch.path() / "run").string()});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(rows_in(scratch.path() / "run" / "results.jsonl").size(), 1U);
+  const Ran piped = draw("/dev/stdout");
+  EXPECT_EQ(piped.status, 2);
+  EXPECT_NE(piped.err.find("--frozen: writes the stores' scenes beside"), std::string::npos)
+      << piped.err;
+}
+
 }  // namespace
 }  // namespace marketgen

@@ -77,7 +77,11 @@ CALLS = {
         lambda on: on.store.edit(patches=[{"set_look": {"floor": object()}}]),
         lambda on: on.store.edit(patches=[{"swop_leaves": {}}]),
     ],
-    "path": [lambda on: marketgen.read_photo(5)],
+    "path": [lambda on: marketgen.read_photo(5), lambda on: marketgen.read_motion(5)],
+    "record_motion": [
+        lambda on: marketgen.evaluate(on.tasks, record_motion="yes", folder=on.folder),
+        lambda on: marketgen.evaluate(on.tasks, lambda seen: None, record_motion=True, folder=on.folder),
+    ],
     "table": [lambda on: on.store.query("produce"), lambda on: on.store.query(3)],
     "where": [
         lambda on: on.store.query("products", 3),
@@ -199,7 +203,7 @@ def test_every_public_function_is_tried_above():
     import inspect
 
     functions = [marketgen.generate, marketgen.open_store, marketgen.read_photo, marketgen.evaluate, marketgen.render_batch]
-    functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables]
+    functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables, marketgen.read_motion]
     functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py

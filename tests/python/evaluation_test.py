@@ -4,6 +4,7 @@ import json
 import subprocess
 
 import gymnasium
+import numpy as np
 import pytest
 
 import marketgen
@@ -48,6 +49,30 @@ def test_shards_are_joined_and_ranked(tasks, tmp_path):
     with pytest.raises(marketgen.Error) as refused:
         marketgen.tables("swap", [joined.folder])
     assert refused.value.code == "usage.bad_flag"
+
+
+@pytest.mark.parametrize("act_limit_s", [0, 120])
+def test_motion_is_what_became_of_it(tasks, tmp_path, act_limit_s):
+    scores = marketgen.evaluate(tasks, "random", tmp_path, record_motion=True, act_limit_s=act_limit_s)
+    for result in scores.results:
+        motion = marketgen.read_motion(tmp_path / "motion" / (result["episode"] + ".bin.gz"))
+        assert motion["episode_hash"] == result["episode_hash"] and motion["policy"] == "random"
+        assert motion["states"].shape == (result["steps"] + 1, len(motion["dofs"]))
+        assert motion["states"].dtype == np.float32 and np.isfinite(motion["states"]).all()
+        assert np.ptp(motion["states"], axis=0).max() > 0.01
+        kinds = [thing["kind"] for thing in motion["things"]]
+        assert kinds.count("basket") == 1 and kinds.count("item") >= 1
+        for thing in motion["things"]:
+            assert thing["poses"].shape == (len(thing["steps"]), 7) and thing["steps"][-1] <= result["steps"]
+            assert np.allclose(np.linalg.norm(thing["poses"][:, 3:], axis=1), 1, atol=1e-5)
+    with pytest.raises(marketgen.Error) as refused:
+        marketgen.read_motion(tmp_path / "results.jsonl")
+    assert refused.value.code == "input.malformed"
+
+
+def test_sets_are_named(tmp_path):
+    scores = marketgen.evaluate("pool/checkout", policies.StopsAtOnce, tmp_path, shard="1/20")
+    assert len(scores.results) == 2
 
 
 @pytest.mark.parametrize("act_limit_s", [0, 120])

@@ -12,7 +12,7 @@ import numpy as np
 from gymnasium import spaces
 
 from .. import _core
-from ..arguments import Progress, a_name, a_path, a_progress
+from ..arguments import Progress, a_name, a_path, a_progress, episodes_path
 from ..store import Store, open_store
 from .observations import Observations
 
@@ -109,7 +109,7 @@ def ground_of(track: Track, store: StoreLike | None, episodes: str | os.PathLike
         return _core.ground_of_store((store if isinstance(store, Store) else open_store(store))._handle)
     if store is not None:
         raise _core.Error("usage.bad_flag", "store", "an episodes file has its stores in it: give one of the two")
-    path = os.path.abspath(os.fspath(episodes))
+    path = episodes_path("episodes", episodes)
     try:
         about = os.stat(path)
     except OSError as fault:

@@ -9,6 +9,7 @@
 #include "environments/policy_name.h"
 #include "environments/track_policies.h"
 #include "episodes/episode_origin.h"
+#include "episodes/frozen_store.h"
 #include "oracle/oracle_search.h"
 #include "policy/floor_policies.h"
 
@@ -16,7 +17,7 @@ namespace marketgen::environments {
 
 episodes::EpisodeStore store_row(const store::Store& store) {
   const store::Manifest& m = store.manifest;
-  return {m.name, m.scene_hash, episodes::plan_hash(store.plan), m.seed, store.plan, {}, m.own};
+  return {m.name, m.scene_hash, episodes::plan_hash(store.plan), m.seed, store.plan, {}, m.own, {}};
 }
 
 void Arena::offer(std::shared_ptr<const store::Store> store) {
@@ -34,6 +35,7 @@ Result<std::shared_ptr<const scene::Scene>> Arena::scene(const std::string& scen
       std::ranges::find(header_.stores, scene_hash, &episodes::EpisodeStore::scene_hash);
   if (row == header_.stores.end())
     return Error{"episode.other_store", scene_hash, "the header has no store of this scene"};
+  if (row->scene) return episodes::open_frozen_scene(*row);
   MARKETGEN_TRY(scene::Scene scene,
                 row->own
                     ? store::scene_of_plan(

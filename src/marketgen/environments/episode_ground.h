@@ -40,8 +40,9 @@ class EpisodeGround {
   const std::vector<catalog::Product>& products() const { return file_.header.products; }
   const std::filesystem::path& data() const { return data_; }
   const catalog::Catalog& catalog() const { return *catalog_; }
-  // The catalogue as agents know it, whatever their episode is about: the program's rows and those
-  // of the user's own that the stores were made with, sorted by SKU.
+  // The catalogue as agents know it, whatever their episode is about: the rows of a file's
+  // episodes, the program's and those of the user's own that the stores were made with, sorted by
+  // SKU.
   std::vector<catalog::Product> known_products() const;
 
   // A file's: number `seed` of those of the track, round and round. A store's: drawn from the seed,

@@ -60,6 +60,28 @@ std::optional<Break> act_out(EpisodeRun& run, agent::Policy& policy, EpisodeWatc
 
 }  // namespace
 
+Result<void> EpisodeWatchers::begin(const episodes::TrackWorld& world) {
+  for (EpisodeWatcher* watcher : watchers_)
+    MARKETGEN_CHECK(watcher->begin(world));
+  return {};
+}
+
+Result<void> EpisodeWatchers::step() {
+  for (EpisodeWatcher* watcher : watchers_)
+    MARKETGEN_CHECK(watcher->step());
+  return {};
+}
+
+void EpisodeWatchers::asks() {
+  for (EpisodeWatcher* watcher : watchers_)
+    watcher->asks();
+}
+
+void EpisodeWatchers::answered() {
+  for (EpisodeWatcher* watcher : watchers_)
+    watcher->answered();
+}
+
 agent::Task task_of(const episodes::EpisodeSpec& spec) {
   agent::Task task{spec.instruction, spec.limit_s};
   for (const episodes::ToldGoal& goal : episodes::told_goals(spec))

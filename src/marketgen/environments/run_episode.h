@@ -2,6 +2,8 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "environments/arena.h"
 #include "episodes/episode_end.h"
@@ -19,6 +21,20 @@ class EpisodeWatcher {
   virtual Result<void> step() = 0;             // after every control step
   virtual void asks() {}                       // before the policy is asked
   virtual void answered() {}                   // it has answered, or failed
+};
+
+// Several that look on, in their order; none of them is null.
+class EpisodeWatchers : public EpisodeWatcher {
+ public:
+  explicit EpisodeWatchers(std::vector<EpisodeWatcher*> watchers)
+      : watchers_(std::move(watchers)) {}
+  Result<void> begin(const episodes::TrackWorld& world) override;
+  Result<void> step() override;
+  void asks() override;
+  void answered() override;
+
+ private:
+  std::vector<EpisodeWatcher*> watchers_;
 };
 
 // What the policy is told before it begins.

@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -164,13 +165,22 @@ struct EpisodeExclusions {
             at_most_items(1000)));
 };
 
+// The store's scene as a file beside the episodes (episodes/frozen_store.h).
+struct FrozenScene {
+  std::string file, sha256;
+  static constexpr auto fields = field_list(
+      field("file", &FrozenScene::file, "below the folder of the episodes' file", required()),
+      field("sha256", &FrozenScene::sha256, "of its bytes", required()));
+};
+
 struct EpisodeStore {
   std::string name, scene_hash, plan_hash;
   std::uint64_t seed = 0;
   plan::Plan plan;
   EpisodeExclusions exclusions = {};
   std::optional<std::vector<catalog::Product>> own =
-      {};  // rows of the user's own that it was made with
+      {};                                 // rows of the user's own that it was made with
+  std::optional<FrozenScene> scene = {};  // of frozen episodes; read: with the file's whole path
   static constexpr auto fields =
       field_list(field("name", &EpisodeStore::name, "the store's name", required()),
                  field("scene_hash", &EpisodeStore::scene_hash, "of its scene", required()),
@@ -178,7 +188,10 @@ struct EpisodeStore {
                  field("seed", &EpisodeStore::seed, "with which it was made"),
                  field("plan", &EpisodeStore::plan, "what the store is", required()),
                  field("exclusions", &EpisodeStore::exclusions, "what no task asks for"),
-                 field("own", &EpisodeStore::own, "rows of the user's own that it was made with"));
+                 field("own", &EpisodeStore::own, "rows of the user's own that it was made with"),
+                 field("scene",
+                       &EpisodeStore::scene,
+                       "of frozen episodes: it is opened rather than made again from the plan"));
 };
 
 struct EpisodeHeader {
@@ -189,6 +202,7 @@ struct EpisodeHeader {
   std::optional<DrawShares> drawn = {};
   std::vector<EpisodeStore> stores;
   std::vector<catalog::Product> products;
+  std::optional<std::string> rows_hash = {};  // of frozen episodes
   static constexpr auto fields = field_list(
       field("schema", &EpisodeHeader::schema, "schema tag", constant("market-episodes/1")),
       field("seed", &EpisodeHeader::seed, "with which they were drawn"),
@@ -196,7 +210,11 @@ struct EpisodeHeader {
       field("split", &EpisodeHeader::split, "what every episode of the file was shown to be"),
       field("drawn", &EpisodeHeader::drawn, "how many were drawn for these, and why others not"),
       field("stores", &EpisodeHeader::stores, "where the goods are from"),
-      field("products", &EpisodeHeader::products, "rows of what lies in the baskets"));
+      field("products", &EpisodeHeader::products, "rows of what lies in the baskets"),
+      field("rows_hash",
+            &EpisodeHeader::rows_hash,
+            "of frozen episodes: over the rows of stations, robots and friction that they were "
+            "drawn with"));
 };
 
 struct EpisodeFile {
@@ -215,7 +233,13 @@ std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec);
 // Errors: of read_json, at "FILE:LINE"; episode.truncated when lines are missing or the last one
 // breaks off; those of check_episodes (episodes/check_episodes.h).
 Result<EpisodeFile> read_episodes(std::string_view text, const std::string& source);
-// "-": standard input. Errors: those of read_file, read_episodes, data_folder and check_robots.
+// The sets of episodes below `data`/benchmark, by name: "pool/aisle" for pool/aisle.jsonl, packed
+// or not.
+std::map<std::string, std::filesystem::path> episode_sets(const std::filesystem::path& data);
+
+// A file, packed with gzip or not, "-" for standard input, or where there is no such file the name
+// of a set of data/benchmark: v1/checkout. Errors: those of read_file, gunzip, read_episodes,
+// data_folder, check_robots and check_frozen; input.not_found, which lists the sets there are.
 Result<EpisodeFile> read_episode_file(const std::filesystem::path& file);
 std::string write_episodes(const EpisodeFile& file);
 

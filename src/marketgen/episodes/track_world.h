@@ -10,6 +10,7 @@
 #include "agent/policy.h"
 #include "episodes/command_link.h"
 #include "episodes/episode_result.h"
+#include "episodes/moved_thing.h"
 #include "episodes/realism.h"
 #include "episodes/robot_senses.h"
 #include "physics/world/robot_controller.h"
@@ -84,6 +85,12 @@ class TrackWorld {
   virtual const mjModel_& model() const = 0;
   virtual const mjData_& data() const = 0;
   virtual AnyWorld any() const = 0;
+  // Items and baskets, and the products of its place that were moved at some time, as they are now.
+  virtual std::vector<MovedThing> things() const = 0;
+  // Of doors, drawers and belts of its place: World::joint_positions().
+  virtual std::vector<double> joint_positions() const = 0;
+  // The frame of robot_state(): the robot's row, in the frame of the store.
+  virtual Pose store_from_robot() const = 0;
   // Of the episode that runs; the world must outlive it. Errors: those of Renderer::create.
   virtual Result<std::unique_ptr<TrackView>> open_view() const = 0;
 

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
-#include "environments/run_episode.h"
 #include "episodes/episode_spec.h"
+#include "evaluation/motion_recorder.h"
 #include "io/json.h"
 
 namespace marketgen::evaluation {
@@ -85,7 +85,7 @@ Result<void> serve_episodes(const std::filesystem::path& data,
                   io::read_json<episodes::EpisodeSpec>(*line, told));
     std::optional<Result<episodes::EpisodeResult>> result;
     parallel_for(1, [&](std::size_t) {
-      result = environments::run_episode(arena, spec, policy, &report, {}, task.realism);
+      result = run_recorded(arena, spec, policy, task.realism, task.motion, &report);
     });
     if (result->ok()) {
       report.say("result " + io::write_json_line(**result));

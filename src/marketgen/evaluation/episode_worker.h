@@ -27,9 +27,11 @@ namespace marketgen::evaluation {
 struct WorkerTask {
   episodes::EpisodeHeader header;  // of their file
   episodes::Realism realism;
+  std::string motion;  // folder of results that keeps what moved; empty: nothing is kept
   static constexpr auto fields =
       field_list(field("header", &WorkerTask::header, "of the episodes' file", required()),
-                 field("realism", &WorkerTask::realism, "that they are run with", required()));
+                 field("realism", &WorkerTask::realism, "that they are run with", required()),
+                 field("motion", &WorkerTask::motion, "folder of results that keeps what moved"));
 };
 
 // Returns when standard input ends. Errors: those of read_json; io.cannot_write when nobody listens

@@ -13,8 +13,8 @@
 #include "base/call_interrupt.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
-#include "environments/run_episode.h"
 #include "evaluation/episode_worker.h"
+#include "evaluation/motion_recorder.h"
 #include "io/json.h"
 
 namespace marketgen::evaluation {
@@ -31,14 +31,19 @@ episodes::EpisodeResult not_run(const episodes::EpisodeSpec& spec,
   return result;
 }
 
+// Whole, for workers; none when no motion is kept.
+std::filesystem::path motion_folder(const EvaluationOptions& options) {
+  return options.record_motion ? std::filesystem::absolute(options.folder)
+                               : std::filesystem::path();
+}
+
 // In this process, rounding as every parallel loop does.
 EpisodeRunner runner_here(environments::Arena& arena, const EvaluationOptions& options) {
   return [&arena, &options](const episodes::EpisodeSpec& spec) {
     std::optional<Result<episodes::EpisodeResult>> result;
     return until_interrupted([&]() -> Result<episodes::EpisodeResult> {
       parallel_for(1, [&](std::size_t) {
-        result =
-            environments::run_episode(arena, spec, options.policy, nullptr, {}, options.realism);
+        result = run_recorded(arena, spec, options.policy, options.realism, motion_folder(options));
       });
       return *std::move(result);
     });
@@ -168,7 +173,8 @@ Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::pat
                                                       const EvaluationOptions& options,
                                                       Progress& progress) {
   environments::Arena arena(data, file.header, catalog);
-  const std::string work = io::write_json_line(WorkerTask{file.header, options.realism});
+  const std::string work = io::write_json_line(
+      WorkerTask{file.header, options.realism, motion_folder(options).string()});
   const auto make_runner = [&] {
     return options.worker.empty() ? runner_here(arena, options) : runner_in_worker(options, work);
   };

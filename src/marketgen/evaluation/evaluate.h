@@ -26,6 +26,7 @@ struct EvaluationOptions {
   double start_limit_s = 120;  // of wall time until a worker is ready; 0 = none
   Shard shard = {};            // which of the episodes are run
   episodes::Realism realism = {};
+  bool record_motion = false;  // motion/ID.bin.gz of each episode that is run (motion_recorder.h)
 };
 
 // Each finished episode is a line of results.jsonl at once; at the end the lines are in the order

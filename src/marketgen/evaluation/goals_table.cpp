@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "base/build_info.h"
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "environments/environment_entry.h"
 #include "episodes/track_entry.h"
@@ -52,6 +53,14 @@ Result<Chances> chances_in(const StoreOffer& offer, environments::EpisodeSampler
     chances.push_back(chance->value());
   }
   return chances;
+}
+
+Result<void> add_chances(std::vector<StoreOffer>& offers, environments::EpisodeSampler& sampler) {
+  for (StoreOffer& offer : offers) {
+    MARKETGEN_TRY(Chances found, chances_in(offer, sampler));
+    offer.chances.push_back(std::move(found));
+  }
+  return {};
 }
 
 // Whether it is taken off one of these fixtures.
@@ -186,11 +195,10 @@ Result<GoalsTable> goals_table(const store::OpenedStores& opened,
   for (const GoalVariant& variant : variants) {
     const auto& entry = environments::environment_entry_of(variant.track);
     MARKETGEN_TRY(const auto sampler, entry.sampler(arena, variant.tools));
-    for (StoreOffer& offer : offers) {
-      MARKETGEN_TRY(Chances found, chances_in(offer, *sampler));
-      offer.chances.push_back(std::move(found));
-    }
+    const Result<void> added = until_interrupted([&] { return add_chances(offers, *sampler); });
+    const NoForcedEnd keeping;  // what was studied until then
     MARKETGEN_CHECK(sampler->keep());
+    MARKETGEN_CHECK(added);
   }
   GoalCount count(std::move(variants));
   for (const StoreOffer& offer : offers)

@@ -37,14 +37,46 @@ struct PublishedPolicy {
                  field("source", &PublishedPolicy::source, "keys, by blanks", required()));
 };
 
+// Shares of tries at which one grasp model took up products of four shapes.
+struct PublishedShapes {
+  std::string place;  // "simulation", "real robot"
+  int tries = 0;
+  double bottles = 0, cans = 0, boxes = 0, bags = 0;
+  std::string source;
+  static constexpr auto fields = field_list(
+      field("place", &PublishedShapes::place, "where it was tried", required()),
+      field("tries", &PublishedShapes::tries, "of each shape", required(), range(1, 1e6)),
+      field("bottles", &PublishedShapes::bottles, "share that succeeded", range(0, 1)),
+      field("cans", &PublishedShapes::cans, "share that succeeded", range(0, 1)),
+      field("boxes", &PublishedShapes::boxes, "share that succeeded", range(0, 1)),
+      field("bags", &PublishedShapes::bags, "share that succeeded", range(0, 1)),
+      field("source", &PublishedShapes::source, "keys, by blanks", required()));
+};
+
+// What a generator of scenes was measured at, by itself or by others.
+struct PublishedGenerator {
+  std::string generator, metric;  // a metric of market-generator/1
+  double value = 0;
+  std::string source;
+  static constexpr auto fields =
+      field_list(field("generator", &PublishedGenerator::generator, "its name", required()),
+                 field("metric", &PublishedGenerator::metric, "of market-generator/1", required()),
+                 field("value", &PublishedGenerator::value, "in the metric's unit", required()),
+                 field("source", &PublishedGenerator::source, "keys, by blanks", required()));
+};
+
 struct Published {
   std::string schema = "market-published/1";
   std::vector<robots::SourceRow> sources;
   std::vector<PublishedPolicy> policies;
+  std::vector<PublishedShapes> shapes;
+  std::vector<PublishedGenerator> generators;
   static constexpr auto fields =
       field_list(field("schema", &Published::schema, "schema tag", constant("market-published/1")),
                  field("sources", &Published::sources, "where the figures are from"),
-                 field("policies", &Published::policies, "that were scored"));
+                 field("policies", &Published::policies, "that were scored"),
+                 field("shapes", &Published::shapes, "grasps by shape"),
+                 field("generators", &Published::generators, "of scenes"));
 };
 
 // `data`: usually data_folder(). Errors: io.*; those of read_json; catalog.bad_row for a source

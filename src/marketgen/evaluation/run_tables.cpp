@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "evaluation/evaluation_summary.h"
+#include "evaluation/goods_rows.h"
 #include "evaluation/leaderboard_page.h"
 #include "evaluation/store_bootstrap.h"
 
@@ -107,34 +106,6 @@ std::string marks_of(const episodes::EpisodeResult& result, double px_a_s, int t
 }
 
 // ---- Goods. ----
-struct GoodsRow {
-  int asked = 0, reached = 0;
-  std::set<std::string> skus;
-  std::vector<ScoredEpisode> scores;  // one a goal
-};
-
-using NameOfGoods = std::function<std::string(const catalog::Product&)>;
-
-std::map<std::string, GoodsRow> goods_rows(const std::vector<episodes::EpisodeResult>& results,
-                                           const catalog::Catalog& catalog,
-                                           const NameOfGoods& name) {
-  std::map<std::string, GoodsRow> rows;
-  for (const episodes::EpisodeResult& result : results) {
-    if (!result.error.empty()) continue;
-    for (const episodes::GoalOutcome& goal : result.goals) {
-      const catalog::Product* product = catalog.product(goal.sku);
-      GoodsRow& row = rows[product == nullptr ? "unknown" : name(*product)];
-      const int reached = std::min(goal.reached, goal.count);
-      row.asked += goal.count;
-      row.reached += reached;
-      row.skus.insert(goal.sku);
-      row.scores.push_back(
-          {store_of(result), static_cast<double>(reached), static_cast<double>(goal.count)});
-    }
-  }
-  return rows;
-}
-
 std::string goods_table(std::string_view title, const std::map<std::string, GoodsRow>& rows) {
   std::string out = fmt::format(
       "<table><tr><th>{}</th><th>in place, percent</th><th>of "

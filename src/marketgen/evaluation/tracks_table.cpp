@@ -7,15 +7,10 @@
 
 #include "environments/policy_name.h"
 #include "evaluation/evaluation_summary.h"
-#include "evaluation/leaderboard_page.h"
 #include "evaluation/same_runs.h"
 
 namespace marketgen::evaluation {
 namespace {
-
-Figure figure_of(const Estimate& estimate) {
-  return {estimate.value, estimate.low, estimate.high};
-}
 
 TrackFigures figures_of(const std::vector<episodes::EpisodeResult>& results,
                         episodes::Track track) {
@@ -111,12 +106,6 @@ double rank(const TracksRow& row) {
 }
 
 // ---- As text ----
-
-std::string percent(const std::optional<Figure>& figure) {
-  if (!figure) return "";
-  if (!figure->low || !figure->high) return fmt::format("{:.2f}", 100 * figure->value);
-  return percent_with_interval(figure->value, *figure->low, *figure->high);
-}
 
 std::string metres(const std::optional<Figure>& figure) {
   if (!figure) return "";

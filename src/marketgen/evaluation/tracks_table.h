@@ -7,20 +7,12 @@
 
 #include "base/fields.h"
 #include "base/result.h"
+#include "evaluation/figure.h"
 #include "evaluation/finished_run.h"
 #include "evaluation/published.h"
 #include "evaluation/text_table.h"
 
 namespace marketgen::evaluation {
-
-// A figure; without an interval where none was published.
-struct Figure {
-  double value = 0;
-  std::optional<double> low = {}, high = {};
-  static constexpr auto fields = field_list(field("value", &Figure::value, "as measured"),
-                                            field("low", &Figure::low, "95 % interval"),
-                                            field("high", &Figure::high, "95 % interval"));
-};
 
 struct TrackFigures {
   episodes::Track track = episodes::Track::checkout;

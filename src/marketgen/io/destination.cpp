@@ -254,6 +254,10 @@ int MadeFolders::make(const fs::path& folder) {
   return 0;
 }
 
+bool is_own_descriptor(const fs::path& followed) {
+  return own_descriptor(followed) >= 0;
+}
+
 Result<fs::path> followed(const fs::path& path) {
   MARKETGEN_TRY(fs::path target, absolute_path(path));
   for (int links = 0; links < max_links; ++links) {

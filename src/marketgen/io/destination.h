@@ -54,6 +54,10 @@ struct Destination {
 // all; io.cannot_write when the working folder is gone or links lead in a circle.
 Result<std::filesystem::path> followed(const std::filesystem::path& path);
 
+// Whether what followed() gave stands for a descriptor that this process has open: it may be a
+// file, but has no place to put another beside it.
+bool is_own_descriptor(const std::filesystem::path& followed);
+
 // Parses and probes `path`; folders above it that are missing are made, and given to `made`.
 // Errors: as followed(); io.cannot_write for what is a folder, write-protected, or in a folder in
 // which nothing can be made.

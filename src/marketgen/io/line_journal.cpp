@@ -24,6 +24,7 @@ struct JournalHead {
 Result<std::optional<std::filesystem::path>> LineJournal::place_beside(
     const std::filesystem::path& output) {
   MARKETGEN_TRY(std::filesystem::path file, followed(output));
+  if (is_own_descriptor(file)) return std::optional<std::filesystem::path>();
   std::error_code failed;
   if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed))
     return std::optional<std::filesystem::path>();

@@ -17,8 +17,8 @@ namespace marketgen::io {
 // Any number of threads may keep lines at once.
 class LineJournal {
  public:
-  // Where the journal of an output lies: OUTPUT.unfinished; none when the output is a device or
-  // pipe. Errors: those of followed().
+  // Where the journal of an output lies: OUTPUT.unfinished; none when the output is a device, a
+  // pipe or an open descriptor. Errors: those of followed().
   static Result<std::optional<std::filesystem::path>> place_beside(
       const std::filesystem::path& output);
 

@@ -332,8 +332,10 @@ TEST_F(Cheats, RestoringAMomentHidesNoHarm) {
   const std::string start = world_->save(), start_hash = world_->state_hash();
   Waypoints policy(world_->robot(), ramming());
   ASSERT_TRUE(policy.begin({}, world_->observe()).ok());
-  for (agent::Action action; !action.stop; action = policy.act(world_->observe()).value())
-    if (!action.position.empty()) ASSERT_TRUE(world_->step(action).ok());
+  for (agent::Action action; !action.stop; action = policy.act(world_->observe()).value()) {
+    if (action.position.empty()) continue;
+    ASSERT_TRUE(world_->step(action).ok());
+  }
   const std::string harmed = world_->save();
   const episodes::EpisodeResult once = world_->finish().value();
   ASSERT_FALSE(episodes::is_clean(once.side_effects));

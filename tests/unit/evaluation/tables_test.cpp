@@ -5,9 +5,11 @@
 
 #include "evaluation/differences_table.h"
 #include "evaluation/paired_tests.h"
+#include "evaluation/shapes_table.h"
 #include "evaluation/tracks_table.h"
 #include "io/csv.h"
 #include "io/file.h"
+#include "support/committed_catalog.h"
 
 namespace marketgen {
 namespace {
@@ -158,6 +160,70 @@ TEST(TextTable, IsWrittenForPeopleAndPapers) {
   ASSERT_TRUE(rows.ok());
   ASSERT_EQ(rows->size(), 3U);
   EXPECT_EQ((*rows)[1].fields[1], "1.0 (0.5, 2)");
+}
+
+// ---- Shapes ----
+
+TEST(PackShape, IsWhatPeopleCallTheContainer) {
+  using enum evaluation::PackShape;
+  EXPECT_EQ(evaluation::pack_shape("wine_bottle"), bottles);
+  EXPECT_EQ(evaluation::pack_shape("food_tin"), cans);
+  EXPECT_EQ(evaluation::pack_shape("gable_carton"), boxes);
+  EXPECT_EQ(evaluation::pack_shape("pillow_bag"), bags);
+  EXPECT_FALSE(evaluation::pack_shape("jar").has_value());
+  EXPECT_FALSE(evaluation::pack_shape("aerosol").has_value());
+}
+
+TEST(Correlation, HasKnownValues) {
+  const std::vector<double> sim{0.55, 0.45, 0.25, 0}, real{0.5, 0.45, 0.15, 0};
+  // NumPy 2: numpy.corrcoef(sim, real)[0, 1]
+  EXPECT_NEAR(evaluation::pearson(sim, real).value(), 0.9804, 1e-4);
+  EXPECT_DOUBLE_EQ(evaluation::mean_max_rank_violation(real, sim), 0);
+  const std::vector<double> swapped{0.45, 0.5, 0.15, 0};  // the first two, 0.05 apart
+  EXPECT_NEAR(evaluation::mean_max_rank_violation(real, swapped), 0.025, 1e-12);
+  const std::vector<double> flat(4, 0.3);
+  EXPECT_FALSE(evaluation::pearson(real, flat).has_value());
+  EXPECT_FALSE(evaluation::pearson(std::vector{1.0}, std::vector{1.0}).has_value());
+}
+
+// The first products of the catalogue that have a shape.
+std::string sku_of(evaluation::PackShape shape) {
+  for (const catalog::Product& product : committed_catalog().products)
+    if (evaluation::pack_shape(product.archetype) == shape) return product.sku;
+  return "";
+}
+
+TEST(ShapesTable, CountsTriesByShapeBesideWhatIsPublished) {
+  using enum episodes::Track;
+  FinishedRun far = run_of(aisle, "ours", "1101"), near = run_of(checkout, "ours", "0100");
+  for (std::size_t i = 0; i < 4; ++i) {
+    far.results[i].goals[0].sku = sku_of(static_cast<evaluation::PackShape>(i));
+    near.results[i].goals[0].sku = sku_of(evaluation::PackShape::cans);
+  }
+  const auto table = evaluation::shapes_table({far, near}, committed_catalog(), paper());
+  ASSERT_TRUE(table.ok()) << to_string(table.error());
+  ASSERT_EQ(table->rows.size(), 3U);
+  const evaluation::ShapesRow& ours = table->rows[0];
+  EXPECT_EQ(ours.who, "ours");
+  ASSERT_EQ(ours.shapes.size(), 4U);
+  EXPECT_EQ(ours.shapes[1].tries, 5);
+  EXPECT_DOUBLE_EQ(ours.shapes[1].share.value, 0.4);
+  EXPECT_DOUBLE_EQ(ours.shapes[2].share.value, 0);
+  EXPECT_EQ(ours.agreement.size(), 2U);
+  ASSERT_EQ(table->rows[1].agreement.size(), 1U) << "not with itself";
+  EXPECT_NEAR(table->rows[1].agreement[0].pearson.value(), 0.9804, 1e-4);
+  const std::string text =
+      evaluation::written(evaluation::text_of(*table), evaluation::TableFormat::text);
+  EXPECT_NE(text.find("of 20"), std::string::npos) << text;
+}
+
+TEST(ShapesTable, ShapesThatWereNotTriedAreLeftOut) {
+  const FinishedRun run = run_of(episodes::Track::aisle, "ours", "10");
+  const auto table = evaluation::shapes_table({run}, committed_catalog(), paper());
+  ASSERT_TRUE(table.ok()) << to_string(table.error());
+  EXPECT_LE(table->rows[0].shapes.size(), 1U);
+  EXPECT_EQ(evaluation::shapes_table({}, committed_catalog(), paper()).error().code,
+            "usage.bad_flag");
 }
 
 }  // namespace

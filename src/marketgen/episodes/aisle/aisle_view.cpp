@@ -55,8 +55,8 @@ Result<std::unique_ptr<TrackView>> AisleWorld::open_view() const {
 
 Result<void> AisleView::follow(const AisleWorld& world) {
   std::vector<render::MovedProduct> moved;
-  for (const std::uint32_t row : world.world().moved_products())
-    moved.push_back({row, world.world().product_pose(row)});
+  for (const MovedThing& thing : world.things())
+    moved.push_back({thing.number, thing.store_from_thing});
   MARKETGEN_CHECK(renderer_->move_things(moved, {}));
   const std::vector<double> state = world.robot_state();
   MARKETGEN_CHECK(renderer_->move_actor(0, render::world_link_poses(world.robot(), state, {})));

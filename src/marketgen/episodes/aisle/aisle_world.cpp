@@ -373,4 +373,19 @@ Result<EpisodeResult> AisleWorld::finish() {
   return result;
 }
 
+std::vector<MovedThing> AisleWorld::things() const {
+  const scene::Scene& scene = store_->scene;
+  std::vector<MovedThing> things;
+  for (const std::uint32_t row : world_->moved_products())
+    things.push_back({ThingKind::product,
+                      row,
+                      scene.catalog[scene.products[row].sku].sku,
+                      world_->product_pose(row)});
+  return things;
+}
+
+std::vector<double> AisleWorld::joint_positions() const {
+  return world_->joint_positions();
+}
+
 }  // namespace marketgen::episodes

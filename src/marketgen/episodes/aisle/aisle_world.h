@@ -48,6 +48,9 @@ class AisleWorld : public TrackWorld {
   const mjModel_& model() const override { return world_->model(); }
   const mjData_& data() const override { return world_->data(); }
   AnyWorld any() const override { return this; }
+  std::vector<MovedThing> things() const override;
+  std::vector<double> joint_positions() const override;
+  Pose store_from_robot() const override { return {}; }
   Result<std::unique_ptr<TrackView>> open_view() const override;  // aisle_view.cpp
   const EpisodeWatch& watch() const { return watch_; }
   std::vector<double> robot_state() const override;

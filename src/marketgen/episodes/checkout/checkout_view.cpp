@@ -51,13 +51,17 @@ std::uint32_t CheckoutView::object_of_item(const CheckoutWorld& world, std::size
 }
 
 Result<void> CheckoutView::follow(const CheckoutWorld& world) {
-  std::vector<render::MovedProduct> items;
-  for (std::size_t i = 0; i < world.item_count(); ++i)
-    items.push_back({world.product_of(i), world_from_station_ * world.item_pose(i)});
-  for (const std::uint32_t product : world.moved_neighbours())
-    items.push_back({product, world.product_pose(product)});
-  MARKETGEN_CHECK(renderer_->move_things(items, {}));
-  const Pose basket = world_from_station_ * world.basket_pose();
+  std::vector<render::MovedProduct> products;
+  Pose basket;
+  for (const MovedThing& thing : world.things()) {
+    if (thing.kind == ThingKind::basket)
+      basket = thing.store_from_thing;
+    else
+      products.push_back(
+          {thing.kind == ThingKind::item ? world.product_of(thing.number) : thing.number,
+           thing.store_from_thing});
+  }
+  MARKETGEN_CHECK(renderer_->move_things(products, {}));
   MARKETGEN_CHECK(renderer_->move_actor(0, {&basket, 1}));
   const std::vector<Pose> links =
       render::world_link_poses(world.robot(), world.robot_state(), world_from_station_);

@@ -398,4 +398,24 @@ double CheckoutWorld::deepest_overlap_m() const {
   return deepest;
 }
 
+std::vector<MovedThing> CheckoutWorld::things() const {
+  std::vector<MovedThing> things;
+  for (std::size_t i = 0; i < item_count(); ++i)
+    things.push_back({ThingKind::item,
+                      static_cast<std::uint32_t>(i),
+                      spec_.items[i].sku,
+                      store_from_station() * item_pose(i)});
+  for (const std::uint32_t row : moved_neighbours())
+    things.push_back({ThingKind::product,
+                      row,
+                      scene_->catalog[scene_->products[row].sku].sku,
+                      product_pose(row)});
+  things.push_back({ThingKind::basket, 0, "", store_from_station() * basket_pose()});
+  return things;
+}
+
+std::vector<double> CheckoutWorld::joint_positions() const {
+  return world_->joint_positions();
+}
+
 }  // namespace marketgen::episodes

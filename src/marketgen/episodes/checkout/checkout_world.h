@@ -90,6 +90,9 @@ class CheckoutWorld : public TrackWorld {
   const mjModel_& model() const override { return world_->model(); }
   const mjData_& data() const override { return world_->data(); }
   AnyWorld any() const override { return this; }
+  std::vector<MovedThing> things() const override;
+  std::vector<double> joint_positions() const override;
+  Pose store_from_robot() const override { return store_from_station(); }
   Result<std::unique_ptr<TrackView>> open_view() const override;  // checkout_view.cpp
 
  protected:

@@ -337,6 +337,13 @@ double World::joint_position(std::uint32_t joint) const {
   return at < 0 ? 0 : s.d().qpos[at];
 }
 
+std::vector<double> World::joint_positions() const {
+  std::vector<double> positions;
+  for (std::uint32_t joint = 0; joint < state_->scene.joints.size(); ++joint)
+    positions.push_back(joint_position(joint));
+  return positions;
+}
+
 double World::joint_velocity(std::uint32_t joint) const {
   const int at = state_->store.joints[joint].dof;
   return at < 0 ? 0 : state_->d().qvel[at];

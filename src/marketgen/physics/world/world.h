@@ -166,6 +166,7 @@ class World {
   ProductMotion product_motion(std::uint32_t product) const;
   std::vector<std::uint32_t> moved_products() const;  // woken at some time; sorted
   double joint_position(std::uint32_t joint) const;   // belts: their speed
+  std::vector<double> joint_positions() const;        // of all rows of the scene's joints
   double joint_velocity(std::uint32_t joint) const;
   const std::vector<WorldContact>& contacts() const;  // of the last step, with what was awake
   WorldCounts counts() const;

@@ -1,0 +1,64 @@
+// Recorded motion for marketgen/motion.py: texts and numbers as Python has them, arrays as bytes.
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "binding.h"
+#include "episodes/motion.h"
+
+namespace marketgen::python {
+namespace {
+
+template <class T>
+nb::bytes bytes_of(const std::vector<T>& values) {
+  return nb::bytes(values.data(), values.size() * sizeof(T));
+}
+
+nb::dict dict_of(const episodes::ThingMotion& thing) {
+  nb::dict made;
+  made["kind"] = std::string(name_of(thing.kind));
+  made["number"] = thing.number;
+  made["sku"] = thing.sku;
+  made["steps"] = bytes_of(thing.steps);
+  made["poses"] = bytes_of(thing.poses);
+  return made;
+}
+
+nb::dict dict_of(const episodes::JointMotion& joint) {
+  nb::dict made;
+  made["joint"] = joint.joint;
+  made["steps"] = bytes_of(joint.steps);
+  made["positions"] = bytes_of(joint.positions);
+  return made;
+}
+
+nb::dict read_motion(const std::string& file) {
+  const episodes::Motion motion =
+      value_or_raise(without_interpreter([&] { return episodes::read_motion(file); }));
+  nb::dict made;
+  made["episode"] = motion.episode;
+  made["episode_hash"] = motion.episode_hash;
+  made["scene_hash"] = motion.scene_hash;
+  made["policy"] = motion.policy;
+  made["realism"] = motion.realism;
+  made["robot"] = motion.robot;
+  made["step_s"] = motion.step_s;
+  made["store_from_robot"] = motion.store_from_robot;
+  made["dofs"] = motion.dofs;
+  made["states"] = bytes_of(motion.states);
+  nb::list things, joints;
+  for (const episodes::ThingMotion& thing : motion.things)
+    things.append(dict_of(thing));
+  for (const episodes::JointMotion& joint : motion.joints)
+    joints.append(dict_of(joint));
+  made["things"] = things;
+  made["joints"] = joints;
+  return made;
+}
+
+}  // namespace
+
+void add_motions(nb::module_& module) {
+  module.def("read_motion", &read_motion);
+}
+
+}  // namespace marketgen::python

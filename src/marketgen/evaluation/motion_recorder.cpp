@@ -1,0 +1,129 @@
+#include "evaluation/motion_recorder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "episodes/track_world.h"
+#include "io/file.h"
+
+namespace marketgen::evaluation {
+namespace {
+
+using PoseNumbers = std::array<float, episodes::pose_numbers>;
+
+template <class Number>
+std::array<Number, episodes::pose_numbers> numbers_of(const Pose& pose) {
+  const Vec3& p = pose.position;
+  const Quaternion& q = pose.rotation;
+  return {static_cast<Number>(p.x),
+          static_cast<Number>(p.y),
+          static_cast<Number>(p.z),
+          static_cast<Number>(q.w),
+          static_cast<Number>(q.x),
+          static_cast<Number>(q.y),
+          static_cast<Number>(q.z)};
+}
+
+// Between the last that is written and the next. A quaternion and its negative are one turn.
+bool has_moved(const float* before, const PoseNumbers& now) {
+  double apart = 0, along = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    apart += std::pow(static_cast<double>(before[i]) - now[i], 2);
+  for (std::size_t i = 3; i < now.size(); ++i)
+    along += static_cast<double>(before[i]) * now[i];
+  const double turned = 2 * std::acos(std::min(1.0, std::abs(along)));
+  return std::sqrt(apart) > episodes::moved_m || turned > episodes::turned_rad;
+}
+
+}  // namespace
+
+std::filesystem::path motion_file(const std::filesystem::path& results,
+                                  const std::string& episode) {
+  return results / "motion" / (episode + ".bin.gz");
+}
+
+Result<void> MotionRecorder::begin(const episodes::TrackWorld& world) {
+  world_ = &world;
+  motion_ = {};
+  places_.clear();
+  joint_places_.clear();
+  motion_.robot = world.spec().robot;
+  motion_.step_s = episodes::control_step_s;
+  const auto frame = numbers_of<double>(world.store_from_robot());
+  motion_.store_from_robot.assign(frame.begin(), frame.end());
+  for (std::size_t dof = 0; dof < world.robot().dof_count(); ++dof)
+    motion_.dofs.push_back(world.robot().joint_of_dof(dof).name);
+  joints_ = world.joint_positions();
+  look();
+  return {};
+}
+
+Result<void> MotionRecorder::step() {
+  look();
+  return {};
+}
+
+void MotionRecorder::look() {
+  const auto step = static_cast<std::uint32_t>(motion_.steps());
+  for (const double value : world_->robot_state())
+    motion_.states.push_back(static_cast<float>(value));
+  for (const episodes::MovedThing& thing : world_->things())
+    see(thing, step);
+  see_joints(step);
+}
+
+void MotionRecorder::see(const episodes::MovedThing& thing, std::uint32_t step) {
+  const auto [place, is_new] =
+      places_.try_emplace({thing.kind, thing.number}, motion_.things.size());
+  if (is_new) motion_.things.push_back({thing.kind, thing.number, thing.sku, {}, {}});
+  episodes::ThingMotion& motion = motion_.things[place->second];
+  const PoseNumbers now = numbers_of<float>(thing.store_from_thing);
+  if (!is_new && !has_moved(&*(motion.poses.end() - episodes::pose_numbers), now)) return;
+  motion.steps.push_back(step);
+  motion.poses.insert(motion.poses.end(), now.begin(), now.end());
+}
+
+void MotionRecorder::see_joints(std::uint32_t step) {
+  const std::vector<double> now = world_->joint_positions();
+  for (std::uint32_t joint = 0; joint < now.size(); ++joint) {
+    if (std::abs(now[joint] - joints_[joint]) <= episodes::joint_moved) continue;
+    const auto [place, is_new] = joint_places_.try_emplace(joint, motion_.joints.size());
+    if (is_new) motion_.joints.push_back({joint, {0}, {static_cast<float>(joints_[joint])}});
+    episodes::JointMotion& motion = motion_.joints[place->second];
+    motion.steps.push_back(step);
+    motion.positions.push_back(static_cast<float>(now[joint]));
+    joints_[joint] = now[joint];
+  }
+}
+
+std::string MotionRecorder::packed(const episodes::EpisodeResult& result) {
+  motion_.episode = result.episode;
+  motion_.episode_hash = result.episode_hash;
+  motion_.scene_hash = result.scene_hash;
+  motion_.policy = result.policy;
+  motion_.realism = result.realism;
+  return episodes::pack_motion(motion_);
+}
+
+Result<episodes::EpisodeResult> run_recorded(environments::Arena& arena,
+                                             const episodes::EpisodeSpec& spec,
+                                             const std::string& policy,
+                                             const episodes::Realism& realism,
+                                             const std::filesystem::path& results,
+                                             environments::EpisodeWatcher* watcher) {
+  if (results.empty()) return environments::run_episode(arena, spec, policy, watcher, {}, realism);
+  MotionRecorder recorder;
+  std::vector<environments::EpisodeWatcher*> all{&recorder};
+  if (watcher != nullptr) all.push_back(watcher);
+  environments::EpisodeWatchers watchers(std::move(all));
+  MARKETGEN_TRY(episodes::EpisodeResult result,
+                environments::run_episode(arena, spec, policy, &watchers, {}, realism));
+  // As the folder's results name it.
+  episodes::EpisodeResult kept = result;
+  kept.episode_hash = episodes::episode_hash(arena.header(), spec);
+  MARKETGEN_CHECK(io::write_file(motion_file(results, spec.id), recorder.packed(kept)));
+  return result;
+}
+
+}  // namespace marketgen::evaluation

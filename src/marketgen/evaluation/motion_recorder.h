@@ -1,0 +1,45 @@
+// Records what moves in an episode as it is run (episodes/motion.h).
+#pragma once
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "environments/run_episode.h"
+#include "episodes/motion.h"
+
+namespace marketgen::evaluation {
+
+// Where the motion of an episode lies in a folder of results: motion/ID.bin.gz.
+std::filesystem::path motion_file(const std::filesystem::path& results, const std::string& episode);
+
+// Not thread-safe; of one episode at a time.
+class MotionRecorder : public environments::EpisodeWatcher {
+ public:
+  Result<void> begin(const episodes::TrackWorld& world) override;
+  Result<void> step() override;
+  // The motion so far, as one of `result`'s. Precondition: it began.
+  std::string packed(const episodes::EpisodeResult& result);
+
+ private:
+  void look();
+  void see(const episodes::MovedThing& thing, std::uint32_t step);
+  void see_joints(std::uint32_t step);
+
+  const episodes::TrackWorld* world_ = nullptr;
+  episodes::Motion motion_;
+  std::map<std::pair<episodes::ThingKind, std::uint32_t>, std::size_t>
+      places_;                  // in motion_.things
+  std::vector<double> joints_;  // as they were written last
+  std::map<std::uint32_t, std::size_t> joint_places_;
+};
+
+// run_episode(), with `watcher` if there is one, which keeps the motion in the folder of results
+// that is named, if one is. Errors: those, too; io.cannot_write.
+Result<episodes::EpisodeResult> run_recorded(environments::Arena& arena,
+                                             const episodes::EpisodeSpec& spec,
+                                             const std::string& policy,
+                                             const episodes::Realism& realism,
+                                             const std::filesystem::path& results,
+                                             environments::EpisodeWatcher* watcher = nullptr);
+
+}  // namespace marketgen::evaluation
