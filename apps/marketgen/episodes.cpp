@@ -372,10 +372,9 @@ Run add_episodes(CLI::App& app) {
                    fmt::format("what kind of task: {}",
                                fmt::join(episodes::names_of(episodes::Track{}), " or ")))
       ->capture_default_str();
-  command->add_option(
-      "--tools",
-      flags->tools,
-      "what the robot in aisles fetches with: gripper or suction; gripper by itself");
+  command->add_option("--tools",
+                      flags->tools,
+                      "what the robot takes goods with: gripper or suction; gripper by itself");
   command
       ->add_option(
           "--split",

@@ -45,6 +45,23 @@ def test_the_checker_has_no_complaint(store, options):
         check_env(env.unwrapped, skip_render_check=False)
 
 
+def test_a_cup_instead_of_the_gripper(store):
+    episode = short_episode(store, 60) | {"tools": "suction"}
+    env = make(store, tools="suction")
+    seen, _ = env.reset(options={"episode": episode})
+    assert seen["agent"]["sealed"].shape == (1,) and not seen["agent"]["sealed"].any()
+    action = still(env)
+    lets_go = env.step(action)[0]["agent"]
+    assert lets_go["qpos"][7] == pytest.approx(0.05)
+    action[-2] = -1
+    sucks = env.step(action)[0]["agent"]
+    assert sucks["qpos"][7] == 0 and not sucks["sealed"].any(), "nothing is there"
+    with pytest.raises(marketgen.Error, match="the episode is for"):
+        make(store).reset(options={"episode": episode})
+    with pytest.raises(marketgen.Error, match="suctoin"):
+        make(store, tools="suctoin")
+
+
 def test_equal_seeds_repeat_bit_for_bit_pictures_included(store):
     runs = []
     for _ in range(2):

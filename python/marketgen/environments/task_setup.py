@@ -131,8 +131,6 @@ class TaskSetup:
     ):
         self._made_of = (track, store, station, preset, options)
         wanted = full_options(preset, options)
-        if wanted["tools"] and track != "aisle":
-            raise _core.Error("usage.bad_flag", "tools", "only robots in aisles have a choice; leave it out")
         self.track, self.station, self.tools = track, station, wanted["tools"]
         self.control_mode, self.reward_mode = wanted["control_mode"], wanted["reward_mode"]
         self.stop_action, self.obs_mode = bool(wanted["stop_action"]), wanted["obs_mode"]

@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 3> names_of(RewardMode) {
 struct EnvironmentOptions {
   ControlMode control = ControlMode::pd_joint_delta_pos;
   RewardMode reward = RewardMode::sparse;
-  std::string tools = {};    // in aisles: a tool set of the station, the first when empty
+  std::string tools = {};    // a tool set of the station, the first when empty
   std::string station = {};  // at a counter: a row of data/benchmark, that of the track when empty
   bool stop = true;  // an action ends with `stop`; without it the goals' being met is the end
   bool privileged = false;  // observations have the truth, too

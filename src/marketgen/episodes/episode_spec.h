@@ -107,7 +107,7 @@ struct EpisodeSpec {
       field("robot", &EpisodeSpec::robot, "row in data/robots", required()),
       field("tools",
             &EpisodeSpec::tools,
-            "aisle: a tool set of market-aisle/1, the first when empty",
+            "a tool set of market-checkout/1 or market-aisle/1, the first when empty",
             reference()),
       field("station",
             &EpisodeSpec::station,

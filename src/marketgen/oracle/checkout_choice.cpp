@@ -135,14 +135,14 @@ bool CheckoutOracle::escape() {
     for (const double by : {escape_m, escape_m * 0.7, escape_m * 0.4}) {
       const Pose up{tip.position + Vec3{0, 0, by}, tip.rotation},
           back = tip * Pose{{0, 0, -by}, {}};
-      if (!memory_.arm.straight(*around, up, tool_.opening_m, 20).ok() &&
-          !memory_.arm.straight(*around, back, tool_.opening_m, 20).ok())
+      if (!memory_.arm.straight(*around, up, skills::open_m(tool_), 20).ok() &&
+          !memory_.arm.straight(*around, back, skills::open_m(tool_), 20).ok())
         continue;
       say("moves away to get free");
       return true;
     }
   }
-  skills::ReachRequest home{home_, {0, 0, home_approach_m}, tool_.opening_m};
+  skills::ReachRequest home{home_, {0, 0, home_approach_m}, skills::open_m(tool_)};
   for (const skills::Surroundings* const around : {&counter, &nothing}) {
     if (!memory_.arm.reach(*around, home, next_seed("home")).ok()) continue;
     say("goes to where it began");
@@ -209,11 +209,11 @@ Result<bool> CheckoutOracle::take(std::size_t item, bool to_be_placed) {
   for (std::size_t i = 0; i < std::min(grasps.choices.size(), search_.max_grasps); ++i) {
     const GraspChoice& choice = grasps.choices[i];
     const std::vector<robots::ToolSolid> hand = skills::open_hand(tool_, choice.opening_m);
-    for (const Pose& tip : skills::either_way_round(memory_.arm, choice.base_from_tip)) {
+    for (const Pose& tip : skills::alike_ways(memory_.arm, choice.base_from_tip, tool_.kind)) {
       skills::ReachRequest request =
           skills::reach_over_rim(tip, scene_->rim_z_m(), choice.opening_m);
       request.force_n = skills::touch_n;
-      if (memory_.tried.failed_before(item, inverse(world_->item_pose(item)) * tip) ||
+      if (memory_.tried.failed_before(item, inverse(world_->item_pose(item)) * tip, tool_.kind) ||
           !skills::is_reached(memory_.arm, request, hand, walls))
         continue;
       if (to_be_placed && (searches++ >= search_.max_place_searches ||
@@ -228,6 +228,8 @@ Result<bool> CheckoutOracle::take(std::size_t item, bool to_be_placed) {
       close_on(item, tip, choice);
       MARKETGEN_TRY(const bool well, goes_well(item, before));
       if (well) return true;
+      // Turned about its axis, a cup holds no better.
+      if (tool_.kind == robots::ToolKind::suction) break;
     }
   }
   return false;

@@ -7,13 +7,13 @@
 #include "base/progress.h"
 #include "collect/scene_obstacles.h"
 #include "oracle/aisle_oracle.h"
+#include "skills/hand_grasp.h"
 
 namespace marketgen::oracle {
 namespace {
 
-constexpr double way_reach_m = 1.4;       // obstacles farther from the robot do not count
-constexpr double let_go_wider_m = 0.02;   // than what was held, when it is let go
-constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with something on the cup
+constexpr double way_reach_m = 1.4;      // obstacles farther from the robot do not count
+constexpr double let_go_wider_m = 0.02;  // than what was held, when it is let go
 
 }  // namespace
 
@@ -222,7 +222,7 @@ Result<void> AisleOracle::drop() {
   skills::DropQuestion question;
   MARKETGEN_TRY(static_cast<skills::StowQuestion&>(question), stow_question());
   question.tool = memory_.plan.tool;
-  if (tool_.kind == robots::ToolKind::suction) question.acceleration = cup_acceleration;
+  if (tool_.kind == robots::ToolKind::suction) question.acceleration = skills::cup_acceleration;
   question.held = &body;
   question.tip_from_product = inverse(world_->world_from_base() * base_from_tip()) *
                               world_->world().product_pose(memory_.plan.product);

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t max_places = 8;
 constexpr double settle_s = 0.25, open_s = 0.35;
-constexpr double let_go_m = 0.014;     // wider than what was held
 constexpr double lowest_rim_m = 0.03;  // over which it is lifted off the counter
 
 }  // namespace
@@ -141,7 +140,7 @@ Result<void> CheckoutOracle::let_go_for_good(episodes::FailureCode why) {
 Result<void> CheckoutOracle::let_go(episodes::FailureCode why) {
   note(why);
   say(fmt::format("lets go of {}: {}", called(memory_.item), name_of(why)));
-  const double opening = std::min(tool_.opening_m, now_.openings_m.front() + let_go_m);
+  const double opening = skills::let_go_m(tool_, now_.openings_m.front());
   memory_.arm.wait(open_s, opening, memory_.force_n);
   back_off(opening);
   memory_.phase = Phase::released;
@@ -162,7 +161,7 @@ void CheckoutOracle::back_off(double opening_m) {
 Result<void> CheckoutOracle::put_down() {
   if (!holds_it()) return let_go_for_good(episodes::FailureCode::slipped);
   const Pose tip_from_item = inverse(memory_.arm.tip()) * world_->item_pose(memory_.item);
-  const double opening = now_.openings_m.front() + let_go_m;
+  const double opening = skills::let_go_m(tool_, now_.openings_m.front());
   note(episodes::FailureCode::no_ik);
   memory_.places.clear();
   memory_.in_area = scene_->is_target(memory_.item);
@@ -210,7 +209,7 @@ Result<void> CheckoutOracle::lower() {
                     called(memory_.item),
                     memory_.next_place,
                     memory_.in_area));
-    const double opening = std::min(tool_.opening_m, now_.openings_m.front() + let_go_m);
+    const double opening = skills::let_go_m(tool_, now_.openings_m.front());
     memory_.arm.wait(settle_s, 0, memory_.force_n);
     memory_.arm.wait(open_s, opening, memory_.force_n);
     back_off(opening);
@@ -234,7 +233,7 @@ Result<std::unique_ptr<agent::Policy>> make_checkout_oracle(const episodes::Chec
                                                             Seed seed,
                                                             const OracleSearch& search) {
   MARKETGEN_TRY(robots::GraspTool tool, load_checkout_tool(world, data));
-  MARKETGEN_TRY(skills::ArmExecutor arm, skills::ArmExecutor::make(world.robot()));
+  MARKETGEN_TRY(skills::ArmExecutor arm, make_checkout_arm(world, tool));
   return std::unique_ptr<agent::Policy>(
       std::make_unique<CheckoutOracle>(world, std::move(tool), std::move(arm), seed, search));
 }

@@ -21,6 +21,7 @@ skills::PlaceQuestion place_question(const OracleScene& scene, std::size_t item,
   skills::PlaceQuestion question;
   question.area = in_area ? place.unloading : place.set_aside;
   if (!in_area) question.kept_free = skills::areas_kept_free(place);
+  question.corners_first = in_area && scene.tool().kind == robots::ToolKind::suction;
   question.walls = scene.walls();
   for (std::size_t other = 0; other < scene.items(); ++other) {
     if (other == item || scene.in_basket(other)) continue;

@@ -12,9 +12,14 @@ namespace marketgen::oracle {
 
 Result<robots::GraspTool> load_checkout_tool(const episodes::CheckoutWorld& world,
                                              const std::filesystem::path& data) {
-  const std::vector<episodes::ToolChoiceRow>& tools = world.station().tools;
-  return robots::load_grasp_tool(
-      data, tools.empty() ? world.robot().tools.front().row : tools.front().row);
+  return robots::load_grasp_tool(data, world.station().tools().picks_with);
+}
+
+Result<skills::ArmExecutor> make_checkout_arm(const episodes::CheckoutWorld& world,
+                                              const robots::GraspTool& tool) {
+  skills::ExecutorOptions options;
+  if (tool.kind == robots::ToolKind::suction) options.acceleration = skills::cup_acceleration;
+  return skills::ArmExecutor::make(world.robot(), options);
 }
 
 OracleScene::OracleScene(const episodes::CheckoutWorld& world, const robots::GraspTool& tool)

@@ -5,15 +5,20 @@
 
 #include "episodes/checkout/checkout_world.h"
 #include "robots/grasp_tool.h"
+#include "skills/arm_executor.h"
 #include "skills/counter_obstacles.h"
 #include "skills/hand_grasp.h"
 #include "skills/hand_room.h"
 
 namespace marketgen::oracle {
 
-// Of the gripper that the counter's robot carries. Errors: of load_grasp_tool.
+// Of the tool that the counter's robot carries. Errors: of load_grasp_tool.
 Result<robots::GraspTool> load_checkout_tool(const episodes::CheckoutWorld& world,
                                              const std::filesystem::path& data);
+
+// What a cup holds it carries slowly: more peels packs off. Errors: of ArmExecutor::make.
+Result<skills::ArmExecutor> make_checkout_arm(const episodes::CheckoutWorld& world,
+                                              const robots::GraspTool& tool);
 
 class OracleScene {
  public:

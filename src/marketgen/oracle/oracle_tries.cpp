@@ -22,7 +22,9 @@ bool OracleTries::may_take(std::size_t item) const {
   return count_of(tries_, item) < max_tries && count_of(takes_, item) < max_takes;
 }
 
-bool OracleTries::failed_before(std::size_t item, const Pose& product_from_tip) const {
+bool OracleTries::failed_before(std::size_t item,
+                                const Pose& product_from_tip,
+                                robots::ToolKind tool) const {
   return std::ranges::any_of(failed_, [&](const auto& failed) {
     const Pose& then = failed.second;
     const auto cosine = [&](Vec3 axis) {
@@ -30,7 +32,8 @@ bool OracleTries::failed_before(std::size_t item, const Pose& product_from_tip) 
     };
     return failed.first == item &&
            length(product_from_tip.position - then.position) < same_grasp_m &&
-           cosine({0, 0, 1}) > same_grasp_cosine && std::abs(cosine({0, 1, 0})) > same_grasp_cosine;
+           cosine({0, 0, 1}) > same_grasp_cosine &&
+           (tool == robots::ToolKind::suction || std::abs(cosine({0, 1, 0})) > same_grasp_cosine);
   });
 }
 

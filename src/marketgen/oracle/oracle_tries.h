@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "robots/robot.h"
 
 namespace marketgen::oracle {
 
@@ -13,8 +14,11 @@ class OracleTries {
  public:
   // Whether the item may be taken once more.
   bool may_take(std::size_t item) const;
-  // Whether nearly the same grasp failed before. Product frame.
-  bool failed_before(std::size_t item, const Pose& product_from_tip) const;
+  // Whether nearly the same grasp failed before; of a cup, however it was turned about its axis.
+  // Product frame.
+  bool failed_before(std::size_t item,
+                     const Pose& product_from_tip,
+                     robots::ToolKind tool = robots::ToolKind::gripper) const;
 
   int take(std::size_t item);  // now; which try it is, since the item was last put down
   void fail(std::size_t item, const Pose& product_from_tip);

@@ -79,7 +79,7 @@ class CheckoutWitness {
       if (!is_out(choice.blockers)) continue;
       const std::vector<robots::ToolSolid> hand =
           skills::open_hand(scene_.tool(), choice.opening_m);
-      for (const Pose& tip : skills::either_way_round(arm_, choice.base_from_tip)) {
+      for (const Pose& tip : skills::alike_ways(arm_, choice.base_from_tip, scene_.tool().kind)) {
         const skills::ReachRequest request =
             skills::reach_over_rim(tip, scene_.rim_z_m(), choice.opening_m);
         if (!skills::is_reached(arm_, request, hand, walls) ||
@@ -122,7 +122,7 @@ episodes::CheckoutCertifier checkout_certifier(const std::filesystem::path& data
   return [data](const episodes::CheckoutWorld& world,
                 Seed seed) -> Result<std::optional<std::vector<episodes::WitnessPick>>> {
     MARKETGEN_TRY(const robots::GraspTool tool, load_checkout_tool(world, data));
-    MARKETGEN_TRY(skills::ArmExecutor arm, skills::ArmExecutor::make(world.robot()));
+    MARKETGEN_TRY(skills::ArmExecutor arm, make_checkout_arm(world, tool));
     return CheckoutWitness(world, tool, std::move(arm), seed).find();
   };
 }

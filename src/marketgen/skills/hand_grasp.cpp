@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "agent/policy.h"
+
 namespace marketgen::skills {
 namespace {
 
@@ -21,7 +23,18 @@ constexpr double of_room = 1000, of_tilt_deg = 0.2, of_middle_offset = 250, of_o
 // Of how firm the grasp is, 0..1 (GraspCandidate::score): faces that lean press the pack out.
 constexpr double of_firmness = 30;
 
+constexpr double let_go_wider_m = 0.014;
+
 }  // namespace
+
+double open_m(const robots::GraspTool& tool) {
+  return tool.kind == robots::ToolKind::suction ? agent::cup_off_m : tool.opening_m;
+}
+
+double let_go_m(const robots::GraspTool& tool, double held_m) {
+  return tool.kind == robots::ToolKind::suction ? agent::cup_off_m
+                                                : std::min(tool.opening_m, held_m + let_go_wider_m);
+}
 
 double tilt_deg(const Quaternion& base_from_tip) {
   const Vec3 ahead = rotate(base_from_tip, {0, 0, 1});
@@ -62,7 +75,8 @@ HandGrasp lifting_grasp(const LyingPack& pack, const motion::GraspCandidate& can
   HandGrasp grasp;
   grasp.strategy = candidate.strategy;
   grasp.base_from_tip = pack.base_from_product * candidate.grasp.product_from_tool;
-  grasp.opening_m = candidate.grasp.opening_m;
+  grasp.opening_m =
+      candidate.tool == robots::ToolKind::suction ? agent::cup_off_m : candidate.grasp.opening_m;
   grasp.width_m = candidate.width_m;
   grasp.force_n = std::clamp(candidate.grasp.force_n * firmness, min_grip_n, max_grip_n);
   grasp.score = of_firmness * candidate.score;

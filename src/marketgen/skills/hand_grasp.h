@@ -17,6 +17,14 @@ struct HandGrasp {
   double score = 0;  // what is in the hand's way left out
 };
 
+constexpr double cup_acceleration = 0.1;  // share of the joints' limits, with something on the cup
+
+// Opening of a hand that holds nothing: as wide as it goes; a cup does not suck.
+double open_m(const robots::GraspTool& tool);
+// Opening of one that lets go of what it held with `held_m` between the pads: a little wider, as
+// far as it goes; a cup stops sucking.
+double let_go_m(const robots::GraspTool& tool, double held_m);
+
 // Of a tool from straight down.
 double tilt_deg(const Quaternion& base_from_tip);
 

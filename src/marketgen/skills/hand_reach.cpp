@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace marketgen::skills {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 constexpr double walls_clear_m = 0.002, look_every_m = 0.03;  // of the open hand on its way in
 constexpr double looked_at_m = 0.1;  // of the way, when the grasp was found
 constexpr double min_approach_m = 0.08, reach_over_rim_m = 0.04;
+constexpr int cup_turns = 8;
+constexpr std::size_t max_cup_turns = 3;
 // Where a hand leans, its way is longer than the height is; one that leans more begins lower.
 constexpr double min_steepness = 0.4;
 
@@ -22,6 +25,24 @@ std::vector<Pose> either_way_round(const ArmExecutor& arm, const Pose& base_from
   if (arm.effort_to(other).value_or(never) < arm.effort_to(base_from_tip).value_or(never))
     return {other, base_from_tip};
   return {base_from_tip, other};
+}
+
+std::vector<Pose> alike_ways(const ArmExecutor& arm,
+                             const Pose& base_from_tip,
+                             robots::ToolKind kind) {
+  if (kind == robots::ToolKind::gripper) return either_way_round(arm, base_from_tip);
+  std::vector<std::pair<double, Pose>> ways;
+  for (int i = 0; i < cup_turns; ++i) {
+    Pose turned = base_from_tip;
+    turned.rotation =
+        turned.rotation * rotation_about({0, 0, 1}, 2 * std::numbers::pi * i / cup_turns);
+    if (const auto effort = arm.effort_to(turned)) ways.emplace_back(*effort, turned);
+  }
+  std::ranges::stable_sort(ways, {}, [](const auto& way) { return way.first; });
+  std::vector<Pose> best;
+  for (std::size_t i = 0; i < std::min(ways.size(), max_cup_turns); ++i)
+    best.push_back(ways[i].second);
+  return best;
 }
 
 ReachRequest reach_over_rim(const Pose& base_from_tip, double rim_z_m, double opening_m) {

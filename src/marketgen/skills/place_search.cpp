@@ -184,7 +184,8 @@ class FreePlaceSearch {
     return nearest;
   }
 
-  // Free places of the pack turned so, the roomiest first, then those near the middle.
+  // Free places of the pack turned so, the roomiest first, then those near the middle; or those
+  // nearest to the corners.
   std::vector<Pose> poses(const Quaternion& turned) const {
     const Spread s = spread_of(*held_.body, turned);
     const agent::WorkArea& area = question_.area;
@@ -197,8 +198,9 @@ class FreePlaceSearch {
         if (!is_free({{x + s.low.x, y + s.low.y}, {x + s.high.x, y + s.high.y}})) continue;
         const double away = std::hypot(x - (area.low_m[0] + area.high_m[0]) / 2,
                                        y - (area.low_m[1] + area.high_m[1]) / 2);
-        ranked.push_back(
-            {away - room_over_middle * room_at(x, y), {{x, y, let_go_height_m - s.low.z}, turned}});
+        const double rank =
+            question_.corners_first ? -away : away - room_over_middle * room_at(x, y);
+        ranked.push_back({rank, {{x, y, let_go_height_m - s.low.z}, turned}});
       }
     }
     std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });

@@ -32,6 +32,7 @@ struct PlaceQuestion {
       nullptr;                    // measured, on what stands about; none: there are none
   std::vector<PlacedBody> walls;  // of the basket
   double unsure_m = 0;            // so far may be off what is said of all this
+  bool corners_first = false;     // wide packs leave room to those that come after them
 };
 
 struct FreePlace {

@@ -69,6 +69,18 @@ TEST(RunEpisode, TheFloorPoliciesEndAlikeTwice) {
   }
 }
 
+TEST(RunEpisode, WhoGraspsWithFingersAloneRefusesACup) {
+  episodes::EpisodeSpec spec = drawn(7, 0);
+  spec.tools = "suction";
+  spec.limit_s = 2;
+  for (const char* policy : {"classical", "highest"}) {
+    const auto refused = run_by(policy, spec);
+    ASSERT_FALSE(refused.ok()) << policy;
+    EXPECT_EQ(refused.error().code, "usage.bad_flag") << policy;
+  }
+  EXPECT_TRUE(run_by("stop", spec).ok());
+}
+
 TEST(RunEpisode, UnknownPoliciesAreErrors) {
   const auto result = run_by("orakel", drawn(7, 0));
   ASSERT_FALSE(result.ok());

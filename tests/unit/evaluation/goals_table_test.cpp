@@ -71,8 +71,9 @@ TEST(GoalsTable, AgreesWithWhatBasketsHold) {
   const evaluation::GoalsTable& table = goals_of_shop();
   const auto at =
       std::ranges::find(table.variants, episodes::Track::checkout, &evaluation::GoalVariant::track);
+  EXPECT_EQ(at->tools, "gripper");
   EXPECT_EQ(table.all.goals[static_cast<std::size_t>(at - table.variants.begin())],
-            std::ranges::count_if(episodes::checkout_stock(corner_shop()->scene),
+            std::ranges::count_if(episodes::store_stock(corner_shop()->scene),
                                   episodes::is_checkout_item));
 }
 

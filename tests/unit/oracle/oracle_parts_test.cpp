@@ -26,7 +26,7 @@ class OracleParts : public testing::Test {
  protected:
   OracleParts()
       : world_(taken(episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions))),
-        tool_(taken(robots::load_grasp_tool(data_rows(), world_.station().tools.front().row))) {
+        tool_(taken(robots::load_grasp_tool(data_rows(), world_.station().tools().picks_with))) {
     const auto reset = world_.reset(spec(), checkout_goods_rows());
     if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   }

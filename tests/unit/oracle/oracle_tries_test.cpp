@@ -40,7 +40,9 @@ TEST(OracleTries, TheSameGraspIsTheOneNearByEitherWayRound) {
       tries.failed_before(2, grasp * Pose{{}, rotation_about({0, 0, 1}, std::numbers::pi)}));
   EXPECT_FALSE(tries.failed_before(3, grasp));
   EXPECT_FALSE(tries.failed_before(2, Pose{{0.03, 0, 0}, {}} * grasp));
-  EXPECT_FALSE(tries.failed_before(2, grasp * Pose{{}, rotation_about({0, 0, 1}, 0.6)}));
+  const Pose turned = grasp * Pose{{}, rotation_about({0, 0, 1}, 0.6)};
+  EXPECT_FALSE(tries.failed_before(2, turned));
+  EXPECT_TRUE(tries.failed_before(2, turned, robots::ToolKind::suction));
 }
 
 }  // namespace

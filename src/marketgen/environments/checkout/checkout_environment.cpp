@@ -145,9 +145,9 @@ Result<std::unique_ptr<Environment>> make_checkout_environment(
     std::shared_ptr<EpisodeGround> ground, const EnvironmentOptions& options) {
   const std::string station =
       options.station.empty() ? episodes::checkout_station : options.station;
-  MARKETGEN_TRY(
-      episodes::CheckoutWorld world,
-      episodes::CheckoutWorld::create(ground->data(), ground->catalog().frictions, station));
+  MARKETGEN_TRY(episodes::CheckoutWorld world,
+                episodes::CheckoutWorld::create(
+                    ground->data(), ground->catalog().frictions, station, options.tools));
   return std::unique_ptr<Environment>(
       std::make_unique<CheckoutEnvironment>(std::move(ground), options, std::move(world)));
 }

@@ -17,14 +17,16 @@ class CheckoutStoreSampler : public StoreSampler {
                        episodes::EpisodeOrigin origin,
                        const scene::Scene& scene,
                        const episodes::CheckoutStation& station,
+                       episodes::CheckoutHand hand,
                        episodes::Split split,
                        episodes::Instructions instructions)
       : arena_(arena),
         origin_(std::move(origin)),
         instructions_(instructions),
+        hand_(std::move(hand)),
         stock_(episodes::checkout_stock(scene)),
         lanes_(episodes::checkout_lanes(scene, arena.catalog(), station)),
-        exclusions_(episodes::checkout_exclusions(scene)) {
+        exclusions_(episodes::checkout_exclusions(scene, hand_)) {
     exclusions_.lanes = lanes_.left_out;
     if (split == episodes::Split::planned || split == episodes::Split::certified)
       certify_ = oracle::checkout_certifier(arena.data());
@@ -46,13 +48,14 @@ class CheckoutStoreSampler : public StoreSampler {
                                             index,
                                             certify_,
                                             prove_,
-                                            instructions_));
+                                            instructions_,
+                                            hand_));
     return episodes::at_a_lane(std::move(drawn), lanes_);
   }
   const std::vector<catalog::Product>& products() const override { return stock_; }
   episodes::EpisodeExclusions exclusions() const override { return exclusions_; }
   Result<episodes::GoalChance> goal_chance(const catalog::Product& product) override {
-    const episodes::CheckoutRefusal why = episodes::checkout_refusal(product);
+    const episodes::CheckoutRefusal why = hand_.refusal(product);
     return episodes::GoalChance{why == episodes::CheckoutRefusal::none ? ""
                                                                        : std::string(name_of(why))};
   }
@@ -61,6 +64,7 @@ class CheckoutStoreSampler : public StoreSampler {
   Arena& arena_;
   episodes::EpisodeOrigin origin_;
   episodes::Instructions instructions_;
+  episodes::CheckoutHand hand_;
   std::vector<catalog::Product> stock_;
   episodes::CheckoutLanes lanes_;
   episodes::EpisodeExclusions exclusions_;
@@ -70,17 +74,25 @@ class CheckoutStoreSampler : public StoreSampler {
 
 class CheckoutSampling : public EpisodeSampler {
  public:
-  CheckoutSampling(Arena& arena, episodes::Split split, episodes::Instructions instructions)
-      : arena_(arena), split_(split), instructions_(instructions) {}
+  CheckoutSampling(Arena& arena,
+                   std::string tools,
+                   episodes::Split split,
+                   episodes::Instructions instructions)
+      : arena_(arena), tools_(std::move(tools)), split_(split), instructions_(instructions) {}
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
     MARKETGEN_TRY(const auto station, episodes::load_checkout_station(arena_.data()));
+    MARKETGEN_TRY(
+        episodes::CheckoutHand hand,
+        episodes::checkout_hand(
+            arena_.data(), arena_.catalog().frictions, episodes::store_stock(*scene), tools_));
     return std::unique_ptr<StoreSampler>(std::make_unique<CheckoutStoreSampler>(
-        arena_, origin, *scene, station, split_, instructions_));
+        arena_, origin, *scene, station, std::move(hand), split_, instructions_));
   }
 
  private:
   Arena& arena_;
+  std::string tools_;
   episodes::Split split_;
   episodes::Instructions instructions_;
 };
@@ -92,11 +104,11 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
       const episodes::EpisodeSpec& spec,
       const std::optional<episodes::Perturbation>& perturbation,
       const episodes::Realism& realism) const override {
-    MARKETGEN_TRY(
-        episodes::CheckoutWorld made,
-        episodes::CheckoutWorld::create(arena.data(),
-                                        arena.catalog().frictions,
-                                        spec.station.value_or(episodes::checkout_station)));
+    MARKETGEN_TRY(episodes::CheckoutWorld made,
+                  episodes::CheckoutWorld::create(arena.data(),
+                                                  arena.catalog().frictions,
+                                                  spec.station.value_or(episodes::checkout_station),
+                                                  spec.tools));
     auto world = std::make_unique<episodes::CheckoutWorld>(std::move(made));
     MARKETGEN_TRY(auto lane, shared_lane(arena, world->station(), spec));
     MARKETGEN_CHECK(
@@ -114,11 +126,10 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
       const std::string& tools,
       episodes::Split split,
       episodes::Instructions instructions) const override {
-    if (!tools.empty())
-      return Error{
-          "usage.bad_flag", "--tools", "only robots in aisles have a choice; drop the flag"};
+    MARKETGEN_CHECK(
+        episodes::load_checkout_station(arena.data(), episodes::checkout_station, tools));
     return std::unique_ptr<EpisodeSampler>(
-        std::make_unique<CheckoutSampling>(arena, split, instructions));
+        std::make_unique<CheckoutSampling>(arena, tools, split, instructions));
   }
 };
 

@@ -1,4 +1,6 @@
 // Who acts in Checkout Unloading.
+#include <fmt/format.h>
+
 #include "environments/goal_readers.h"
 #include "environments/track_policies.h"
 #include "episodes/checkout/checkout_senses.h"
@@ -81,6 +83,19 @@ class HeightsPolicy : public WrappedPolicy {
   episodes::CheckoutEyes eyes_;
 };
 
+// Who sees looks for faces between which fingers fit.
+Result<void> check_has_gripper(const episodes::CheckoutWorld& world, const std::string& policy) {
+  if (world.robot().tools.front().kind == robots::ToolKind::gripper) return {};
+  return Error{
+      "usage.bad_flag",
+      "--policy",
+      fmt::format("at the counter \"{}\" grasps with a gripper alone, and the episode \"{}\" "
+                  "is for the tools \"{}\": take an oracle, or a policy of your own",
+                  policy,
+                  world.spec().id,
+                  world.station().tools().id)};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,
@@ -94,6 +109,7 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
                                                       const episodes::CheckoutWorld& world,
                                                       const PolicyName& asked,
                                                       Seed seed) {
+  MARKETGEN_CHECK(check_has_gripper(world, asked.name));
   MARKETGEN_TRY(auto sold, arena.stock(world.spec().scene_hash));
   auto policy =
       std::make_unique<SensingPolicy>(world, std::move(sold), arena.catalog(), arena.looks());
@@ -104,6 +120,7 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
 Result<std::unique_ptr<agent::Policy>> make_highest(Arena& arena,
                                                     const episodes::CheckoutWorld& world,
                                                     Seed seed) {
+  MARKETGEN_CHECK(check_has_gripper(world, "highest"));
   auto policy = std::make_unique<HeightsPolicy>(world);
   MARKETGEN_CHECK(policy->make(arena.data(), seed));
   return std::unique_ptr<agent::Policy>(std::move(policy));

@@ -17,10 +17,7 @@ class AisleEntry : public TrackEntry {
 
   Result<TrackRobot> robot(const std::filesystem::path& data) const override {
     MARKETGEN_TRY(const AisleStation station, load_aisle_station(data));
-    TrackRobot row{station.robot};
-    for (const ToolSetRow& set : station.tool_sets)
-      row.tools.push_back(set.id);
-    return row;
+    return TrackRobot{station.robot, ids_of(station.tool_sets)};
   }
 
   // What is asked for.

@@ -2,10 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "base/text.h"
 #include "episodes/source_keys.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -22,12 +18,7 @@ Result<void> check_station(const AisleStation& s) {
                                     {"/head_camera", &s.head_camera.source},
                                     {"/film_camera", &s.film_camera.source}})
     MARKETGEN_CHECK(check_source_keys(s.sources, *keys, aisle_file, place));
-  if (s.tool_sets.empty())
-    return Error{
-        "catalog.bad_row", std::string(aisle_file) + ":/tool_sets", "expected one or more"};
-  for (std::size_t i = 0; i < s.tool_sets.size(); ++i)
-    MARKETGEN_CHECK(check_source_keys(
-        s.sources, s.tool_sets[i].source, aisle_file, fmt::format("/tool_sets/{}", i)));
+  MARKETGEN_CHECK(check_tool_sets(s.tool_sets, s.sources, aisle_file));
   if (s.shelf.lowest_m > s.shelf.highest_m)
     return Error{"catalog.bad_row", std::string(aisle_file) + ":/shelf", "lowest is over highest"};
   return {};
@@ -45,18 +36,6 @@ Result<void> check_robot(const AisleStation& station, const robots::Robot& robot
   if (const std::string& row = station.tools().picks_with; !skills::hands_with(robot, row).ok())
     return lacks("an arm with the tool \"" + row + "\"");
   return {};
-}
-
-Error unknown_tools(const AisleStation& station, const std::string& tools) {
-  std::vector<std::string_view> known;
-  for (const ToolSetRow& set : station.tool_sets)
-    known.push_back(set.id);
-  return {"robot.unknown",
-          tools,
-          fmt::format("{} has no such tools{}; there are: {}",
-                      aisle_file,
-                      did_you_mean(tools, known),
-                      fmt::join(known, ", "))};
 }
 
 // What is seen of the basket; what is touched of it are its boxes.
@@ -101,37 +80,19 @@ skills::CarriedBasket carried_basket(const AisleStation& station, const robots::
   return basket;
 }
 
-Result<void> check_tools(const AisleStation& station,
-                         const std::string& tools,
-                         const std::string& where) {
-  const std::string& wanted = tools.empty() ? station.tool_sets.front().id : tools;
-  if (wanted == station.tools().id) return {};
-  return Error{"robot.unknown",
-               where,
-               fmt::format("the robot carries the tools \"{}\", the episode is for \"{}\": open "
-                           "the store with those",
-                           station.tools().id,
-                           wanted)};
-}
-
 Result<AisleStation> load_aisle_station(const std::filesystem::path& data,
                                         const std::string& tools) {
   MARKETGEN_TRY(const std::string text, io::read_file(data / "benchmark" / aisle_file, 1U << 20));
   MARKETGEN_TRY(AisleStation station, io::read_json<AisleStation>(text, aisle_file));
   MARKETGEN_CHECK(check_station(station));
-  if (tools.empty()) return station;
-  const auto chosen = std::ranges::find(station.tool_sets, tools, &ToolSetRow::id);
-  if (chosen == station.tool_sets.end()) return unknown_tools(station, tools);
-  station.carries = static_cast<std::size_t>(chosen - station.tool_sets.begin());
+  MARKETGEN_TRY(station.carries, tool_set_named(station.tool_sets, tools, aisle_file));
   return station;
 }
 
 Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
                                          const AisleStation& station) {
-  robots::RobotTools tools;
-  for (const ToolChoiceRow& tool : station.tools().tools)
-    tools.emplace(tool.slot, tool.row);
-  MARKETGEN_TRY(robots::Robot robot, robots::load_robot(data, station.robot, tools));
+  MARKETGEN_TRY(robots::Robot robot,
+                robots::load_robot(data, station.robot, robot_tools(station.tools())));
   MARKETGEN_CHECK(check_robot(station, robot));
   add_basket_look(station, robot);
   return robot;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "episodes/station_rows.h"
+#include "episodes/tool_sets.h"
 #include "physics/settle/bulk_settle.h"
 #include "skills/drop_plan.h"
 
@@ -57,27 +58,12 @@ struct FrameCameraRow {
                  field("source", &FrameCameraRow::source, "keys of the sources, by blanks"));
 };
 
-// What the robot may carry instead of its row's own tools.
-struct ToolSetRow {
-  std::string id, picks_with;
-  std::vector<ToolChoiceRow> tools;
-  std::string source;
-  static constexpr auto fields =
-      field_list(field("id", &ToolSetRow::id, "as episodes name it", identifier()),
-                 field("picks_with",
-                       &ToolSetRow::picks_with,
-                       "row of the tool that fetches what is asked for",
-                       required()),
-                 field("tools", &ToolSetRow::tools, "instead of the robot's own", at_most_items(8)),
-                 field("source", &ToolSetRow::source, "keys of the sources, by blanks"));
-};
-
 struct AisleStation {
   std::string schema = "market-aisle/1";
   std::string id;
   std::vector<robots::SourceRow> sources;
   std::string robot;
-  std::vector<ToolSetRow> tool_sets;
+  ToolSets tool_sets;
   std::string posture;
   double lift_m = 0;
   CarriedBasketRow basket;
@@ -114,11 +100,6 @@ struct AisleStation {
 // robot.unknown for a set that there is not, with those there are.
 Result<AisleStation> load_aisle_station(const std::filesystem::path& data,
                                         const std::string& tools = {});
-// Error robot.unknown, at `where`: the station has other tools than an episode asks for (empty: the
-// first set).
-Result<void> check_tools(const AisleStation& station,
-                         const std::string& tools,
-                         const std::string& where);
 // Errors: those of load_robot; robot.unknown when it lacks the posture, the basket's frame, a
 // drive, or a tool.
 Result<robots::Robot> load_station_robot(const std::filesystem::path& data,

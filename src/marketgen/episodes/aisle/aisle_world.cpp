@@ -75,7 +75,7 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
     return Error{"robot.unknown",
                  spec.id,
                  fmt::format("the track has \"{}\", not \"{}\"", station.robot, spec.robot)};
-  MARKETGEN_CHECK(check_tools(station, spec.tools, spec.id));
+  MARKETGEN_CHECK(check_carried(station.tool_sets, station.carries, spec.tools, spec.id));
   for (const EpisodeGoal& goal : spec.goals) {
     const auto reached = static_cast<int>(store_->front_items(goal.sku).size());
     if (reached > 0 && reached < goal.count)
@@ -172,39 +172,21 @@ agent::Observation AisleWorld::as_it_is() const {
     seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
   }
   seen.openings_m = tool_openings_m(robot(), q);
-  for (std::size_t t = 0; t < robot().tools.size(); ++t) {
-    const robots::Tool& tool = robot().tools[t];
-    const bool off = tool.kind == robots::ToolKind::suction && !cups_.sucks(*world_, tool);
-    if (off) seen.openings_m[t] = agent::cup_off_m;
-    seen.sealed.push_back(cups_.sealed_product(*world_, tool).has_value());
-  }
+  see_cups(cups_, *world_, robot(), seen);
   seen.base = controller_.wheels().reckoned();
   seen.stopped = controller_.stopped(time_s());
   return seen;
 }
 
-std::vector<std::optional<std::uint32_t>> AisleWorld::sealed_products() const {
-  std::vector<std::optional<std::uint32_t>> sealed;
-  for (const robots::Tool& tool : robot().tools)
-    sealed.push_back(cups_.sealed_product(*world_, tool));
-  return sealed;
-}
-
-// Before every step of physics.
-Result<void> AisleWorld::use_cups(const agent::Action& action) {
-  for (std::size_t t = 0; t < robot().tools.size(); ++t) {
-    const robots::Tool& tool = robot().tools[t];
-    if (tool.kind == robots::ToolKind::suction)
-      MARKETGEN_CHECK(cups_.suck(*world_, tool, action.tools[t].opening_m == 0));
-  }
-  return {};
+SealedProducts AisleWorld::sealed_products() const {
+  return episodes::sealed_products(cups_, *world_, robot());
 }
 
 Result<void> AisleWorld::move(const agent::Action& action) {
   link_.give(action);
   for (int i = 0; i < ControlStep::count(); ++i) {
     MARKETGEN_CHECK(controller_.command(*world_, link_.next(controller_)));
-    MARKETGEN_CHECK(use_cups(link_.in_force()));
+    MARKETGEN_CHECK(use_cups(cups_, *world_, robot(), link_.in_force()));
     MARKETGEN_CHECK(world_->step());
     controller_.feel(*world_);
     sense(i + 1);
@@ -390,9 +372,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   done_ = true;
   agent::Action hold = still_action(as_it_is());
   hold.position = told();
-  for (std::size_t t = 0; t < robot().tools.size(); ++t)
-    if (robot().tools[t].kind == robots::ToolKind::suction)
-      hold.tools[t].opening_m = agent::cup_off_m;
+  turn_cups_off(robot(), hold);
   for (double waited = 0; waited < let_go_s - physics::time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   MARKETGEN_TRY(const std::vector<ItemState> states, item_states());

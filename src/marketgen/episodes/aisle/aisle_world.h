@@ -7,12 +7,12 @@
 
 #include "episodes/aisle/aisle_store.h"
 #include "episodes/aisle/studied_grasps.h"
+#include "episodes/cup_commands.h"
 #include "episodes/episode_goods.h"
 #include "episodes/episode_watch.h"
 #include "episodes/perturbation.h"
 #include "episodes/track_world.h"
 #include "motion/collision_world.h"
-#include "physics/world/suction_actor.h"
 
 namespace marketgen::episodes {
 
@@ -63,7 +63,7 @@ class AisleWorld : public TrackWorld {
   Pose world_from_basket() const;  // middle of its inner floor
   std::vector<std::uint32_t> in_basket() const;
   Result<bool> in_place(std::uint32_t product);  // in the basket, let go, at rest
-  std::vector<std::optional<std::uint32_t>> sealed_products() const;  // one a tool
+  SealedProducts sealed_products() const;
   double path_m() const { return path_m_; }
   // What lies outside the basket, farther from where it stood than a clean episode moves it.
   int strayed() const;
@@ -81,7 +81,6 @@ class AisleWorld : public TrackWorld {
  private:
   Result<void> begin(const EpisodeSpec& spec);
   Result<void> move(const agent::Action& action);
-  Result<void> use_cups(const agent::Action& action);
   Result<void> know_goods(std::uint32_t product);
   ItemState item_state(std::uint32_t product, const EpisodeWatch::Item& item) const;
   Result<std::vector<ItemState>> item_states();

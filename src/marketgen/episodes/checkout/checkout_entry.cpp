@@ -12,7 +12,9 @@ namespace {
 class CheckoutEntry : public TrackEntry {
  public:
   std::vector<std::string_view> cameras() const override { return {"scene", "wrist"}; }
-  std::vector<std::string_view> own_fields() const override { return {"items", "station", "lane"}; }
+  std::vector<std::string_view> own_fields() const override {
+    return {"items", "tools", "station", "lane"};
+  }
 
   Result<void> check_goals(const EpisodeSpec& spec, const std::string& where) const override {
     for (const EpisodeGoal& goal : spec.goals) {
@@ -29,7 +31,7 @@ class CheckoutEntry : public TrackEntry {
 
   Result<TrackRobot> robot(const std::filesystem::path& data) const override {
     MARKETGEN_TRY(const CheckoutStation station, load_checkout_station(data));
-    return TrackRobot{station.robot};
+    return TrackRobot{station.robot, ids_of(station.tool_sets)};
   }
 
   // All that lies there.

@@ -42,6 +42,7 @@ Result<void> check_station(const CheckoutStation& s) {
   MARKETGEN_CHECK(check_keys(s, "/set_aside", s.set_aside.source));
   MARKETGEN_CHECK(check_keys(s, "/scene_camera", s.scene_camera.source));
   MARKETGEN_CHECK(check_keys(s, "/wrist_camera", s.wrist_camera.source));
+  MARKETGEN_CHECK(check_tool_sets(s.tool_sets, s.sources, file_of(s.id)));
   const AreaRow area = s.unloading.area();
   const AreaRow top{s.counter.low_m, s.counter.high_m, {}};
   if (!top.holds(area.low_m[0], area.low_m[1]) || !top.holds(area.high_m[0], area.high_m[1]))
@@ -105,21 +106,20 @@ std::vector<physics::ContainerBox> CheckoutStation::lip() const {
 }
 
 Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data,
-                                              const std::string& id) {
+                                              const std::string& id,
+                                              const std::string& tools) {
   const std::string file = file_of(id);
   MARKETGEN_TRY(const std::string text, io::read_file(data / "benchmark" / file, 1U << 20));
   MARKETGEN_TRY(CheckoutStation station, io::read_json<CheckoutStation>(text, file));
   if (station.id != id) return bad_station(station, "/id", "expected the name of its file: " + id);
   MARKETGEN_CHECK(check_station(station));
+  MARKETGEN_TRY(station.carries, tool_set_named(station.tool_sets, tools, file));
   return station;
 }
 
 Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
                                          const CheckoutStation& station) {
-  robots::RobotTools tools;
-  for (const ToolChoiceRow& tool : station.tools)
-    tools.emplace(tool.slot, tool.row);
-  return robots::load_robot(data, station.robot, tools);
+  return robots::load_robot(data, station.robot, robot_tools(station.tools()));
 }
 
 std::vector<double> ready_state(const CheckoutStation& station, const robots::Robot& robot) {

@@ -12,6 +12,7 @@
 #include "base/fields.h"
 #include "base/result.h"
 #include "episodes/station_rows.h"
+#include "episodes/tool_sets.h"
 #include "geometry/pose.h"
 #include "physics/settle/bulk_settle.h"
 #include "robots/robot_row.h"
@@ -101,11 +102,12 @@ struct CheckoutStation {
   UnloadingRow unloading;
   AreaRow set_aside;
   std::string robot;
-  std::vector<ToolChoiceRow> tools;
+  ToolSets tool_sets;
   std::vector<double> ready_deg;
   StationCameraRow scene_camera;
   WristCameraRow wrist_camera;
   double limit_s = 180;
+  std::size_t carries = 0;  // row of tool_sets, no field of the file
 
   static constexpr auto fields = field_list(
       field("schema", &CheckoutStation::schema, "schema tag", constant("market-checkout/1")),
@@ -117,12 +119,17 @@ struct CheckoutStation {
       field("unloading", &CheckoutStation::unloading, "where the targets go", required()),
       field("set_aside", &CheckoutStation::set_aside, "where other items may be put", required()),
       field("robot", &CheckoutStation::robot, "row in data/robots", required()),
-      field("tools", &CheckoutStation::tools, "that it carries instead of its own"),
+      field("tool_sets",
+            &CheckoutStation::tool_sets,
+            "of which an episode names one; the first by itself",
+            required(),
+            at_most_items(16)),
       field("ready_deg", &CheckoutStation::ready_deg, "the arm's joints at the start, degrees"),
       field("scene_camera", &CheckoutStation::scene_camera, "stands still", required()),
       field("wrist_camera", &CheckoutStation::wrist_camera, "on the hand", required()),
       field("limit_s", &CheckoutStation::limit_s, "simulated, of an episode", range(1, 3600)));
 
+  const ToolSetRow& tools() const { return tool_sets[carries]; }
   physics::OpenContainer container() const;
   Pose basket_pose() const;  // station_from_container at the start
   // Walls and ledge, then the floor's two layers: the upper touches goods, the lower the belt.
@@ -134,10 +141,13 @@ struct CheckoutStation {
 
 inline constexpr char checkout_station[] = "checkout";
 
-// `data` is usually data_folder(), `id` the name of its file. Errors: catalog.missing_data, those
-// of read_json, catalog.bad_row when a source key is unknown or areas overlap that must not.
+// `data` is usually data_folder(), `id` the name of its file; with one of its tool sets, the first
+// when `tools` is empty. Errors: catalog.missing_data, those of read_json, catalog.bad_row when a
+// source key is unknown or areas overlap that must not; robot.unknown for a set that there is not,
+// with those there are.
 Result<CheckoutStation> load_checkout_station(const std::filesystem::path& data,
-                                              const std::string& id = checkout_station);
+                                              const std::string& id = checkout_station,
+                                              const std::string& tools = {});
 Result<robots::Robot> load_station_robot(const std::filesystem::path& data,
                                          const CheckoutStation& station);
 

@@ -61,13 +61,14 @@ std::string spoken_place(const std::string& lane) {
 
 Result<CheckoutWorld> CheckoutWorld::create(const std::filesystem::path& data,
                                             std::vector<catalog::FrictionRow> frictions,
-                                            const std::string& station) {
+                                            const std::string& station,
+                                            const std::string& tools) {
   CheckoutWorld world(std::move(frictions));
-  MARKETGEN_TRY(world.station_, load_checkout_station(data, station));
+  MARKETGEN_TRY(world.station_, load_checkout_station(data, station, tools));
   MARKETGEN_TRY(robots::Robot robot, load_station_robot(data, world.station_));
   world.robot_ = std::make_unique<robots::Robot>(std::move(robot));
   if (world.robot_->find_group("arm") == nullptr || world.robot_->tools.size() != 1)
-    return Error{"robot.unknown", world.station_.robot, "expected an arm with a gripper"};
+    return Error{"robot.unknown", world.station_.robot, "expected an arm with one tool"};
   world.arm_ = commanded_dofs(*world.robot_);
   world.room_ = std::make_shared<CheckoutPlace>(checkout_room(world.station_));
   world.place_ = world.room_;
@@ -84,6 +85,7 @@ Result<void> CheckoutWorld::check_reset(const EpisodeSpec& spec, const CheckoutP
     return Error{"robot.unknown",
                  spec.id,
                  fmt::format("it is of the station \"{}\", this is \"{}\"", asked, station_.id)};
+  MARKETGEN_CHECK(check_carried(station_.tool_sets, station_.carries, spec.tools, spec.id));
   const std::string given = lane == nullptr ? "" : lane->lane;
   const std::string asked = spec.lane.value_or("");
   if (asked == given) return {};
@@ -129,6 +131,7 @@ Result<void> CheckoutWorld::begin(const EpisodeSpec& spec) {
   const mjModel& m = world_->model();
   basket_place_ = m.jnt_qposadr[mj_name2id(&m, mjOBJ_JOINT, basket_name)];
   MARKETGEN_TRY(controller_, physics::RobotController::start(*world_, *robot_));
+  MARKETGEN_TRY(cups_, physics::SuctionActor::find(*world_, *robot_));
   watch_ = EpisodeWatch(*world_, *robot_, item_rows());
   start_senses({}, {});
   steps_ = 0;
@@ -183,6 +186,7 @@ Result<physics::World> CheckoutWorld::make_world(const scene::Scene& scene) cons
   options.loose = item_rows();
   options.pool = std::max(1, static_cast<int>(item_goods_.size()) + (alone ? 0 : pool_at_lane));
   options.soft_pool = alone ? 0 : soft_pool_at_lane;
+  options.cups = physics::robot_cups(*robot_, place);
   options.actor_materials = counter_materials(station_, *robot_, place);
   options.add_actors = [&](mjSpec_& made) -> Result<void> {
     MARKETGEN_CHECK(physics::add_robot(made, *robot_, place));
@@ -220,9 +224,13 @@ agent::Observation CheckoutWorld::as_it_is() const {
     seen.velocity.push_back(v[static_cast<std::size_t>(dof)]);
   }
   seen.openings_m = tool_openings_m(*robot_, q);
-  seen.sealed.assign(robot_->tools.size(), 0);
+  see_cups(cups_, *world_, *robot_, seen);
   seen.stopped = controller_.stopped(time_s());
   return seen;
+}
+
+SealedProducts CheckoutWorld::sealed_products() const {
+  return episodes::sealed_products(cups_, *world_, *robot_);
 }
 
 EpisodeWatch::Moment CheckoutWorld::moment() const {
@@ -240,10 +248,14 @@ Result<void> CheckoutWorld::move(const agent::Action& action) {
   link_.give(action);
   for (int i = 0; i < ControlStep::count(); ++i) {
     MARKETGEN_CHECK(controller_.command(*world_, link_.next(controller_)));
+    MARKETGEN_CHECK(use_cups(cups_, *world_, *robot_, link_.in_force()));
     MARKETGEN_CHECK(world_->step());
     controller_.feel(*world_);
     sense(i + 1);
-    watch_.look(*world_, moment());
+    const SealedProducts sealed = sealed_products();
+    EpisodeWatch::Moment now = moment();
+    now.sealed = sealed;
+    watch_.look(*world_, now);
     if (physics_watch_) physics_watch_(world_->model(), world_->data());
   }
   return {};
@@ -320,7 +332,8 @@ SideEffects CheckoutWorld::side_effects(const EpisodeOutcome& outcome) const {
 
 Result<EpisodeResult> CheckoutWorld::finish() {
   done_ = true;
-  const agent::Action hold{told(), {{as_it_is().openings_m.front(), hold_n}}};
+  agent::Action hold{told(), {{as_it_is().openings_m.front(), hold_n}}};
+  turn_cups_off(*robot_, hold);
   for (double waited = 0; waited < judged_after_s - physics::time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   const EpisodeOutcome outcome =

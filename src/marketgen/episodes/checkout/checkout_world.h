@@ -13,6 +13,7 @@
 
 #include "episodes/checkout/checkout_scene.h"
 #include "episodes/checkout/checkout_station.h"
+#include "episodes/cup_commands.h"
 #include "episodes/episode_goods.h"
 #include "episodes/episode_watch.h"
 #include "episodes/perturbation.h"
@@ -23,18 +24,19 @@ namespace marketgen::episodes {
 
 class CheckoutWorld : public TrackWorld {
  public:
-  // Errors: those of load_checkout_station, load_station_robot.
+  // `tools`: a tool set of the station, the first when empty. Errors: those of
+  // load_checkout_station, load_station_robot.
   static Result<CheckoutWorld> create(const std::filesystem::path& data,
                                       std::vector<catalog::FrictionRow> frictions,
-                                      const std::string& station = checkout_station);
+                                      const std::string& station = checkout_station,
+                                      const std::string& tools = {});
 
   // `lane`: the place of an episode that names one, made for this station; none for others. Errors:
   // catalog.unknown_sku for an item without a row in `products`; robot.unknown when the episode is
-  // for another robot or station; episode.other_store when it is at another lane; assets.*,
-  // physics.failed.
-  // With a perturbation basket and items come to lie a little elsewhere: each item as far of what
-  // is drawn for it as it meets nothing, all then left to settle; spec() tells where they lie. So
-  // does the basket with what lies in it where the realism displaces it.
+  // for another robot, station or tool set; episode.other_store when it is at another lane;
+  // assets.*, physics.failed. With a perturbation basket and items come to lie a little elsewhere:
+  // each item as far of what is drawn for it as it meets nothing, all then left to settle; spec()
+  // tells where they lie. So does the basket with what lies in it where the realism displaces it.
   Result<void> reset(const EpisodeSpec& spec,
                      const std::vector<catalog::Product>& products,
                      std::shared_ptr<const CheckoutPlace> lane = nullptr,
@@ -83,6 +85,7 @@ class CheckoutWorld : public TrackWorld {
   bool in_place(std::size_t item) const;  // on the unloading area, let go, at rest
   Result<bool> goals_met() override;
   std::vector<double> robot_state() const override;
+  SealedProducts sealed_products() const;  // rows of scene()
   // Between any two things but the arm's own, in the last step.
   double deepest_overlap_m() const;
   const mjModel_& model() const override { return world_->model(); }
@@ -132,6 +135,7 @@ class CheckoutWorld : public TrackWorld {
   std::unique_ptr<physics::World> world_;  // goes before the scene
   int basket_place_ = 0;                   // of its free joint in MuJoCo's qpos
   physics::RobotController controller_;
+  physics::SuctionActor cups_;
   EpisodeWatch watch_;
   int steps_ = 0;
   bool done_ = true;

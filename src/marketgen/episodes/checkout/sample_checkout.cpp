@@ -13,19 +13,13 @@
 namespace marketgen::episodes {
 namespace {
 
-constexpr int max_baskets = 20;     // drawn until enough stays in
-constexpr double settle_s = 1.5;    // in the station, with the basket free
-constexpr double still_m_s = 0.01;  // at the end of it
+constexpr int max_baskets = 20;      // drawn until enough stays in
+constexpr int max_cup_baskets = 80;  // a cup needs a flat face up, and no finger rights a pack
+constexpr double settle_s = 1.5;     // in the station, with the basket free
+constexpr double still_m_s = 0.01;   // at the end of it
 constexpr double max_overlap_m = 0.002;
 // Of the basket's room, what the boxes round all that is poured take up at most: packs lie loose.
 constexpr double max_filled = 0.6;
-
-// ---- What the gripper can be expected to hold ----
-// Flat goods: a finger of 16 mm and its room fit between a pack and the wall only over the ledge,
-// so that the pads' lower ends, 21 mm under the pack's upper side, must stand 16 mm over the floor.
-constexpr int widest_mm = 68, flattest_mm = 37, longest_mm = 255;
-constexpr int min_round_mm = 55;  // smaller ones have a low yield
-constexpr double heaviest_kg = 1.0;
 
 using Goods = std::vector<const catalog::Product*>;
 using Shapes = std::map<std::string, Goods>;
@@ -61,11 +55,12 @@ class CheckoutSampler {
                   CheckoutWorld& world,
                   const CheckoutCertifier& certify,
                   const EpisodeProver& prove,
+                  const CheckoutHand& hand,
                   Seed seed)
-      : stock_(stock), world_(world), certify_(certify), judge_(prove), seed_(seed) {
+      : stock_(stock), world_(world), certify_(certify), judge_(prove), hand_(hand), seed_(seed) {
     for (const catalog::Product& product : stock_) {
       shapes_[product.archetype].push_back(&product);
-      if (is_checkout_item(product)) target_shapes_[product.archetype].push_back(&product);
+      if (hand_.takes(product)) target_shapes_[product.archetype].push_back(&product);
     }
   }
 
@@ -191,7 +186,7 @@ class CheckoutSampler {
     return room_m3;
   }
 
-  // What the gripper cannot take goes in first: it could not be cleared away. All else in an order
+  // What the hand cannot take goes in first: it could not be cleared away. All else in an order
   // of its own, so that targets lie under others as well as over them.
   Result<void> pour(const std::vector<const catalog::Product*>& drawn,
                     Seed seed,
@@ -201,8 +196,7 @@ class CheckoutSampler {
       order[i] = i;
     Stream draw = seed.child("order").stream();
     draw.shuffle(std::span(order));
-    std::ranges::stable_partition(order,
-                                  [&](std::size_t i) { return !is_checkout_item(*drawn[i]); });
+    std::ranges::stable_partition(order, [&](std::size_t i) { return !hand_.takes(*drawn[i]); });
     std::vector<physics::SharedGoodsBody> bulk(drawn.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       MARKETGEN_TRY(bulk[i], physics::goods_body(*drawn[order[i]], physics::GoodsUse::bulk));
@@ -264,25 +258,12 @@ class CheckoutSampler {
   CheckoutWorld& world_;
   const CheckoutCertifier& certify_;
   CandidateJudge judge_;
+  const CheckoutHand& hand_;
   Seed seed_;
   Shapes shapes_, target_shapes_;
 };
 
 }  // namespace
-
-CheckoutRefusal checkout_refusal(const catalog::Product& product) {
-  std::array<int, 3> size = product.size_mm;
-  std::ranges::sort(size);
-  const bool round = product.orientation == catalog::Orientation::any;
-  if (product.rigidity == catalog::Rigidity::soft) return CheckoutRefusal::soft;
-  if (product.mass_kg > heaviest_kg) return CheckoutRefusal::too_heavy;
-  if (size[1] > widest_mm) return CheckoutRefusal::too_wide;
-  if (round && size[0] < min_round_mm) return CheckoutRefusal::small_round;
-  if (size[0] < flattest_mm) return CheckoutRefusal::too_flat;
-  if (size[2] > longest_mm) return CheckoutRefusal::too_long;
-  return physics::fits_in(physics::checkout_basket, product) ? CheckoutRefusal::none
-                                                             : CheckoutRefusal::too_large;
-}
 
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene) {
   std::vector<catalog::Product> stock = store_stock(scene);
@@ -292,12 +273,12 @@ std::vector<catalog::Product> checkout_stock(const scene::Scene& scene) {
   return stock;
 }
 
-EpisodeExclusions checkout_exclusions(const scene::Scene& scene) {
+EpisodeExclusions checkout_exclusions(const scene::Scene& scene, const CheckoutHand& hand) {
   EpisodeExclusions exclusions;
   std::map<CheckoutRefusal, int> counts;
   for (const catalog::Product& product : store_stock(scene)) {
     ++exclusions.on_offer;
-    ++counts[checkout_refusal(product)];
+    ++counts[hand.refusal(product)];
   }
   for (const auto& [why, products] : counts)
     if (why != CheckoutRefusal::none)
@@ -313,25 +294,32 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     int index,
                                     const CheckoutCertifier& certify,
                                     const EpisodeProver& prove,
-                                    Instructions instructions) {
-  if (const auto targets = std::ranges::count_if(stock, is_checkout_item);
+                                    Instructions instructions,
+                                    const CheckoutHand& hand) {
+  if (const auto targets = std::ranges::count_if(
+          stock, [&](const catalog::Product& product) { return hand.takes(product); });
       targets < static_cast<std::ptrdiff_t>(min_stock))
     return Error{"episode.impossible",
                  origin.store,
-                 fmt::format("of what the store offers, the gripper can take {} products out of a "
+                 fmt::format("of what the store offers, the robot can take {} products out of a "
                              "basket; at least {} are needed: give it more kinds of boxes, cans or "
                              "bottles",
                              targets,
                              min_stock)};
-  MARKETGEN_TRY(CheckoutWorld world, CheckoutWorld::create(data, frictions));
+  MARKETGEN_TRY(CheckoutWorld world,
+                CheckoutWorld::create(data, frictions, checkout_station, hand.tools));
   const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
-  EpisodeSpec spec = begun_spec("checkout", origin, seed, index, own);
+  EpisodeSpec spec = begun_spec(
+      hand.tools.empty() ? "checkout" : "checkout/" + hand.tools, origin, seed, index, own);
   spec.robot = world.station().robot;
+  spec.tools = hand.tools;
   spec.instructions = instructions;
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
-  CheckoutSampler sampler(stock, world, certify, prove, own);
-  for (int number = 0; number < max_baskets; ++number) {
+  CheckoutSampler sampler(stock, world, certify, prove, hand, own);
+  const bool cup = world.robot().tools.front().kind == robots::ToolKind::suction;
+  const int max_drawn = cup ? max_cup_baskets : max_baskets;
+  for (int number = 0; number < max_drawn; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);
   }
@@ -340,7 +328,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
       spec.id,
       fmt::format("in {} baskets drawn, too few goods stayed inside, or could be taken out again "
                   "({})",
-                  max_baskets,
+                  max_drawn,
                   sampler.judge().spoken())};
 }
 

@@ -1,14 +1,13 @@
 // Draws episodes of Checkout Unloading from a store's stock.
 #pragma once
-#include <array>
 #include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/seed.h"
 #include "catalog/rows.h"
+#include "episodes/checkout/checkout_refusal.h"
 #include "episodes/checkout/checkout_world.h"
 #include "episodes/episode_origin.h"
 #include "scene/scene.h"
@@ -21,42 +20,21 @@ constexpr int min_others = 4, max_others = 8;
 // beside the targets that is easily taken for one of them (catalog/look_alike.h), where the stock
 // has one. Targets may be alike, too.
 constexpr double two_of_one_share = 0.25, look_alikes_share = 0.5;
-// Kinds of goods that the gripper takes; baskets of stores with fewer than max_targets + max_others
+// Kinds of goods that the robot takes; baskets of stores with fewer than max_targets + max_others
 // are smaller.
 constexpr std::size_t min_stock = 2;
 
-// Why the Panda cannot be expected to hold a product as it lies in the basket; measured
-// (docs/episodes.md). The first that applies.
-enum class CheckoutRefusal {
-  none,
-  soft,         // packs that give way
-  too_heavy,    // for the arm, held off its middle
-  too_wide,     // for the gripper
-  too_flat,     // beside the ledge there is no room for a finger
-  too_long,     // to be turned in the basket
-  small_round,  // rolls away between the fingers
-  too_large     // for the basket
-};
-constexpr std::array<std::string_view, 8> names_of(CheckoutRefusal) {
-  return {
-      "none", "soft", "too_heavy", "too_wide", "too_flat", "too_long", "small_round", "too_large"};
-}
-CheckoutRefusal checkout_refusal(const catalog::Product& product);
-inline bool is_checkout_item(const catalog::Product& product) {
-  return checkout_refusal(product) == CheckoutRefusal::none;
-}
-
-// Of store_stock(), what fits into a checkout's basket, whether the gripper takes it or not.
+// Of store_stock(), what fits into a checkout's basket, whether the robot takes it or not.
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene);
 // How many products of the store's shelves are left out, by reason.
-EpisodeExclusions checkout_exclusions(const scene::Scene& scene);
+EpisodeExclusions checkout_exclusions(const scene::Scene& scene, const CheckoutHand& hand = {});
 
 // Looks for a way through a settled basket: picks in their order, or nothing when it finds none.
 using CheckoutCertifier = std::function<Result<std::optional<std::vector<WitnessPick>>>(
     const CheckoutWorld& world, Seed seed)>;
 
 // Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes,
-// of a small stock at most a third of it targets: targets of what is_checkout_item, others of all
+// of a small stock at most a third of it targets: targets of what the hand takes, others of all
 // of `stock`, as long as there is room in the basket; dropped into the basket one after another,
 // and settled. What spills is left out; drawn anew when too few stay, words would fit another
 // product of the basket as well (not_told_apart), or `certify` finds no way through (empty: not
@@ -71,6 +49,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     int index,
                                     const CheckoutCertifier& certify = {},
                                     const EpisodeProver& prove = {},
-                                    Instructions instructions = Instructions::words);
+                                    Instructions instructions = Instructions::words,
+                                    const CheckoutHand& hand = {});
 
 }  // namespace marketgen::episodes
