@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "binding.h"
 #include "environments/policy_name.h"
+#include "episodes/episode_sets.h"
 #include "episodes/episode_spec.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
@@ -139,6 +140,11 @@ io::ProcessGroup started(const std::vector<std::string>& command, const std::arr
   return value_or_raise(io::ProcessGroup::start(command, ends));
 }
 
+std::string find_episode_file(const std::string& named) {
+  return value_or_raise(episodes::find_episode_file(named, value_or_raise(io::data_folder())))
+      .string();
+}
+
 // By name, the sets of episodes that come with the program.
 std::map<std::string, std::string> episode_sets() {
   std::map<std::string, std::string> sets;
@@ -169,6 +175,7 @@ void add_evaluations(nb::module_& module) {
   module.def("evaluate", &evaluate);
   module.def("evaluate_with", &evaluate_with);
   module.def("serve_episodes", &serve);
+  module.def("find_episode_file", &find_episode_file);
   module.def("episode_sets", &episode_sets);
   module.def("thread_count", &thread_count);
   module.def("data_folder", &data_folder_or_raise);

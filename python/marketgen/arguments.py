@@ -40,8 +40,7 @@ def a_path(name: str, value: Any) -> str:
 
 def episodes_path(name: str, value: Any) -> str:
     """A whole path: of the file, or of a set that comes with the program, by its name ("pool/aisle")."""
-    path = a_path(name, value)
-    return os.path.abspath(path) if os.path.exists(path) else _core.episode_sets().get(path, os.path.abspath(path))
+    return os.path.abspath(_core.find_episode_file(a_path(name, value)))
 
 
 def paths(name: str, values: Any) -> list[str]:

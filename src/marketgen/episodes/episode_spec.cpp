@@ -1,14 +1,12 @@
 #include "episodes/episode_spec.h"
 
-#include <map>
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/hash.h"
-#include "base/text.h"
 #include "episodes/check_episodes.h"
+#include "episodes/episode_sets.h"
 #include "episodes/frozen_store.h"
 #include "io/file.h"
 #include "io/gzip.h"
@@ -20,23 +18,6 @@ namespace {
 
 std::string line_of(const std::string& source, std::size_t line) {
   return fmt::format("{}:{}", source, line);
-}
-
-// A file as it was named, else the set of that name.
-Result<fs::path> file_or_set(const fs::path& named, const fs::path& data) {
-  std::error_code failed;
-  if (fs::exists(named, failed)) return named;
-  const auto sets = episode_sets(data);
-  if (const auto set = sets.find(named.string()); set != sets.end()) return set->second;
-  std::vector<std::string_view> names;
-  for (const auto& [name, file] : sets)
-    names.push_back(name);
-  return Error{"input.not_found",
-               named.string(),
-               fmt::format("there is no such file, nor a set of episodes of that name{}; the sets "
-                           "are: {}",
-                           did_you_mean(named.string(), names),
-                           fmt::join(names, ", "))};
 }
 
 }  // namespace
@@ -100,26 +81,11 @@ Result<EpisodeFile> read_episodes(std::string_view text, const std::string& sour
   return file;
 }
 
-std::map<std::string, fs::path> episode_sets(const fs::path& data) {
-  std::map<std::string, fs::path> sets;
-  std::error_code failed;
-  for (const auto& folder : fs::directory_iterator(data / "benchmark", failed)) {
-    if (!folder.is_directory()) continue;
-    for (const auto& entry : fs::directory_iterator(folder.path(), failed)) {
-      const std::string name = entry.path().filename().string();
-      const std::size_t end = name.find(".jsonl");
-      if (end != std::string::npos)
-        sets[folder.path().filename() / name.substr(0, end)] = entry.path();
-    }
-  }
-  return sets;
-}
-
 Result<EpisodeFile> read_episode_file(const fs::path& file) {
   MARKETGEN_TRY(const fs::path data, io::data_folder());
   const bool told = file == "-";
   MARKETGEN_TRY(const fs::path found,
-                told ? Result<fs::path>("/dev/stdin") : file_or_set(file, data));
+                told ? Result<fs::path>("/dev/stdin") : find_episode_file(file, data));
   const std::string source = told ? "standard input" : found.filename().string();
   MARKETGEN_TRY(std::string text, io::read_file(found));
   if (io::is_gzip(text)) {

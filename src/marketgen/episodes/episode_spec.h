@@ -6,7 +6,6 @@
 #pragma once
 #include <array>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -233,13 +232,9 @@ std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec);
 // Errors: of read_json, at "FILE:LINE"; episode.truncated when lines are missing or the last one
 // breaks off; those of check_episodes (episodes/check_episodes.h).
 Result<EpisodeFile> read_episodes(std::string_view text, const std::string& source);
-// The sets of episodes below `data`/benchmark, by name: "pool/aisle" for pool/aisle.jsonl, packed
-// or not.
-std::map<std::string, std::filesystem::path> episode_sets(const std::filesystem::path& data);
-
-// A file, packed with gzip or not, "-" for standard input, or where there is no such file the name
-// of a set of data/benchmark: v1/checkout. Errors: those of read_file, gunzip, read_episodes,
-// data_folder, check_robots and check_frozen; input.not_found, which lists the sets there are.
+// A file, packed with gzip or not, or a set by its name (episodes/episode_sets.h); "-": standard
+// input. Errors: those of find_episode_file, read_file, gunzip, read_episodes, data_folder,
+// check_robots and check_frozen.
 Result<EpisodeFile> read_episode_file(const std::filesystem::path& file);
 std::string write_episodes(const EpisodeFile& file);
 

@@ -68,8 +68,7 @@ Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore
                  "is not the file of which the episodes have the SHA-256: fetch it again, or the "
                  "episodes that belong to it"};
   MARKETGEN_TRY(const std::string bytes, io::gunzip(packed, file));
-  MARKETGEN_TRY(scene::Scene scene,
-                scene::decode_scene(std::as_bytes(std::span(bytes.data(), bytes.size())), file));
+  MARKETGEN_TRY(scene::Scene scene, scene::decode_scene(std::as_bytes(std::span(bytes)), file));
   if (const std::string there = scene::scene_hash(scene); there != store.scene_hash)
     return Error{"episode.other_store",
                  file,

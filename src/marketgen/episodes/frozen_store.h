@@ -30,9 +30,9 @@ std::string pack_scene(const scene::Scene& scene);
 // not the bytes or the scene that the header says.
 Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore& store);
 
-// Over the rows of `data` that decide what becomes of episodes of these tracks: SHA-256 of the
-// stations' files, friction.json, and all files of robots/ that these name, and those name.
-// Errors: those of read_file.
+// Over the rows of `data` that decide what becomes of the file's episodes: the stations' files,
+// friction.json, and all files of robots/ that these name, and those name. Errors: those of
+// read_file.
 Result<std::string> rows_hash(const std::filesystem::path& data, const EpisodeFile& file);
 
 // Gives the stores' scenes their whole paths, `folder` being that of the file. Errors:

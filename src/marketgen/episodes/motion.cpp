@@ -42,11 +42,8 @@ std::string pack_motion(const Motion& motion) {
 Result<Motion> unpack_motion(std::string_view packed, const std::string& source) {
   MARKETGEN_TRY(const std::string bytes, io::gunzip(packed, source));
   Motion motion;
-  MARKETGEN_CHECK(io::read_flatbuffer_into(std::as_bytes(std::span(bytes.data(), bytes.size())),
-                                           source,
-                                           motion_file_identifier,
-                                           type_of<Motion>(),
-                                           &motion));
+  MARKETGEN_CHECK(io::read_flatbuffer_into(
+      std::as_bytes(std::span(bytes)), source, motion_file_identifier, type_of<Motion>(), &motion));
   if (is_whole(motion)) return motion;
   return Error{"scene.corrupt",
                source,

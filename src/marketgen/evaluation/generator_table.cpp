@@ -17,11 +17,13 @@ struct MadeStore {
   store::StoreReport report;
 };
 
-enum class Better { lower, higher };
+// How the stores' values become one: the median, and the greatest or least as the worst; or, of yes
+// and no, the share of stores.
+enum class Summed { lower_is_better, higher_is_better, share_of_stores };
 
 struct Metric {
   std::string_view name, what;
-  Better better;
+  Summed summed;
   std::function<std::optional<double>(const MadeStore&)> of;
 };
 
@@ -38,46 +40,46 @@ double hard_rules(const MadeStore& made) {
 }
 
 const std::vector<Metric>& metrics() {
-  using enum Better;
+  using enum Summed;
   static const std::vector<Metric> all{
       {"COL",
        "share of near item pairs that interpenetrate by more than 1 mm",
-       lower,
+       lower_is_better,
        [](const MadeStore& made) { return made.report.metrics.COL; }},
       {"OOB",
        "products outside their shelf or the room",
-       lower,
+       lower_is_better,
        [](const MadeStore& made) { return static_cast<double>(made.report.metrics.OOB); }},
       {"STB",
        "share of products that drift less than 5 cm in physics (stores that `report` measured)",
-       higher,
+       higher_is_better,
        [](const MadeStore& made) { return made.report.metrics.STB; }},
       {"NAV",
        "largest part of the free floor over all of it, robot of 0.42 m radius",
-       higher,
+       higher_is_better,
        [](const MadeStore& made) { return made.report.metrics.NAV; }},
       {"one_floor",
        "share of stores whose free floor is in one part (NAV above 0.999)",
-       higher,
+       share_of_stores,
        [](const MadeStore& made) { return made.report.metrics.NAV > 0.999 ? 1.0 : 0.0; }},
       {"REACH",
        "share of bays before which the robot can stand, come from the entrance",
-       higher,
+       higher_is_better,
        [](const MadeStore& made) { return made.report.metrics.REACH; }},
-      {"hard_rules", "broken hard rules of layout and scene", lower, hard_rules},
+      {"hard_rules", "broken hard rules of layout and scene", lower_is_better, hard_rules},
       {"prompt",
        "share of the prompt's wishes that the finished scene meets",
-       higher,
+       higher_is_better,
        [](const MadeStore& made) { return made.report.metrics.prompt; }},
       {"products",
        "products in the store",
-       higher,
+       higher_is_better,
        [](const MadeStore& made) { return static_cast<double>(made.manifest.counts.products); }},
       {"seconds",
        "wall time from words to files, pictures included if asked for",
-       lower,
+       lower_is_better,
        seconds_of},
-      {"peak_mb", "most memory in use, MB", lower, [](const MadeStore& made) {
+      {"peak_mb", "most memory in use, MB", lower_is_better, [](const MadeStore& made) {
          return made.report.peak_rss_mb;
        }}};
   return all;
@@ -97,13 +99,14 @@ GeneratorRow row_of(const Metric& metric, const std::vector<MadeStore>& stores) 
     if (const auto value = metric.of(made)) values.push_back(*value);
   row.stores = static_cast<int>(values.size());
   if (values.empty()) return row;
-  if (metric.name == "one_floor") {  // a share of stores has no median of its own
+  if (metric.summed == Summed::share_of_stores) {
     row.median = row.worst =
         std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     return row;
   }
   row.median = median_of(values);
-  row.worst = metric.better == Better::lower ? std::ranges::max(values) : std::ranges::min(values);
+  row.worst = metric.summed == Summed::lower_is_better ? std::ranges::max(values)
+                                                       : std::ranges::min(values);
   return row;
 }
 

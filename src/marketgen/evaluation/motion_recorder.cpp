@@ -97,9 +97,10 @@ void MotionRecorder::see_joints(std::uint32_t step) {
   }
 }
 
-std::string MotionRecorder::packed(const episodes::EpisodeResult& result) {
+std::string MotionRecorder::packed(const episodes::EpisodeResult& result,
+                                   const std::string& episode_hash) {
   motion_.episode = result.episode;
-  motion_.episode_hash = result.episode_hash;
+  motion_.episode_hash = episode_hash;
   motion_.scene_hash = result.scene_hash;
   motion_.policy = result.policy;
   motion_.realism = result.realism;
@@ -117,12 +118,10 @@ Result<episodes::EpisodeResult> run_recorded(environments::Arena& arena,
   std::vector<environments::EpisodeWatcher*> all{&recorder};
   if (watcher != nullptr) all.push_back(watcher);
   environments::EpisodeWatchers watchers(std::move(all));
-  MARKETGEN_TRY(episodes::EpisodeResult result,
+  MARKETGEN_TRY(const episodes::EpisodeResult result,
                 environments::run_episode(arena, spec, policy, &watchers, {}, realism));
-  // As the folder's results name it.
-  episodes::EpisodeResult kept = result;
-  kept.episode_hash = episodes::episode_hash(arena.header(), spec);
-  MARKETGEN_CHECK(io::write_file(motion_file(results, spec.id), recorder.packed(kept)));
+  const std::string hash = episodes::episode_hash(arena.header(), spec);
+  MARKETGEN_CHECK(io::write_file(motion_file(results, spec.id), recorder.packed(result, hash)));
   return result;
 }
 

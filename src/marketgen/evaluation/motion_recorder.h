@@ -17,8 +17,8 @@ class MotionRecorder : public environments::EpisodeWatcher {
  public:
   Result<void> begin(const episodes::TrackWorld& world) override;
   Result<void> step() override;
-  // The motion so far, as one of `result`'s. Precondition: it began.
-  std::string packed(const episodes::EpisodeResult& result);
+  // The motion so far, as that of `result`, of the episode with that hash. Precondition: it began.
+  std::string packed(const episodes::EpisodeResult& result, const std::string& episode_hash);
 
  private:
   void look();

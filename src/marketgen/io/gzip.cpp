@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -29,6 +30,11 @@ void feed(z_stream& stream, std::string_view& rest) {
   rest.remove_prefix(piece);
 }
 
+// Of zlib's beginnings: with these levels nothing but memory can be missing.
+void check_begun(int answer) {
+  if (answer != Z_OK) throw std::bad_alloc();
+}
+
 // One block of output; zlib's answer.
 template <typename Step>
 int put_block(z_stream& stream, std::string& out, Step&& step) {
@@ -44,8 +50,8 @@ int put_block(z_stream& stream, std::string& out, Step&& step) {
 
 std::string gzip(std::string_view bytes) {
   z_stream stream{};
-  deflateInit2(
-      &stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, memory_level, Z_DEFAULT_STRATEGY);
+  check_begun(deflateInit2(
+      &stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, memory_level, Z_DEFAULT_STRATEGY));
   std::string out;
   for (int answer = Z_OK; answer != Z_STREAM_END;) {
     feed(stream, bytes);
@@ -64,7 +70,7 @@ Result<std::string> gunzip(std::string_view packed,
                            const std::string& source,
                            std::uint64_t max_bytes) {
   z_stream stream{};
-  inflateInit2(&stream, gzip_window);
+  check_begun(inflateInit2(&stream, gzip_window));
   std::string out;
   int answer = Z_OK;
   while (answer == Z_OK && out.size() <= max_bytes) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "environments/episode_ground.h"
+#include "episodes/episode_sets.h"
 #include "io/file.h"
 #include "io/gzip.h"
 #include "store/store.h"
@@ -148,6 +149,18 @@ TEST(EpisodeSets, AreNamedWithoutTheirFolder) {
   EXPECT_EQ(wrong.error().code, "input.not_found");
   EXPECT_NE(wrong.error().message.find("did you mean \"pool/aisle\""), std::string::npos)
       << wrong.error().message;
+}
+
+TEST(EpisodeSets, AreFilesOfEpisodesPackedOrNot) {
+  const ScratchFolder scratch;
+  const fs::path set = scratch.path() / "benchmark/v9";
+  for (const char* file :
+       {"aisle.jsonl", "cup.jsonl.gz", "doors.jsonl.gz.unfinished", "SHA256SUMS"})
+    ASSERT_TRUE(io::write_file(set / file, "").ok());
+  const auto sets = episodes::episode_sets(scratch.path());
+  ASSERT_EQ(sets.size(), 2U);
+  EXPECT_EQ(sets.at("v9/aisle"), set / "aisle.jsonl");
+  EXPECT_EQ(sets.at("v9/cup"), set / "cup.jsonl.gz");
 }
 
 }  // namespace

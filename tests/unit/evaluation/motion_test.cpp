@@ -137,7 +137,8 @@ TEST(MotionRecorder, BeginsAnewWithEachEpisode) {
   for (int time = 0; time < 2; ++time) {
     ASSERT_TRUE(recorder.begin(**world).ok());
     ASSERT_TRUE(recorder.step().ok());
-    const auto motion = episodes::unpack_motion(recorder.packed(episodes::EpisodeResult{}), "here");
+    const auto motion =
+        episodes::unpack_motion(recorder.packed(episodes::EpisodeResult{}, ""), "here");
     ASSERT_TRUE(motion.ok()) << to_string(motion.error());
     EXPECT_EQ(motion->steps(), 2U);
     for (const episodes::ThingMotion& thing : motion->things)
