@@ -11,6 +11,7 @@
 #include "base/hash.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "base/text.h"
 #include "command.h"
 #include "environments/environment_entry.h"
 #include "episodes/episode_journal.h"
@@ -30,7 +31,8 @@ struct EpisodesFlags {
   CommonFlags common;
   std::vector<std::string> folders;
   std::string track = "checkout", tools, output;
-  std::string split = "planned", instructions = "words";
+  std::string split = "planned", instructions = "words", unseen = "products,layouts,looks";
+  std::vector<std::string> trained_on;
   int count = 10;
   bool resume = false, frozen = false;
 };
@@ -42,6 +44,7 @@ struct StockedStore {
 
 Result<std::vector<StockedStore>> stocked_stores(
     const std::vector<std::shared_ptr<const store::Store>>& opened,
+    const episodes::TrainingSet& trained_on,
     environments::EpisodeSampler& sampler,
     environments::Arena& arena) {
   std::vector<StockedStore> stores;
@@ -49,6 +52,7 @@ Result<std::vector<StockedStore>> stocked_stores(
     StockedStore made{environments::store_row(*store), nullptr};
     arena.offer(store);
     const episodes::EpisodeStore& row = made.store;
+    MARKETGEN_CHECK(trained_on.check_store(row));
     MARKETGEN_TRY(made.sampler, sampler.of_store({row.name, row.scene_hash, row.plan_hash}));
     stores.push_back(std::move(made));
   }
@@ -93,11 +97,13 @@ std::vector<catalog::Product> products_of(const std::vector<StockedStore>& store
 
 // What decides the episodes, beside their number.
 std::string draw_hash(const EpisodesFlags& flags,
+                      const episodes::DrawRules& rules,
                       const std::vector<StockedStore>& stores,
                       const catalog::Catalog& catalog) {
   Hasher hasher;
   hasher.add(program_version).add(catalog.content_hash).add(flags.track).add(flags.tools);
   hasher.add(flags.split).add(flags.instructions);
+  if (const auto unseen = rules.trained_on.row()) hasher.add(io::write_json(*unseen));
   hasher.add(std::to_string(flags.common.seed));
   for (const StockedStore& from : stores)
     hasher.add(from.store.scene_hash).add(from.store.plan_hash);
@@ -250,13 +256,40 @@ Result<episodes::Instructions> instructions_named(const std::string& name) {
                            fmt::join(names_of(episodes::Instructions{}), ", "))};
 }
 
+// Of a list like "products,looks".
+Result<std::vector<episodes::Unseen>> unseen_named(const std::string& list) {
+  std::vector<episodes::Unseen> unseen;
+  for (const std::string& name : split(list, ',')) {
+    const auto kind = value_named<episodes::Unseen>(name);
+    if (!kind)
+      return Error{"usage.bad_flag",
+                   "--unseen",
+                   fmt::format("there is no \"{}\"; there are: {}",
+                               name,
+                               fmt::join(names_of(episodes::Unseen{}), ", "))};
+    unseen.push_back(*kind);
+  }
+  return unseen;
+}
+
+Result<episodes::DrawRules> rules_of(const EpisodesFlags& flags) {
+  episodes::DrawRules rules;
+  MARKETGEN_TRY(rules.split, split_named(flags.split));
+  MARKETGEN_TRY(rules.instructions, instructions_named(flags.instructions));
+  MARKETGEN_TRY(std::vector<episodes::Unseen> unseen, unseen_named(flags.unseen));
+  const std::vector<std::filesystem::path> files(flags.trained_on.begin(), flags.trained_on.end());
+  MARKETGEN_TRY(rules.trained_on, episodes::TrainingSet::read(files, std::move(unseen)));
+  return rules;
+}
+
 void finish_header(const EpisodesFlags& flags,
-                   episodes::Split split,
+                   const episodes::DrawRules& rules,
                    std::vector<StockedStore>& stores,
                    episodes::EpisodeFile& file) {
   file.header.seed = flags.common.seed;
   file.header.episodes = flags.count;
-  file.header.split = split;
+  file.header.split = rules.split;
+  file.header.unseen = rules.trained_on.row();
   file.header.drawn = episodes::draw_shares(file.episodes);
   file.header.products = products_of(file.episodes, stores);
   for (StockedStore& store : stores) {
@@ -330,22 +363,22 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_CHECK(check_can_freeze(flags, opened.stores));
   const catalog::Catalog& catalog = opened.catalog;
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
-  MARKETGEN_TRY(const episodes::Split split, split_named(flags.split));
-  MARKETGEN_TRY(const episodes::Instructions instructions, instructions_named(flags.instructions));
+  MARKETGEN_TRY(const episodes::DrawRules rules, rules_of(flags));
   episodes::EpisodeFile file;
   environments::Arena arena(data, file.header, catalog);
   MARKETGEN_TRY(
       const auto sampler,
-      environments::environment_entry_of(track).sampler(arena, flags.tools, split, instructions));
-  MARKETGEN_TRY(std::vector<StockedStore> stores, stocked_stores(opened.stores, *sampler, arena));
-  if (split == episodes::Split::certified) file.header.products = products_of(stores);
+      environments::environment_entry_of(track).sampler(arena, flags.tools, rules));
+  MARKETGEN_TRY(std::vector<StockedStore> stores,
+                stocked_stores(opened.stores, rules.trained_on, *sampler, arena));
+  if (rules.split == episodes::Split::certified) file.header.products = products_of(stores);
   MARKETGEN_TRY(const std::unique_ptr<episodes::EpisodeJournal> journal,
-                begin_journal(flags, draw_hash(flags, stores, catalog)));
+                begin_journal(flags, draw_hash(flags, rules, stores, catalog)));
   const std::size_t before = journal ? journal->before().size() : 0;
   const auto began = std::chrono::steady_clock::now();
   MARKETGEN_TRY(file.episodes, draw(flags, stores, *sampler, journal.get()));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  finish_header(flags, split, stores, file);
+  finish_header(flags, rules, stores, file);
   if (flags.frozen) MARKETGEN_CHECK(freeze(flags, data, arena, outputs, file));
   const std::string text = episodes::write_episodes(file);
   const bool packed = flags.output.ends_with(".gz");
@@ -389,6 +422,21 @@ Run add_episodes(CLI::App& app) {
           flags->instructions,
           "how goals are told: words (a text that fits one product on offer) or ids (SKUs, "
           "too)")
+      ->capture_default_str();
+  CLI::Option* trained_on =
+      command
+          ->add_option("--trained-on",
+                       flags->trained_on,
+                       "a file of episodes that a policy was trained on: what is drawn it has not "
+                       "seen; may be given again")
+          ->allow_extra_args(false);
+  command
+      ->add_option("--unseen",
+                   flags->unseen,
+                   "with --trained-on, what is to be new, with commas: products (no goal is one of "
+                   "those files' products, or easily taken for one), layouts and looks (a store "
+                   "with one of theirs is refused)")
+      ->needs(trained_on)
       ->capture_default_str();
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(whole_number(1, 100000))

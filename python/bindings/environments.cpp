@@ -154,10 +154,12 @@ std::vector<std::string> draw(environments::EpisodeGround& ground,
                               const std::string& track,
                               const std::vector<std::uint64_t>& seeds,
                               const std::string& tools,
+                              const std::string& split,
                               const Callable& progress) {
   const episodes::Track of = value_or_raise(episodes::track_named(track));
+  const auto shown = named<episodes::Split>(split, "split");
   const auto specs = value_or_raise(telling(progress, [&](Progress& told) {
-    return environments::draw_all(ground, of, seeds, tools, told);
+    return environments::draw_all(ground, of, seeds, tools, shown, told);
   }));
   std::vector<std::string> texts;
   for (const episodes::EpisodeSpec& spec : specs)

@@ -62,6 +62,16 @@ def test_a_cup_instead_of_the_gripper(store):
         make(store, tools="suctoin")
 
 
+def test_episodes_are_drawn_by_the_split_that_is_asked_for(store):
+    drawn = {split: json.loads(make(store, split=split).unwrapped.setup.draw([3])[0]) for split in ("planned", "all")}
+    assert drawn["planned"]["certificate"]["proved"]
+    assert not drawn["all"]["certificate"].get("proved")
+    with pytest.raises(marketgen.Error, match="planed"):
+        make(store, split="planed")
+    with pytest.raises(marketgen.Error, match="give a store"):
+        gymnasium.make(NAME, split="all")  # of the pool
+
+
 def test_equal_seeds_repeat_bit_for_bit_pictures_included(store):
     runs = []
     for _ in range(2):

@@ -24,6 +24,7 @@ class CheckoutUnloading(TaskEnv):
                   each step has brought nearer, 1 in all
     stop_action   False: actions have no `stop`; the episode ends when all goals are met
     flat          True: an observation is one row of numbers (of "state" and "state_robot")
+    split         of a store: what drawn episodes are shown to be, "planned" (by itself), "certified", "paper" or "all"
     tools         "gripper" or "suction": the arm ends in a cup on a tube. Its number sucks up to 0 and lets go above;
                   `agent.sealed` is 1 when it has sealed
     width, height, quality  of the pictures

@@ -16,6 +16,7 @@ class InAisleCollection(TaskEnv):
                   Then the left and the right gripper: -1 closed, 1 open. Then speed and turn rate of the base as shares of
                   the most (1.5 m/s ahead, turning left). Then `stop`. `action_names` says it number by number.
 
+    split         of a store: what drawn episodes are shown to be, "planned" (by itself), "certified", "paper" or "all"
     tools         "gripper" (one on each arm) or "suction": the right arm ends in a cup. Its number sucks up to 0 and lets go
                   above; `agent.sealed` is 1 for each tool that has sealed
 

@@ -38,6 +38,7 @@ class TaskOptions(TypedDict, total=False):
     stop_action: bool
     flat: bool
     tools: str
+    split: Literal["planned", "certified", "paper", "all"] | None
     cameras: Sequence[str] | None
     width: int
     height: int
@@ -55,6 +56,7 @@ DEFAULTS: TaskOptions = {
     "stop_action": True,
     "flat": False,
     "tools": "",
+    "split": None,
     "cameras": None,
     "width": 128,
     "height": 128,
@@ -132,6 +134,7 @@ class TaskSetup:
         self._made_of = (track, store, station, preset, options)
         wanted = full_options(preset, options)
         self.track, self.station, self.tools = track, station, wanted["tools"]
+        self.split = _split_of(wanted["split"], draws=store is not None and station == CHECKOUT_STATION)
         self.control_mode, self.reward_mode = wanted["control_mode"], wanted["reward_mode"]
         self.stop_action, self.obs_mode = bool(wanted["stop_action"]), wanted["obs_mode"]
         # Object numbers, or the true state, without their products would be of no use; else nothing tells a SKU.
@@ -207,7 +210,7 @@ class TaskSetup:
         """Episodes of seeds, side by side on all cores."""
         if self.station == ONE_ITEM_STATION:
             return [self.ground.draw_one_item(seed) for seed in seeds]
-        return self.ground.draw(self.track, list(seeds), self.tools, a_progress(progress))
+        return self.ground.draw(self.track, list(seeds), self.tools, self.split, a_progress(progress))
 
     def map_of(self, environment: _core.Environment) -> dict[str, Any] | None:
         """The functional map of the store, market-layout/1; None at a counter."""
@@ -220,6 +223,15 @@ class TaskSetup:
         if scene_hash not in self._products:
             self._products[scene_hash] = environment.products()
         return dict(self._products[scene_hash])
+
+
+def _split_of(split: str | None, *, draws: bool) -> str:
+    if split is None:
+        return "planned"
+    a_name("split", split, ("planned", "certified", "paper", "all"))
+    if not draws:
+        raise _core.Error("usage.bad_flag", "split", "only episodes that are drawn from a store have a choice: give a store")
+    return split
 
 
 def _setup_again(

@@ -61,12 +61,13 @@ Result<std::vector<episodes::EpisodeSpec>> draw_all(EpisodeGround& ground,
                                                     episodes::Track track,
                                                     std::span<const std::uint64_t> seeds,
                                                     const std::string& tools,
+                                                    episodes::Split split,
                                                     Progress& progress) {
   std::vector<episodes::EpisodeSpec> drawn(seeds.size());
   progress.begin("episodes", seeds.size());
   const auto done = for_each_of(seeds.size(), [&](std::size_t i) -> Result<void> {
     MARKETGEN_CHECK(check_interrupt());
-    MARKETGEN_TRY(drawn[i], ground.draw(track, seeds[i], tools));
+    MARKETGEN_TRY(drawn[i], ground.draw(track, seeds[i], tools, split));
     progress.advance();
     return {};
   });

@@ -34,6 +34,7 @@ Result<std::vector<episodes::EpisodeSpec>> draw_all(EpisodeGround& ground,
                                                     episodes::Track track,
                                                     std::span<const std::uint64_t> seeds,
                                                     const std::string& tools = {},
+                                                    episodes::Split split = episodes::Split::planned,
                                                     Progress& progress = silent_progress());
 
 }  // namespace marketgen::environments

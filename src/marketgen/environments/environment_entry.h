@@ -8,6 +8,7 @@
 #include "environments/arena.h"
 #include "environments/environment.h"
 #include "environments/episode_sampler.h"
+#include "episodes/draw_rules.h"
 
 namespace marketgen::environments {
 
@@ -28,10 +29,7 @@ class EnvironmentEntry {
   // Errors: of the station; usage.bad_flag when its robot has no choice.
   // With Split::certified the arena's header must have the rows of all that the stores sell.
   virtual Result<std::unique_ptr<EpisodeSampler>> sampler(
-      Arena& arena,
-      const std::string& tools,
-      episodes::Split split = episodes::Split::planned,
-      episodes::Instructions instructions = episodes::Instructions::words) const = 0;
+      Arena& arena, const std::string& tools, const episodes::DrawRules& rules = {}) const = 0;
 };
 
 #define MARKETGEN_TRACK(name, Type) const EnvironmentEntry& name##_environment_entry();

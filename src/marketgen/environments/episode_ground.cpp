@@ -128,12 +128,13 @@ Result<episodes::EpisodeSpec> EpisodeGround::pick(episodes::Track track, std::ui
 }
 
 Result<std::shared_ptr<EpisodeGround::Sampling>> EpisodeGround::sampling(episodes::Track track,
-                                                                         const std::string& tools) {
-  const std::string key = fmt::format("{} {}", name_of(track), tools);
+                                                                         const std::string& tools,
+                                                                         episodes::Split split) {
+  const std::string key = fmt::format("{} {} {}", name_of(track), tools, name_of(split));
   return arena_.shared().get<Sampling>(key, [&]() -> Result<std::shared_ptr<Sampling>> {
     const episodes::EpisodeStore& row = file_.header.stores.front();
     auto made = std::make_shared<Sampling>();
-    MARKETGEN_TRY(made->all, environment_entry_of(track).sampler(arena_, tools));
+    MARKETGEN_TRY(made->all, environment_entry_of(track).sampler(arena_, tools, {split}));
     MARKETGEN_TRY(made->of_store, made->all->of_store({row.name, row.scene_hash, row.plan_hash}));
     return made;
   });
@@ -141,8 +142,9 @@ Result<std::shared_ptr<EpisodeGround::Sampling>> EpisodeGround::sampling(episode
 
 Result<episodes::EpisodeSpec> EpisodeGround::sample(episodes::Track track,
                                                     std::uint64_t seed,
-                                                    const std::string& tools) {
-  MARKETGEN_TRY(const auto drawing, sampling(track, tools));
+                                                    const std::string& tools,
+                                                    episodes::Split split) {
+  MARKETGEN_TRY(const auto drawing, sampling(track, tools, split));
   auto spec = drawing->of_store->sample(Seed(seed), 0);
   MARKETGEN_CHECK(drawing->all->keep());
   return spec;
@@ -150,14 +152,15 @@ Result<episodes::EpisodeSpec> EpisodeGround::sample(episodes::Track track,
 
 Result<episodes::EpisodeSpec> EpisodeGround::draw(episodes::Track track,
                                                   std::uint64_t seed,
-                                                  const std::string& tools) {
+                                                  const std::string& tools,
+                                                  episodes::Split split) {
   if (!store_) return pick(track, seed);
-  const std::tuple key{track, tools, seed};
+  const std::tuple key{track, tools, split, seed};
   {
     const std::scoped_lock lock(mutex_);
     if (const auto kept = drawn_.find(key); kept != drawn_.end()) return kept->second;
   }
-  MARKETGEN_TRY(episodes::EpisodeSpec spec, sample(track, seed, tools));
+  MARKETGEN_TRY(episodes::EpisodeSpec spec, sample(track, seed, tools, split));
   const std::scoped_lock lock(mutex_);
   if (drawn_.size() >= max_kept_episodes) drawn_.clear();
   drawn_.try_emplace(key, spec);

@@ -48,10 +48,11 @@ class EpisodeGround {
   // A file's: number `seed` of those of the track, round and round. A store's: drawn from the seed,
   // which takes seconds; kept, for those who come back to their seeds. Errors: episode.impossible
   // for a file without such episodes; those of the samplers. `tools`: a tool set of the track's
-  // robot, the first when empty.
+  // robot, the first when empty. Tools and split say nothing of a file, whose episodes are drawn.
   Result<episodes::EpisodeSpec> draw(episodes::Track track,
                                      std::uint64_t seed,
-                                     const std::string& tools = {});
+                                     const std::string& tools = {},
+                                     episodes::Split split = episodes::Split::planned);
   // As many things as an episode may be about, see TrackEntry::items_of(): of the file, and as many
   // as are drawn from stores.
   int max_items(episodes::Track track) const;
@@ -74,9 +75,12 @@ class EpisodeGround {
   Result<episodes::EpisodeSpec> pick(episodes::Track track, std::uint64_t seed) const;
   Result<episodes::EpisodeSpec> sample(episodes::Track track,
                                        std::uint64_t seed,
-                                       const std::string& tools);
+                                       const std::string& tools,
+                                       episodes::Split split);
   struct Sampling;
-  Result<std::shared_ptr<Sampling>> sampling(episodes::Track track, const std::string& tools);
+  Result<std::shared_ptr<Sampling>> sampling(episodes::Track track,
+                                             const std::string& tools,
+                                             episodes::Split split);
 
   std::filesystem::path data_;
   episodes::EpisodeFile file_;
@@ -84,7 +88,9 @@ class EpisodeGround {
   std::shared_ptr<const store::Store> store_;  // none of a file
   Arena arena_;                                // reads the header and the catalogue above
   std::mutex mutex_;                           // of what was drawn
-  std::map<std::tuple<episodes::Track, std::string, std::uint64_t>, episodes::EpisodeSpec> drawn_;
+  std::map<std::tuple<episodes::Track, std::string, episodes::Split, std::uint64_t>,
+           episodes::EpisodeSpec>
+      drawn_;
 };
 
 }  // namespace marketgen::environments

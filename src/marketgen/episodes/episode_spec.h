@@ -193,6 +193,21 @@ struct EpisodeStore {
                        "of frozen episodes: it is opened rather than made again from the plan"));
 };
 
+// What of the episodes a policy has not seen that was trained on other files of episodes
+// (episodes/training_set.h). products: no goal is one of theirs, or easily taken for one.
+enum class Unseen { products, layouts, looks };
+constexpr std::array<std::string_view, 3> names_of(Unseen) {
+  return {"products", "layouts", "looks"};
+}
+
+struct UnseenRow {
+  std::vector<Unseen> what;
+  std::string training;
+  static constexpr auto fields = field_list(
+      field("what", &UnseenRow::what, "products, layouts, looks", required(), at_most_items(3)),
+      field("training", &UnseenRow::training, "hash of what is in the training files", required()));
+};
+
 struct EpisodeHeader {
   std::string schema = "market-episodes/1";
   std::uint64_t seed = 0;
@@ -202,6 +217,7 @@ struct EpisodeHeader {
   std::vector<EpisodeStore> stores;
   std::vector<catalog::Product> products;
   std::optional<std::string> rows_hash = {};  // of frozen episodes
+  std::optional<UnseenRow> unseen = {};
   static constexpr auto fields = field_list(
       field("schema", &EpisodeHeader::schema, "schema tag", constant("market-episodes/1")),
       field("seed", &EpisodeHeader::seed, "with which they were drawn"),
@@ -213,7 +229,10 @@ struct EpisodeHeader {
       field("rows_hash",
             &EpisodeHeader::rows_hash,
             "of frozen episodes: over the rows of stations, robots and friction that they were "
-            "drawn with"));
+            "drawn with"),
+      field("unseen",
+            &EpisodeHeader::unseen,
+            "what of them a policy has not seen that was trained on other episodes"));
 };
 
 struct EpisodeFile {

@@ -48,19 +48,17 @@ class AisleSampling : public EpisodeSampler {
   AisleSampling(Arena& arena,
                 std::string tools,
                 std::shared_ptr<episodes::GraspBook> book,
-                episodes::Split split,
-                episodes::Instructions instructions)
+                episodes::DrawRules rules)
       : arena_(arena),
         tools_(std::move(tools)),
         book_(std::move(book)),
-        split_(split),
-        instructions_(instructions) {}
+        rules_(std::move(rules)) {}
 
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(auto store, shared_aisle_store(arena_, origin.scene_hash, tools_));
-    MARKETGEN_TRY(auto sampler, episodes::AisleSampler::make(store, book_, split_, instructions_));
+    MARKETGEN_TRY(auto sampler, episodes::AisleSampler::make(store, book_, rules_));
     episodes::EpisodeProver in_physics;
-    if (split_ == episodes::Split::certified)
+    if (rules_.split == episodes::Split::certified)
       in_physics = [this](const episodes::EpisodeSpec& spec) { return prove(arena_, spec); };
     return std::unique_ptr<StoreSampler>(std::make_unique<AisleStoreSampler>(
         std::move(sampler), origin, std::move(store), std::move(in_physics)));
@@ -71,8 +69,7 @@ class AisleSampling : public EpisodeSampler {
   Arena& arena_;
   std::string tools_;
   std::shared_ptr<episodes::GraspBook> book_;
-  episodes::Split split_;
-  episodes::Instructions instructions_;
+  episodes::DrawRules rules_;
 };
 
 class AisleEnvironmentEntry : public EnvironmentEntry {
@@ -95,13 +92,10 @@ class AisleEnvironmentEntry : public EnvironmentEntry {
   }
 
   Result<std::unique_ptr<EpisodeSampler>> sampler(
-      Arena& arena,
-      const std::string& tools,
-      episodes::Split split,
-      episodes::Instructions instructions) const override {
+      Arena& arena, const std::string& tools, const episodes::DrawRules& rules) const override {
     MARKETGEN_TRY(auto book, episodes::open_aisle_book(arena.data(), arena.catalog(), tools));
     return std::unique_ptr<EpisodeSampler>(
-        std::make_unique<AisleSampling>(arena, tools, std::move(book), split, instructions));
+        std::make_unique<AisleSampling>(arena, tools, std::move(book), rules));
   }
 };
 

@@ -18,19 +18,18 @@ class CheckoutStoreSampler : public StoreSampler {
                        const scene::Scene& scene,
                        const episodes::CheckoutStation& station,
                        episodes::CheckoutHand hand,
-                       episodes::Split split,
-                       episodes::Instructions instructions)
+                       episodes::DrawRules rules)
       : arena_(arena),
         origin_(std::move(origin)),
-        instructions_(instructions),
+        rules_(std::move(rules)),
         hand_(std::move(hand)),
         stock_(episodes::checkout_stock(scene)),
         lanes_(episodes::checkout_lanes(scene, arena.catalog(), station)),
-        exclusions_(episodes::checkout_exclusions(scene, hand_)) {
+        exclusions_(episodes::checkout_exclusions(scene, hand_, rules_.trained_on)) {
     exclusions_.lanes = lanes_.left_out;
-    if (split == episodes::Split::planned || split == episodes::Split::certified)
+    if (rules_.split == episodes::Split::planned || rules_.split == episodes::Split::certified)
       certify_ = oracle::checkout_certifier(arena.data());
-    if (split == episodes::Split::certified)
+    if (rules_.split == episodes::Split::certified)
       prove_ = [this](const episodes::EpisodeSpec& spec) {
         return prove(arena_, episodes::at_a_lane(spec, lanes_));
       };
@@ -48,7 +47,7 @@ class CheckoutStoreSampler : public StoreSampler {
                                             index,
                                             certify_,
                                             prove_,
-                                            instructions_,
+                                            rules_,
                                             hand_));
     return episodes::at_a_lane(std::move(drawn), lanes_);
   }
@@ -63,7 +62,7 @@ class CheckoutStoreSampler : public StoreSampler {
  private:
   Arena& arena_;
   episodes::EpisodeOrigin origin_;
-  episodes::Instructions instructions_;
+  episodes::DrawRules rules_;
   episodes::CheckoutHand hand_;
   std::vector<catalog::Product> stock_;
   episodes::CheckoutLanes lanes_;
@@ -74,11 +73,8 @@ class CheckoutStoreSampler : public StoreSampler {
 
 class CheckoutSampling : public EpisodeSampler {
  public:
-  CheckoutSampling(Arena& arena,
-                   std::string tools,
-                   episodes::Split split,
-                   episodes::Instructions instructions)
-      : arena_(arena), tools_(std::move(tools)), split_(split), instructions_(instructions) {}
+  CheckoutSampling(Arena& arena, std::string tools, episodes::DrawRules rules)
+      : arena_(arena), tools_(std::move(tools)), rules_(std::move(rules)) {}
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
     MARKETGEN_TRY(const auto station, episodes::load_checkout_station(arena_.data()));
@@ -87,14 +83,13 @@ class CheckoutSampling : public EpisodeSampler {
         episodes::checkout_hand(
             arena_.data(), arena_.catalog().frictions, episodes::store_stock(*scene), tools_));
     return std::unique_ptr<StoreSampler>(std::make_unique<CheckoutStoreSampler>(
-        arena_, origin, *scene, station, std::move(hand), split_, instructions_));
+        arena_, origin, *scene, station, std::move(hand), rules_));
   }
 
  private:
   Arena& arena_;
   std::string tools_;
-  episodes::Split split_;
-  episodes::Instructions instructions_;
+  episodes::DrawRules rules_;
 };
 
 class CheckoutEnvironmentEntry : public EnvironmentEntry {
@@ -122,14 +117,11 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
   }
 
   Result<std::unique_ptr<EpisodeSampler>> sampler(
-      Arena& arena,
-      const std::string& tools,
-      episodes::Split split,
-      episodes::Instructions instructions) const override {
+      Arena& arena, const std::string& tools, const episodes::DrawRules& rules) const override {
     MARKETGEN_CHECK(
         episodes::load_checkout_station(arena.data(), episodes::checkout_station, tools));
     return std::unique_ptr<EpisodeSampler>(
-        std::make_unique<CheckoutSampling>(arena, tools, split, instructions));
+        std::make_unique<CheckoutSampling>(arena, tools, rules));
   }
 };
 

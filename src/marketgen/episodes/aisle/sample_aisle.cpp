@@ -45,13 +45,11 @@ struct AisleSampler::Witness {
 
 Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const AisleStore> store,
                                                          std::shared_ptr<GraspBook> book,
-                                                         Split split,
-                                                         Instructions instructions) {
+                                                         DrawRules rules) {
   std::unique_ptr<AisleSampler> made(new AisleSampler);
   made->store_ = std::move(store);
   made->book_ = std::move(book);
-  made->split_ = split;
-  made->instructions_ = instructions;
+  made->rules_ = std::move(rules);
   made->offer_ = Offer(store_stock(made->store_->scene));
   const scene::Scene& scene = made->store_->scene;
   std::set<std::uint32_t> seen;
@@ -66,21 +64,23 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
   if (products < static_cast<std::size_t>(max_goals))
     return Error{"episode.impossible",
                  "aisle",
-                 fmt::format("{} products stand within the robot's reach; at least {} are needed",
+                 fmt::format("a task may ask for {} products within the robot's reach; at least {} are needed",
                              products,
                              max_goals)};
   return made;
 }
 
-// In the front row of a shelf within reach; where a robot can stand before it; rigid.
+// In the front row of a shelf within reach; where a robot can stand before it; rigid; unseen.
 bool AisleSampler::is_drawn_from(const catalog::Product& product) const {
-  if (split_ == Split::all) return !store_->front_items(product.sku).empty();
-  return (split_ == Split::paper || product.rigidity != catalog::Rigidity::soft) &&
+  if (rules_.trained_on.has(product)) return false;
+  if (rules_.split == Split::all) return !store_->front_items(product.sku).empty();
+  return (rules_.split == Split::paper || product.rigidity != catalog::Rigidity::soft) &&
          !store_->standing_places(product.sku).empty();
 }
 
 // What is_drawn_from misses: of where its items stand what came nearest to it.
 std::string AisleSampler::why_not_drawn(const catalog::Product& product) const {
+  if (rules_.trained_on.has(product)) return std::string(seen_in_training);
   if (!store_->front_items(product.sku).empty())
     return store_->standing_places(product.sku).empty() ? "no_room_before" : "soft";
   ShelfRefusal nearest = ShelfRefusal::behind_another;
@@ -262,7 +262,7 @@ Result<int> AisleSampler::witnessed(
   for (int item = 0; item < count; ++item) {
     const Seed own = item == 0 ? seed : seed.child("item", static_cast<std::uint64_t>(item));
     MARKETGEN_TRY(auto found, pick(product, grasps, usual_rows, witness, own));
-    if (!found && split_ == Split::certified) {
+    if (!found && rules_.split == Split::certified) {
       MARKETGEN_TRY(found, pick_wider(product, grasps, witness, own));
       if (found && !spec.certificate.has(shown_by_wider_search))
         spec.certificate.proved.emplace_back(shown_by_wider_search);
@@ -276,9 +276,9 @@ Result<int> AisleSampler::witnessed(
 // Of `count` items, or of as many as the split can have. False when that is none.
 Result<bool> AisleSampler::add_goal(
     const catalog::Product& product, int count, EpisodeSpec& spec, Witness& witness, Seed seed) {
-  if (split_ == Split::planned || split_ == Split::certified) {
+  if (rules_.split == Split::planned || rules_.split == Split::certified) {
     MARKETGEN_TRY(count, witnessed(product, count, spec, witness, seed));
-  } else if (split_ == Split::paper) {
+  } else if (rules_.split == Split::paper) {
     const std::vector<std::uint32_t> rows = nearest_rows(product.sku, witness.axle);
     count = std::min(count, static_cast<int>(rows.size()));
     if (rows.empty()) return false;
@@ -295,7 +295,7 @@ Result<bool> AisleSampler::add_goal(
 
 // Whether words name it among all that the store sells; considered and left out if not.
 bool AisleSampler::can_be_told(const catalog::Product& product, Seed words) {
-  if (instructions_ == Instructions::ids ||
+  if (rules_.instructions == Instructions::ids ||
       refer_to(offer_, offer_.number_of(product.sku), 1, words.child(product.sku)))
     return true;
   const std::scoped_lock lock(mutex_);
@@ -363,7 +363,7 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
 }
 
 std::vector<std::string> AisleSampler::shown() const {
-  switch (split_) {
+  switch (rules_.split) {
     case Split::planned:
     case Split::certified:
       return {"path", "base", "reach", "approach", "retreat", "place"};
@@ -385,7 +385,7 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
   spec.robot = store_->station.robot;
   spec.tools = store_->station.tools().id;
   spec.cameras = {"head_camera"};
-  spec.instructions = instructions_;
+  spec.instructions = rules_.instructions;
   spec.limit_s = store_->station.limit_s;
   spec.certificate.proved = shown();
   CandidateJudge judge(prove);

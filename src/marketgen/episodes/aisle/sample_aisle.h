@@ -12,6 +12,7 @@
 #include "collect/collect_plan.h"
 #include "episodes/aisle/aisle_store.h"
 #include "episodes/aisle/grasp_book.h"
+#include "episodes/draw_rules.h"
 #include "episodes/episode_journal.h"
 #include "episodes/episode_origin.h"
 #include "episodes/goal_chance.h"
@@ -30,8 +31,7 @@ class AisleSampler {
   static Result<std::unique_ptr<AisleSampler>> make(
       std::shared_ptr<const AisleStore> store,
       std::shared_ptr<GraspBook> book,
-      Split split = Split::planned,
-      Instructions instructions = Instructions::words);
+      DrawRules rules = {});
 
   // Errors: episode.impossible with what was missing; those of plan_collect and plan_drop that are
   // not about one product; those of `prove`.
@@ -81,8 +81,7 @@ class AisleSampler {
 
   std::shared_ptr<const AisleStore> store_;
   std::shared_ptr<GraspBook> book_;
-  Split split_ = Split::planned;
-  Instructions instructions_ = Instructions::words;
+  DrawRules rules_;
   Offer offer_{std::vector<catalog::Product>{}};  // all that the store sells
   std::map<std::string, std::vector<const catalog::Product*>>
       shapes_;  // within reach, by archetype

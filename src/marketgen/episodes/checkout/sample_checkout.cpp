@@ -56,11 +56,12 @@ class CheckoutSampler {
                   const CheckoutCertifier& certify,
                   const EpisodeProver& prove,
                   const CheckoutHand& hand,
+                  const TrainingSet& trained_on,
                   Seed seed)
       : stock_(stock), world_(world), certify_(certify), judge_(prove), hand_(hand), seed_(seed) {
     for (const catalog::Product& product : stock_) {
       shapes_[product.archetype].push_back(&product);
-      if (hand_.takes(product)) target_shapes_[product.archetype].push_back(&product);
+      if (hand_.takes(product) && !trained_on.has(product)) target_shapes_[product.archetype].push_back(&product);
     }
   }
 
@@ -273,16 +274,22 @@ std::vector<catalog::Product> checkout_stock(const scene::Scene& scene) {
   return stock;
 }
 
-EpisodeExclusions checkout_exclusions(const scene::Scene& scene, const CheckoutHand& hand) {
+EpisodeExclusions checkout_exclusions(const scene::Scene& scene,
+                                      const CheckoutHand& hand,
+                                      const TrainingSet& trained_on) {
   EpisodeExclusions exclusions;
   std::map<CheckoutRefusal, int> counts;
+  int seen = 0;
   for (const catalog::Product& product : store_stock(scene)) {
     ++exclusions.on_offer;
-    ++counts[hand.refusal(product)];
+    const CheckoutRefusal why = hand.refusal(product);
+    ++counts[why];
+    seen += why == CheckoutRefusal::none && trained_on.has(product);
   }
   for (const auto& [why, products] : counts)
     if (why != CheckoutRefusal::none)
       exclusions.left_out.push_back({std::string(name_of(why)), products});
+  if (seen > 0) exclusions.left_out.push_back({std::string(seen_in_training), seen});
   return exclusions;
 }
 
@@ -294,14 +301,16 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     int index,
                                     const CheckoutCertifier& certify,
                                     const EpisodeProver& prove,
-                                    Instructions instructions,
+                                    const DrawRules& rules,
                                     const CheckoutHand& hand) {
-  if (const auto targets = std::ranges::count_if(
-          stock, [&](const catalog::Product& product) { return hand.takes(product); });
+  const auto may_ask_for = [&](const catalog::Product& product) {
+    return hand.takes(product) && !rules.trained_on.has(product);
+  };
+  if (const auto targets = std::ranges::count_if(stock, may_ask_for);
       targets < static_cast<std::ptrdiff_t>(min_stock))
     return Error{"episode.impossible",
                  origin.store,
-                 fmt::format("of what the store offers, the robot can take {} products out of a "
+                 fmt::format("of what the store offers, a task may ask for {} products out of a "
                              "basket; at least {} are needed: give it more kinds of boxes, cans or "
                              "bottles",
                              targets,
@@ -313,10 +322,10 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
       hand.tools.empty() ? "checkout" : "checkout/" + hand.tools, origin, seed, index, own);
   spec.robot = world.station().robot;
   spec.tools = hand.tools;
-  spec.instructions = instructions;
+  spec.instructions = rules.instructions;
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
-  CheckoutSampler sampler(stock, world, certify, prove, hand, own);
+  CheckoutSampler sampler(stock, world, certify, prove, hand, rules.trained_on, own);
   const bool cup = world.robot().tools.front().kind == robots::ToolKind::suction;
   const int max_drawn = cup ? max_cup_baskets : max_baskets;
   for (int number = 0; number < max_drawn; ++number) {

@@ -9,6 +9,7 @@
 #include "catalog/rows.h"
 #include "episodes/checkout/checkout_refusal.h"
 #include "episodes/checkout/checkout_world.h"
+#include "episodes/draw_rules.h"
 #include "episodes/episode_origin.h"
 #include "scene/scene.h"
 
@@ -27,14 +28,17 @@ constexpr std::size_t min_stock = 2;
 // Of store_stock(), what fits into a checkout's basket, whether the robot takes it or not.
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene);
 // How many products of the store's shelves are left out, by reason.
-EpisodeExclusions checkout_exclusions(const scene::Scene& scene, const CheckoutHand& hand = {});
+EpisodeExclusions checkout_exclusions(const scene::Scene& scene,
+                                      const CheckoutHand& hand = {},
+                                      const TrainingSet& trained_on = {});
 
 // Looks for a way through a settled basket: picks in their order, or nothing when it finds none.
 using CheckoutCertifier = std::function<Result<std::optional<std::vector<WitnessPick>>>(
     const CheckoutWorld& world, Seed seed)>;
 
 // Episode `index` of a seed. Targets and others are different products, drawn evenly over shapes,
-// of a small stock at most a third of it targets: targets of what the hand takes, others of all
+// of a small stock at most a third of it targets: targets of what the hand takes and the rules let
+// a task ask for, others of all
 // of `stock`, as long as there is room in the basket; dropped into the basket one after another,
 // and settled. What spills is left out; drawn anew when too few stay, words would fit another
 // product of the basket as well (not_told_apart), or `certify` finds no way through (empty: not
@@ -49,7 +53,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     int index,
                                     const CheckoutCertifier& certify = {},
                                     const EpisodeProver& prove = {},
-                                    Instructions instructions = Instructions::words,
+                                    const DrawRules& rules = {},
                                     const CheckoutHand& hand = {});
 
 }  // namespace marketgen::episodes

@@ -1,0 +1,15 @@
+// How episodes are drawn, whatever their track.
+#pragma once
+#include "episodes/certificate.h"
+#include "episodes/episode_spec.h"
+#include "episodes/training_set.h"
+
+namespace marketgen::episodes {
+
+struct DrawRules {
+  Split split = Split::planned;
+  Instructions instructions = Instructions::words;
+  TrainingSet trained_on = {};  // no goal is of it
+};
+
+}  // namespace marketgen::episodes
