@@ -366,9 +366,8 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_TRY(const episodes::DrawRules rules, rules_of(flags));
   episodes::EpisodeFile file;
   environments::Arena arena(data, file.header, catalog);
-  MARKETGEN_TRY(
-      const auto sampler,
-      environments::environment_entry_of(track).sampler(arena, flags.tools, rules));
+  MARKETGEN_TRY(const auto sampler,
+                environments::environment_entry_of(track).sampler(arena, flags.tools, rules));
   MARKETGEN_TRY(std::vector<StockedStore> stores,
                 stocked_stores(opened.stores, rules.trained_on, *sampler, arena));
   if (rules.split == episodes::Split::certified) file.header.products = products_of(stores);

@@ -30,11 +30,12 @@ Result<void> reset_all(std::span<Environment* const> environments,
                        std::span<float> observations);
 
 // Episodes of seeds, drawn side by side. Errors: of EpisodeGround::draw; internal.interrupted.
-Result<std::vector<episodes::EpisodeSpec>> draw_all(EpisodeGround& ground,
-                                                    episodes::Track track,
-                                                    std::span<const std::uint64_t> seeds,
-                                                    const std::string& tools = {},
-                                                    episodes::Split split = episodes::Split::planned,
-                                                    Progress& progress = silent_progress());
+Result<std::vector<episodes::EpisodeSpec>> draw_all(
+    EpisodeGround& ground,
+    episodes::Track track,
+    std::span<const std::uint64_t> seeds,
+    const std::string& tools = {},
+    episodes::Split split = episodes::Split::planned,
+    Progress& progress = silent_progress());
 
 }  // namespace marketgen::environments

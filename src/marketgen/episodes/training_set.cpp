@@ -24,7 +24,10 @@ std::string look_of(const plan::Plan& plan) {
   return io::write_json(plan.look);
 }
 
-Error seen(const EpisodeStore& store, std::string_view what, const std::string& as, const char* remedy) {
+Error seen(const EpisodeStore& store,
+           std::string_view what,
+           const std::string& as,
+           const char* remedy) {
   return Error{"episode.seen",
                store.name,
                fmt::format("its {} is that of the training store \"{}\": {}", what, as, remedy)};
@@ -41,7 +44,8 @@ TrainingSet TrainingSet::of(const std::vector<EpisodeFile>& files, std::vector<U
     for (const catalog::Product& row : file.header.products)
       rows.emplace(row.sku, &row);
     const auto add = [&](const std::string& sku) {
-      if (const auto row = rows.find(sku); row != rows.end()) set.products_.emplace(sku, *row->second);
+      if (const auto row = rows.find(sku); row != rows.end())
+        set.products_.emplace(sku, *row->second);
     };
     for (const EpisodeSpec& spec : file.episodes) {
       for (const EpisodeGoal& goal : spec.goals)
@@ -73,8 +77,7 @@ bool TrainingSet::asks_for(Unseen kind) const {
 
 bool TrainingSet::has(const catalog::Product& product) const {
   if (!asks_for(Unseen::products)) return false;
-  return products_.contains(product.sku) ||
-         std::ranges::any_of(products_, [&](const auto& known) {
+  return products_.contains(product.sku) || std::ranges::any_of(products_, [&](const auto& known) {
            return catalog::are_look_alikes(product, known.second);
          });
 }

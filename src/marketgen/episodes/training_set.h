@@ -40,7 +40,7 @@ class TrainingSet {
  private:
   bool asks_for(Unseen kind) const;
   std::vector<Unseen> unseen_;
-  std::map<std::string, catalog::Product> products_;      // by SKU
+  std::map<std::string, catalog::Product> products_;    // by SKU
   std::map<std::string, std::string> layouts_, looks_;  // a store's name by what its plan says
   bool any_ = false;
 };

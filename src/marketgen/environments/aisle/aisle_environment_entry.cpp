@@ -49,10 +49,7 @@ class AisleSampling : public EpisodeSampler {
                 std::string tools,
                 std::shared_ptr<episodes::GraspBook> book,
                 episodes::DrawRules rules)
-      : arena_(arena),
-        tools_(std::move(tools)),
-        book_(std::move(book)),
-        rules_(std::move(rules)) {}
+      : arena_(arena), tools_(std::move(tools)), book_(std::move(book)), rules_(std::move(rules)) {}
 
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(auto store, shared_aisle_store(arena_, origin.scene_hash, tools_));
@@ -91,8 +88,9 @@ class AisleEnvironmentEntry : public EnvironmentEntry {
     return make_aisle_environment(std::move(ground), options);
   }
 
-  Result<std::unique_ptr<EpisodeSampler>> sampler(
-      Arena& arena, const std::string& tools, const episodes::DrawRules& rules) const override {
+  Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
+                                                  const std::string& tools,
+                                                  const episodes::DrawRules& rules) const override {
     MARKETGEN_TRY(auto book, episodes::open_aisle_book(arena.data(), arena.catalog(), tools));
     return std::unique_ptr<EpisodeSampler>(
         std::make_unique<AisleSampling>(arena, tools, std::move(book), rules));

@@ -116,12 +116,12 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
     return make_checkout_environment(std::move(ground), options);
   }
 
-  Result<std::unique_ptr<EpisodeSampler>> sampler(
-      Arena& arena, const std::string& tools, const episodes::DrawRules& rules) const override {
+  Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
+                                                  const std::string& tools,
+                                                  const episodes::DrawRules& rules) const override {
     MARKETGEN_CHECK(
         episodes::load_checkout_station(arena.data(), episodes::checkout_station, tools));
-    return std::unique_ptr<EpisodeSampler>(
-        std::make_unique<CheckoutSampling>(arena, tools, rules));
+    return std::unique_ptr<EpisodeSampler>(std::make_unique<CheckoutSampling>(arena, tools, rules));
   }
 };
 

@@ -62,11 +62,13 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
   for (const auto& [shape, of_shape] : made->shapes_)
     products += of_shape.size();
   if (products < static_cast<std::size_t>(max_goals))
-    return Error{"episode.impossible",
-                 "aisle",
-                 fmt::format("a task may ask for {} products within the robot's reach; at least {} are needed",
-                             products,
-                             max_goals)};
+    return Error{
+        "episode.impossible",
+        "aisle",
+        fmt::format(
+            "a task may ask for {} products within the robot's reach; at least {} are needed",
+            products,
+            max_goals)};
   return made;
 }
 

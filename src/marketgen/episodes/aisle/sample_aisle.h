@@ -28,10 +28,9 @@ constexpr double two_of_a_kind_share = 0.25;
 class AisleSampler {
  public:
   // Error episode.impossible when too few products stand within reach.
-  static Result<std::unique_ptr<AisleSampler>> make(
-      std::shared_ptr<const AisleStore> store,
-      std::shared_ptr<GraspBook> book,
-      DrawRules rules = {});
+  static Result<std::unique_ptr<AisleSampler>> make(std::shared_ptr<const AisleStore> store,
+                                                    std::shared_ptr<GraspBook> book,
+                                                    DrawRules rules = {});
 
   // Errors: episode.impossible with what was missing; those of plan_collect and plan_drop that are
   // not about one product; those of `prove`.

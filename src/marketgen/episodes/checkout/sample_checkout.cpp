@@ -61,7 +61,8 @@ class CheckoutSampler {
       : stock_(stock), world_(world), certify_(certify), judge_(prove), hand_(hand), seed_(seed) {
     for (const catalog::Product& product : stock_) {
       shapes_[product.archetype].push_back(&product);
-      if (hand_.takes(product) && !trained_on.has(product)) target_shapes_[product.archetype].push_back(&product);
+      if (hand_.takes(product) && !trained_on.has(product))
+        target_shapes_[product.archetype].push_back(&product);
     }
   }
 
