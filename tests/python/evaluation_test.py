@@ -124,7 +124,7 @@ def test_realism_goes_on_only_as_it_was(tasks, tmp_path):
         marketgen.evaluate(tasks, "stop", tmp_path / "a", resume=True)
     assert refused.value.where == "realism" and "standard" in refused.value.message
     own = tmp_path / "mine.json"
-    own.write_text('{"schema": "market-realism/1", "name": "mine", "latency": {"min_s": 0.1, "max_s": 0.1}}')
+    own.write_text('{"schema": "market-realism/1", "name": "mine", "latency": {"commands": {"min_s": 0.1, "max_s": 0.1}}}')
     mine = marketgen.evaluate(tasks, "stop", tmp_path / "b", realism=own)
     assert mine.results[0]["realism"].startswith("own-")
     again = ("replay", "--episodes", tasks, "--episode", "0", "--policy", "stop", "--results", tmp_path / "b" / "results.jsonl")
