@@ -149,7 +149,7 @@ TEST_P(EachTracksCertificate, EpisodesAreDrawnWithoutOne) {
   environments::Arena& arena = pool_ground(GetParam())->arena();
   const episodes::EpisodeStore& store = pool_ground(GetParam())->stores().front();
   for (const episodes::Split split : {episodes::Split::paper, episodes::Split::all}) {
-    const auto sampler = environments::environment_entry_of(GetParam()).sampler(arena, "", split);
+    const auto sampler = environments::environment_entry_of(GetParam()).sampler(arena, "", {split});
     ASSERT_TRUE(sampler.ok()) << to_string(sampler.error());
     const auto from = (*sampler)->of_store({store.name, store.scene_hash, store.plan_hash});
     ASSERT_TRUE(from.ok()) << to_string(from.error());

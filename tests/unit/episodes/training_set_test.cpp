@@ -7,7 +7,6 @@
 #include "catalog/look_alike.h"
 #include "episodes/checkout/sample_checkout.h"
 #include "support/committed_catalog.h"
-#include "support/data_rows.h"
 #include "support/drawn_checkout.h"
 
 namespace marketgen {
