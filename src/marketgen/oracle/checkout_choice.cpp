@@ -83,7 +83,7 @@ Result<void> CheckoutOracle::take_first(std::vector<std::size_t> due) {
     const auto& choices = grasps_.at(item).choices;
     return choices.empty() ? -1e9 : choices.front().score;
   });
-  if (memory_.search.other_order) std::ranges::reverse(due);
+  if (search_.other_order) std::ranges::reverse(due);
   MARKETGEN_TRY(const bool begun, take_any(due));
   if (begun) return {};
   if (best_) {
@@ -91,7 +91,7 @@ Result<void> CheckoutOracle::take_first(std::vector<std::size_t> due) {
     say(fmt::format("does so with harm of {}", best_->harm));
     return {};
   }
-  if (!escape() && !look_farther()) give_up(due);
+  if (!escape()) give_up(due);
   return {};
 }
 
@@ -152,17 +152,6 @@ bool CheckoutOracle::escape() {
   return false;
 }
 
-// Once an episode, when all else failed: more grasps, ways and places of each item, and once more
-// those that failed before. One that does not rehearse is to be quick.
-bool CheckoutOracle::look_farther() {
-  if (memory_.looked_farther || !search_.rehearses) return false;
-  memory_.looked_farther = true;
-  memory_.search = farther(memory_.search);
-  memory_.tried = {};
-  say("looks farther");
-  return true;
-}
-
 Result<bool> CheckoutOracle::take_if(std::size_t item, Ease how) {
   if (!memory_.tried.may_take(item) || refused_.contains(item)) return false;
   MARKETGEN_TRY(const ItemGrasps* const grasps, grasps_of(item));
@@ -217,7 +206,7 @@ Result<bool> CheckoutOracle::take(std::size_t item, bool to_be_placed) {
   const skills::Surroundings around = scene_->surroundings({});
   const std::vector<skills::PlacedBody> walls = scene_->walls();
   std::size_t plans = 0, searches = 0;
-  for (std::size_t i = 0; i < std::min(grasps.choices.size(), memory_.search.max_grasps); ++i) {
+  for (std::size_t i = 0; i < std::min(grasps.choices.size(), search_.max_grasps); ++i) {
     const GraspChoice& choice = grasps.choices[i];
     const std::vector<robots::ToolSolid> hand = skills::open_hand(tool_, choice.opening_m);
     for (const Pose& tip : skills::alike_ways(memory_.arm, choice.base_from_tip, tool_.kind)) {
@@ -227,10 +216,10 @@ Result<bool> CheckoutOracle::take(std::size_t item, bool to_be_placed) {
       if (memory_.tried.failed_before(item, inverse(world_->item_pose(item)) * tip, tool_.kind) ||
           !skills::is_reached(memory_.arm, request, hand, walls))
         continue;
-      if (to_be_placed && (searches++ >= memory_.search.max_place_searches ||
+      if (to_be_placed && (searches++ >= search_.max_place_searches ||
                            !has_place(*scene_, memory_.arm, item, tip, choice.opening_m)))
         continue;
-      if (plans++ >= memory_.search.max_plans || !may_rehearse(item)) return false;
+      if (plans++ >= search_.max_plans || !may_rehearse(item)) return false;
       const Memory before = memory_;
       if (!memory_.arm.reach(around, request, next_seed("reach")).ok()) {
         note(episodes::FailureCode::no_path);
@@ -270,14 +259,14 @@ bool CheckoutOracle::may_rehearse(std::size_t item) const {
   for (const auto& [of, count] : rehearsals_)
     all += count;
   const auto found = rehearsals_.find(item);
-  return all < memory_.search.max_rehearsals &&
-         (found == rehearsals_.end() || found->second < memory_.search.max_rehearsals_of_item);
+  return all < search_.max_rehearsals &&
+         (found == rehearsals_.end() || found->second < search_.max_rehearsals_of_item);
 }
 
 // Whether what was begun may be carried out; if not, it is not begun, but kept when it did less
 // harm than others.
 Result<bool> CheckoutOracle::goes_well(std::size_t item, const Memory& before) {
-  if (!memory_.search.rehearses) return true;
+  if (!search_.rehearses) return true;
   ++rehearsals_[item];
   MARKETGEN_TRY(const int harm, rehearse());
   if (harm == 0) return true;

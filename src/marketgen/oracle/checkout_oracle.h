@@ -58,8 +58,6 @@ class CheckoutOracle : public agent::Policy {
     bool placed = false;         // it was put down on the place that was sought
     int moves = 0;
     bool escaped = false;  // since the last grasp
-    OracleSearch search = {};
-    bool looked_farther = false;
     bool done = false;
     episodes::FailureCode failure = episodes::FailureCode::none;
   };
@@ -78,7 +76,6 @@ class CheckoutOracle : public agent::Policy {
   Result<bool> take_any(const std::vector<std::size_t>& due);
   void give_up(const std::vector<std::size_t>& due);
   bool escape();
-  bool look_farther();
   Result<bool> take_if(std::size_t item, Ease how);
   std::vector<std::size_t> blockers_of(const std::vector<std::size_t>& due) const;
   std::vector<std::size_t> nearest_to(const std::vector<std::size_t>& due) const;

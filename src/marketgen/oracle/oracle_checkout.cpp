@@ -48,7 +48,7 @@ Result<void> CheckoutOracle::begin(const agent::Task& task, const agent::Observa
   if (search_.rehearses) {
     MARKETGEN_TRY(twin_, world_->twin());
   }
-  memory_ = {.arm = std::move(memory_.arm), .search = search_};
+  memory_ = {.arm = std::move(memory_.arm)};
   lone_.clear();
   memory_.arm.start(first);
   home_ = memory_.arm.tip();

@@ -10,14 +10,8 @@ OracleSearch plain() {
 }
 
 OracleSearch thorough() {
-  OracleSearch search = farther({});
+  OracleSearch search;
   search.other_order = true;
-  return search;
-}
-
-}  // namespace
-
-OracleSearch farther(OracleSearch search) {
   search.max_grasps = 72;
   search.max_plans = 16;
   search.max_place_searches = 36;
@@ -29,6 +23,8 @@ OracleSearch farther(OracleSearch search) {
   search.max_items_looked_at = 10;
   return search;
 }
+
+}  // namespace
 
 std::optional<OracleSearch> oracle_search(std::string_view policy) {
   if (policy == "oracle") return OracleSearch{};

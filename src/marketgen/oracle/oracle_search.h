@@ -25,7 +25,4 @@ struct OracleSearch {
 // "oracle-thorough", which begins elsewhere and looks two to four times as far. Empty for others.
 std::optional<OracleSearch> oracle_search(std::string_view policy);
 
-// The same, but that it looks as far as "oracle-thorough".
-OracleSearch farther(OracleSearch search);
-
 }  // namespace marketgen::oracle
