@@ -64,8 +64,8 @@ def test_a_cup_instead_of_the_gripper(store):
 
 def test_episodes_are_drawn_by_the_split_that_is_asked_for(store):
     drawn = {split: json.loads(make(store, split=split).unwrapped.setup.draw([3])[0]) for split in ("planned", "all")}
-    assert drawn["planned"]["certificate"]["proved"]
-    assert not drawn["all"]["certificate"].get("proved")
+    assert drawn["planned"]["certificate"]["witness"]
+    assert not drawn["all"]["certificate"]["witness"]
     with pytest.raises(marketgen.Error, match="planed"):
         make(store, split="planed")
     with pytest.raises(marketgen.Error, match="give a store"):
