@@ -370,10 +370,10 @@ std::vector<robots::Capsule> capsules_of(const robots::Robot& robot,
 }
 
 // Least that any capsule keeps from any wall or obstacle; capsules are looked at in eighths.
-double least_gap_m(const std::vector<robots::Capsule>& capsules,
-                   double axle_x,
-                   const motion::BaseState& at,
-                   const Room& room) {
+double min_gap_m(const std::vector<robots::Capsule>& capsules,
+                 double axle_x,
+                 const motion::BaseState& at,
+                 const Room& room) {
   const Pose world_from_base =
       Pose{{at.position.x, at.position.y, 0}, rotation_about({0, 0, 1}, at.heading)} *
       Pose{{-axle_x, 0, 0}, {}};
@@ -427,10 +427,10 @@ TEST(MotionProperty, DrivesKeepEveryPartOfTheRobotOffWallsAndObstacles) {
       }
       ++driven;
       turned_off += plan->path.points.size() > 2 ? 1 : 0;
-      double least = least_gap_m(capsules, robot.drive->axle_x, plan->follower.state(), room);
+      double least = min_gap_m(capsules, robot.drive->axle_x, plan->follower.state(), room);
       for (int step = 0; step < 30'000 && !plan->follower.done(); ++step) {
         const motion::BaseState& at = plan->follower.step(0.02);
-        least = std::min(least, least_gap_m(capsules, robot.drive->axle_x, at, room));
+        least = std::min(least, min_gap_m(capsules, robot.drive->axle_x, at, room));
       }
       EXPECT_GE(least, -rounding_m);
       ASSERT_TRUE(plan->follower.done());

@@ -225,15 +225,15 @@ double energy_of(const assets::ProductBody& body,
 
 // Energy of one product over time, as the height to which it would lift its mass.
 struct Fall {
-  double start_m = -1, least_m = 0, over_start_m = 0;
+  double start_m = -1, min_m = 0, over_start_m = 0;
   double given_back = 0;  // by a contact, as a share of what was lost until then
 
   void add(double energy_m) {
-    if (start_m < 0) start_m = least_m = energy_m;
+    if (start_m < 0) start_m = min_m = energy_m;
     over_start_m = std::max(over_start_m, energy_m - start_m);
-    least_m = std::min(least_m, energy_m);
-    const double lost_m = start_m - least_m;
-    if (lost_m > 0.005) given_back = std::max(given_back, (energy_m - least_m) / lost_m);
+    min_m = std::min(min_m, energy_m);
+    const double lost_m = start_m - min_m;
+    if (lost_m > 0.005) given_back = std::max(given_back, (energy_m - min_m) / lost_m);
   }
 };
 

@@ -8,7 +8,7 @@
 namespace marketgen::drawing {
 namespace {
 
-constexpr double least_mm = 50, most_mm = 2000;  // of plan.h
+constexpr double min_mm = 50, max_mm = 2000;  // of plan.h
 constexpr double slimmest = 4;
 constexpr double unnamed_least_mm = 120;  // smaller shapes without a name are dots and letters
 constexpr double full = 0.7;              // of the box around it: a circle has 0.785
@@ -38,7 +38,7 @@ bool is_column(const Stroke& stroke, const Shape& shape) {
   if (!stroke.closed || stroke.points.size() < 4) return false;
   const double longer = std::max(shape.width, shape.depth);
   const double shorter = std::min(shape.width, shape.depth);
-  if (longer > most_mm || shorter < least_mm || longer > slimmest * shorter) return false;
+  if (longer > max_mm || shorter < min_mm || longer > slimmest * shorter) return false;
   if (stroke.role == Role::column) return true;
   return stroke.role == Role::unknown && shorter >= unnamed_least_mm && fills(shape, stroke.points);
 }

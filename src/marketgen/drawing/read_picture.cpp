@@ -42,14 +42,14 @@ cv::Mat ink_of(const cv::Mat& grey) {
 }
 
 // Pixels of parts as long as a wall.
-int long_pixels(const cv::Mat& mask, int least_px) {
+int long_pixels(const cv::Mat& mask, int min_px) {
   cv::Mat labels, stats, centres;
   const int count = cv::connectedComponentsWithStats(mask, labels, stats, centres, 8, CV_32S);
   int pixels = 0;
   for (int i = 1; i < count; ++i) {
     const int side =
         std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
-    if (side >= least_px) pixels += stats.at<int>(i, cv::CC_STAT_AREA);
+    if (side >= min_px) pixels += stats.at<int>(i, cv::CC_STAT_AREA);
   }
   return pixels;
 }
@@ -154,13 +154,13 @@ class Tracer {
   }
 
   // Small solid shapes, and hollow ones with four corners: letters are neither.
-  void trace_columns(const cv::Mat& ink, int most_px) {
+  void trace_columns(const cv::Mat& ink, int max_px) {
     std::vector<std::vector<cv::Point>> all;
     cv::findContours(ink.clone(), all, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
     for (const std::vector<cv::Point>& contour : all) {
       const cv::Rect box = cv::boundingRect(contour);
       const double area = cv::contourArea(contour);
-      if (area < specks_px || std::max(box.width, box.height) > most_px) continue;
+      if (area < specks_px || std::max(box.width, box.height) > max_px) continue;
       std::vector<cv::Point> rough;
       cv::approxPolyDP(
           contour, rough, std::max(1.5, 0.08 * cv::arcLength(contour, true) / 4), true);
@@ -224,8 +224,8 @@ Sketch sketch_of(const Image& image) {
 
 Result<Sketch> read_picture(std::string_view bytes, const std::string& where) {
   MARKETGEN_TRY(const Image image, decoded_picture(bytes, where));
-  constexpr int least_px = 60;
-  if (std::min(image.width, image.height) < least_px)
+  constexpr int min_px = 60;
+  if (std::min(image.width, image.height) < min_px)
     return Error{"drawing.bad_file",
                  where,
                  "the picture has " + std::to_string(image.width) + " x " +

@@ -8,8 +8,8 @@
 namespace marketgen::drawing {
 namespace {
 
-constexpr double least_floor_mm2 = 12e6;  // of a plan's outline
-constexpr double frame_share = 0.08;      // a sheet's frame holds at least that much of floors
+constexpr double min_floor_mm2 = 12e6;  // of a plan's outline
+constexpr double frame_share = 0.08;    // a sheet's frame holds at least that much of floors
 
 // The outlines of shops that are drawn as one line must not cross themselves.
 Result<void> check_crossings(const Sketch& sketch, const Walls& walls, const std::string& where) {
@@ -36,9 +36,9 @@ Result<void> check_crossings(const Sketch& sketch, const Walls& walls, const std
 const Face* floor_of(const std::vector<Face>& faces, bool named) {
   const Face* best = nullptr;
   for (const Face& face : faces) {
-    if (face.area_mm2 < least_floor_mm2) continue;
+    if (face.area_mm2 < min_floor_mm2) continue;
     const double share = named ? 1 : frame_share;
-    if (face.inner_mm2 >= least_floor_mm2 && face.inner_mm2 >= share * face.area_mm2) continue;
+    if (face.inner_mm2 >= min_floor_mm2 && face.inner_mm2 >= share * face.area_mm2) continue;
     if (best == nullptr || face.area_mm2 > best->area_mm2) best = &face;
   }
   return best;
@@ -50,7 +50,7 @@ void note_rooms(const std::vector<Face>& faces,
   int rooms = 0;
   for (const Face& face : faces) {
     const bool room =
-        &face != &floor && face.area_mm2 >= least_floor_mm2 && face.inner_mm2 < least_floor_mm2;
+        &face != &floor && face.area_mm2 >= min_floor_mm2 && face.inner_mm2 < min_floor_mm2;
     rooms += room ? 1 : 0;
   }
   if (rooms > 0)
@@ -61,19 +61,19 @@ void note_rooms(const std::vector<Face>& faces,
 }
 
 Polygon clean(const Polygon& outline, double line_mm, std::vector<std::string>& warnings) {
-  constexpr std::size_t most_corners = 200;
+  constexpr std::size_t max_corners = 200;
   constexpr double slit_mm = 3;
   Polygon polygon = closed_slits(outline, slit_mm);
   polygon = sharpened(simplified(polygon, line_mm), 4 * line_mm);
   double within = line_mm;
-  while (polygon.size() > most_corners) {
+  while (polygon.size() > max_corners) {
     within *= 2;
     polygon = simplified(polygon, within);
   }
   if (within > line_mm)
     warnings.push_back(fmt::format(
         "the outline has more than {} corners; those less than {:.0f} mm off a line are left out",
-        most_corners,
+        max_corners,
         within));
   return polygon;
 }

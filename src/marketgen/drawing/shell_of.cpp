@@ -16,8 +16,8 @@ namespace {
 using plan::OpeningKind;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double least_side_mm = 4000, most_side_mm = 200000;  // of Shell::width_mm, depth_mm
-constexpr int least_opening_mm = 600, most_opening_mm = 12000;
+constexpr double min_side_mm = 4000, max_side_mm = 200000;  // of Shell::width_mm, depth_mm
+constexpr int min_opening_mm = 600, max_opening_mm = 12000;
 
 // The direction of most of the walls, between -45 and 45 degrees.
 double main_direction(const Polygon& outline) {
@@ -203,8 +203,8 @@ Placed placed(const FoundOpening& opening, const PolygonMm& outline, const plan:
   const std::size_t on = side->wall == plan::Wall::south || side->wall == plan::Wall::north ? 0 : 1;
   const auto [low, high] = std::minmax(one.drawn.from[on], one.drawn.to[on]);
   one.begin = std::max(low, side->from);
-  one.end = std::min({high, side->to, one.begin + most_opening_mm});
-  if (one.end - one.begin >= least_opening_mm) one.wall = side->wall;
+  one.end = std::min({high, side->to, one.begin + max_opening_mm});
+  if (one.end - one.begin >= min_opening_mm) one.wall = side->wall;
   return one;
 }
 
@@ -314,7 +314,7 @@ Result<FloorPlan> shell_of(const Found& found,
   straighten(outline, 3 * tolerance.line_mm);
   const Bounds box = bounds_of(outline);
   const double width = box.high.x - box.low.x, depth = box.high.y - box.low.y;
-  if (std::min(width, depth) < least_side_mm || std::max(width, depth) > most_side_mm)
+  if (std::min(width, depth) < min_side_mm || std::max(width, depth) > max_side_mm)
     return Error{
         "drawing.no_scale",
         where,

@@ -28,7 +28,7 @@ std::vector<cv::Point> coloured_outline(const cv::Mat& ab, double side) {
 
 // Every point lies where the ellipse has it.
 bool follows(const std::vector<cv::Point>& outline, const cv::RotatedRect& ellipse) {
-  constexpr double off = 0.03, most_off = 0.04;  // of the radius; of the points
+  constexpr double off = 0.03, max_off = 0.04;  // of the radius; of the points
   const double angle = ellipse.angle * CV_PI / 180;
   int away = 0;
   for (const cv::Point& p : outline) {
@@ -37,7 +37,7 @@ bool follows(const std::vector<cv::Point>& outline, const cv::RotatedRect& ellip
     const double v = (d.y * std::cos(angle) - d.x * std::sin(angle)) / (ellipse.size.height / 2);
     if (std::abs(std::hypot(u, v) - 1) > off) ++away;
   }
-  return away < most_off * static_cast<double>(outline.size());
+  return away < max_off * static_cast<double>(outline.size());
 }
 
 // How often the colour changes on the way round, at that part of the radius.
@@ -156,24 +156,24 @@ bool is_pie_chart(const cv::Mat& picture) {
   constexpr int large_enough_px = 500;
   cv::Mat bgr = picture;
   shrink(bgr, large_enough_px);
-  constexpr std::size_t least_points = 60;
-  constexpr int least_slices = 3;
+  constexpr std::size_t min_points = 60;
+  constexpr int min_slices = 3;
   const double side = std::max(bgr.cols, bgr.rows);
   const cv::Mat ab = colours_of(bgr);
   const std::vector<cv::Point> outline = coloured_outline(ab, side);
-  if (outline.size() < least_points ||
+  if (outline.size() < min_points ||
       cv::contourArea(outline) < 0.03 * static_cast<double>(bgr.total()))
     return false;
   const cv::RotatedRect ellipse = cv::fitEllipse(outline);
   if (!follows(outline, ellipse)) return false;
   const int outer = changes_around(ab, ellipse, 0.8), inner = changes_around(ab, ellipse, 0.35);
-  return outer >= least_slices && inner >= least_slices && std::abs(outer - inner) <= 2;
+  return outer >= min_slices && inner >= min_slices && std::abs(outer - inner) <= 2;
 }
 
 bool is_bar_chart(const Segments& segments,
                   const cv::Rect& floor,
                   const std::vector<WrittenLine>& lines) {
-  constexpr std::size_t least_bars = 3;
+  constexpr std::size_t min_bars = 3;
   constexpr double full = 0.85;  // of its box
   if (!segments.coloured || segments.hatched) return false;
   std::vector<cv::Rect> bars;
@@ -183,7 +183,7 @@ bool is_bar_chart(const Segments& segments,
     if (parts[i].pixels < full * parts[i].box.area()) return false;
     bars.push_back(parts[i].box);
   }
-  if (bars.size() < least_bars || are_named(bars, lines)) return false;
+  if (bars.size() < min_bars || are_named(bars, lines)) return false;
   const bool axis = has_axis(lines, floor);
   if (!axis && has_legend(lines, floor)) return false;
   for (const int side : {0, 1}) {

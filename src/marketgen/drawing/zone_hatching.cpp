@@ -48,7 +48,7 @@ cv::Mat directions(const cv::Mat& strokes, int window, double strength) {
 // Where two groups of values divide; 0 when there is one group.
 double division(std::vector<float> values) {
   constexpr double clearly = 0.5;  // in logarithms
-  constexpr double least_share = 0.08;
+  constexpr double min_share = 0.08;
   if (values.size() < 100) return 0;
   std::ranges::sort(values);
   double low = values[values.size() / 20], high = values[values.size() * 19 / 20];
@@ -66,7 +66,7 @@ double division(std::vector<float> values) {
     high = sums[1] / counts[1];
     share = 1.0 * std::min(counts[0], counts[1]) / (counts[0] + counts[1]);
   }
-  return high - low > clearly && share > least_share ? (low + high) / 2 : 0;
+  return high - low > clearly && share > min_share ? (low + high) / 2 : 0;
 }
 
 // Strokes a pixel, as a logarithm, of hatching alone.

@@ -171,7 +171,7 @@ std::vector<int> only_neighbours(const Segments& segments) {
 }
 
 // A small part within another one is where that one's name stands.
-void take_in_islands(Segments& segments, double most_px) {
+void take_in_islands(Segments& segments, double max_px) {
   const std::vector<int> around = only_neighbours(segments);
   std::vector<int> pixels(segments.parts.size());
   for (int y = 0; y < segments.label.rows; ++y)
@@ -181,7 +181,7 @@ void take_in_islands(Segments& segments, double most_px) {
   std::vector<FloorPart> left;
   std::vector<bool> island;
   for (std::size_t i = 0; i < around.size(); ++i)
-    island.push_back(around[i] >= 0 && pixels[i] < most_px);
+    island.push_back(around[i] >= 0 && pixels[i] < max_px);
   for (std::size_t i = 0; i < around.size(); ++i) {
     number.push_back(island[i] ? -1 : static_cast<int>(left.size()));
     if (!island[i]) left.push_back(segments.parts[i]);

@@ -9,9 +9,9 @@ namespace marketgen::episodes {
 
 Pose Perturbation::moved(const Pose& pose, std::string_view thing, double share) const {
   Stream draw = seed_.child("place", thing).stream();
-  const double most = sizes_.place_m, most_turn = sizes_.turn_deg * std::numbers::pi / 180;
+  const double most = sizes_.place_m, max_turn = sizes_.turn_deg * std::numbers::pi / 180;
   const double x = draw.uniform(-most, most), y = draw.uniform(-most, most);
-  const double turn = draw.uniform(-most_turn, most_turn);
+  const double turn = draw.uniform(-max_turn, max_turn);
   return {pose.position + Vec3{share * x, share * y, 0},
           rotation_about({0, 0, 1}, share * turn) * pose.rotation};
 }

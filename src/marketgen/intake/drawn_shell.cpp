@@ -72,10 +72,10 @@ void stretch(plan::Shell& shell, std::array<double, 2> by) {
   }
   for (plan::Opening& opening :
        shell.openings) {  // doors keep their width where the wall allows it
-    constexpr int least_mm = 600;
+    constexpr int min_mm = 600;
     const bool along_x = opening.wall == plan::Wall::south || opening.wall == plan::Wall::north;
     const double least = std::min(1.0, along_x ? by[0] : by[1]);
-    opening.width_mm = std::max(least_mm, stretched(opening.width_mm, least));
+    opening.width_mm = std::max(min_mm, stretched(opening.width_mm, least));
   }
 }
 

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t max_ways = 16;
 constexpr int levels_up = 4;   // cuts above a zone that may move
 constexpr int thin_mm = 2500;  // a zone narrower than that holds a wall run at most
-constexpr double least_ratio = 0.08, most_ratio = 0.92;  // market-plan/1
-constexpr double least_new_m2 = 6;                       // of a zone that is added
+constexpr double min_ratio = 0.08, max_ratio = 0.92;  // market-plan/1
+constexpr double min_new_m2 = 6;                      // of a zone that is added
 constexpr double largest_donor_share = 0.5;
 constexpr double area_tolerance = 0.1;  // of the area that was asked for
 
@@ -122,7 +122,7 @@ std::vector<WeighedWay> cuts_for_area(const StandingStore& store,
     const bool is_first = cut.children.front() == plan.nodes[at].id;
     const double old = cut.ratio.value_or(plan::default_split_ratio);
     const double share = (is_first ? old : 1 - old) * area_m2 / now_m2;
-    const double ratio = std::clamp(is_first ? share : 1 - share, least_ratio, most_ratio);
+    const double ratio = std::clamp(is_first ? share : 1 - share, min_ratio, max_ratio);
     plan::Patch patch;
     patch.set_ratio = {cut.id, std::round(1e4 * ratio) * 1e-4};
     WeighedWay candidate{first, 0};
@@ -248,14 +248,14 @@ Result<std::vector<Way>> ways_to_add(const StandingStore& store,
   const catalog::ProfileRow* profile = store.catalog.profile(store.plan.profile);
   const int gap_mm = (profile != nullptr ? *profile : catalog::ProfileRow{}).secondary_aisle_mm;
   const double floor_m2 = plan::shell_rect(store.plan.shell).area_m2();
-  const double wanted_m2 = std::max(least_new_m2, row->share * floor_m2);
+  const double wanted_m2 = std::max(min_new_m2, row->share * floor_m2);
   const std::vector<RectMm> rects = plan::zone_rectangles(store.plan);
   std::vector<WeighedWay> candidates;
   for (std::size_t i = 0; i < rects.size(); ++i) {
     const plan::Zone& donor = store.plan.zones[i];
     const bool same_trade = has_tills(store, donor) == has_tills(store, zone);
-    const double share = std::clamp(
-        wanted_m2 / std::max(rects[i].area_m2(), 0.01), least_ratio, largest_donor_share);
+    const double share =
+        std::clamp(wanted_m2 / std::max(rects[i].area_m2(), 0.01), min_ratio, largest_donor_share);
     for (const plan::Wall side :
          {plan::Wall::north, plan::Wall::south, plan::Wall::east, plan::Wall::west}) {
       plan::Patch patch;

@@ -158,12 +158,12 @@ bool numbers_differ(const Wish& a, const Wish& b, const Surroundings&) {
 
 // Shelves full to the brim, and more sold out than that leaves.
 bool stocks_differ(const Wish& a, const Wish& b, const Surroundings&) {
-  constexpr double most_together = 1.25;
+  constexpr double max_together = 1.25;
   if (a.object != b.object) return false;
   if (a.subject == b.subject) return apart(a, b);
   const bool shares = is_one_of(a.subject, {"fill", "out_of_stock"}) &&
                       is_one_of(b.subject, {"fill", "out_of_stock"});
-  return shares && bounds_of(a)[0] + bounds_of(b)[0] > most_together;
+  return shares && bounds_of(a)[0] + bounds_of(b)[0] > max_together;
 }
 
 // A word for light means what lies within a fifth of its number (second_value).

@@ -93,7 +93,7 @@ class ZoneWriter {
       spec.axis = runs_along_y(zone, rect) ? plan::RunAxis::y : plan::RunAxis::x;
     if (zone.stance == Stance::central)
       spec.aisle_mm = run_aisle_mm(zone, rect);
-    else if (least_aisle_holds(zone))
+    else if (min_aisle_holds(zone))
       spec.aisle_mm = program_.aisle_mm;
     spec.color = shelf_color(found_);
     choose_runs(spec, zone.main);
@@ -107,7 +107,7 @@ class ZoneWriter {
   }
 
   // "No aisle narrower than 1.8 m" is said of the aisle before every shelf, also along walls.
-  bool least_aisle_holds(const ProgramZone& zone) const {
+  bool min_aisle_holds(const ProgramZone& zone) const {
     const plan::Requirement* wish = found_.find(Kind::aisle_width);
     return wish != nullptr && wish->comparison == plan::Comparison::at_least &&
            std::ranges::find(wish->except, zone.type->type) == wish->except.end();

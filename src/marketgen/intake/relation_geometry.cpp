@@ -11,7 +11,7 @@ constexpr double margin_share = 0.1, min_margin_m = 0.1;
 constexpr double not_judged = 2;  // as bad as missed by the whole diagonal
 
 // A few steps, and no more in a large shop than can be seen at once.
-constexpr double steps_share = 0.12, fewest_steps_m = 2, most_steps_m = 6;
+constexpr double steps_share = 0.12, fewest_steps_m = 2, max_steps_m = 6;
 constexpr double aside_share = 0.5;  // of what it lies the other way
 constexpr double plain_offset_m = 1;
 constexpr double plain_gap_m = 2;       // between what is not adjacent
@@ -189,7 +189,7 @@ double strain_m(const plan::Requirement& wish,
                 const std::vector<plan::NamedPlace>& as,
                 const std::vector<plan::NamedPlace>& bs) {
   const double steps =
-      std::clamp(steps_share * plan::diagonal_m(floor.bounds), fewest_steps_m, most_steps_m);
+      std::clamp(steps_share * plan::diagonal_m(floor.bounds), fewest_steps_m, max_steps_m);
   const Metres a = common_middle(as), b = common_middle(bs);
   switch (wish.relation) {
     case plan::RelationKind::near:

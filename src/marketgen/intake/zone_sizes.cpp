@@ -64,11 +64,11 @@ const catalog::FixtureKind* kind_on_walls(const catalog::FixtureKind& kind,
 }
 
 double counted_floor_m2(const ProgramZone& zone, const catalog::ProfileRow& profile) {
-  constexpr double least_own_m2 = 8;  // for the zone's own fixtures, when nobody counts them
+  constexpr double min_own_m2 = 8;  // for the zone's own fixtures, when nobody counts them
   double m2 = floor_m2(zone.main, profile), beside_m2 = 0;
   for (const KindWish& wish : zone.beside)
     beside_m2 += floor_m2(wish, profile);
-  return m2 + beside_m2 + (m2 <= 0 && beside_m2 > 0 ? least_own_m2 : 0);
+  return m2 + beside_m2 + (m2 <= 0 && beside_m2 > 0 ? min_own_m2 : 0);
 }
 
 bool is_walked_round(const catalog::FixtureKind& kind) {

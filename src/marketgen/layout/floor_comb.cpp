@@ -209,7 +209,7 @@ int modules_in(const ModuleSpec& spec, const Span& span) {
 
 // Lines that the comb's groups can hold, each with the modules that a wanted run needs.
 int lines_in(const FloorTask& task, const FloorComb& comb) {
-  const int least = task.zone.least_in_run(comb.block.spec.kind);
+  const int least = task.zone.min_in_run(comb.block.spec.kind);
   int lines = 0;
   for (const int low : comb.lows) {
     for (const Span& group : comb.groups) {

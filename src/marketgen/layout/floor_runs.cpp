@@ -46,7 +46,7 @@ std::optional<PlacedRun> build_rows(const FloorTask& task, std::vector<Row> rows
   std::optional<PlacedRun> first;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Row& row = rows[i];
-    row.max_modules = task.zone.most_in_run(row.spec->kind);
+    row.max_modules = task.zone.max_in_run(row.spec->kind);
     if (task.stands_apart) {  // back to back: as many on one side as on the other
       const auto sides = static_cast<int>(rows.size() - i);
       row.max_modules = std::min(row.max_modules, (row.max_modules + sides - 1) / sides);

@@ -93,7 +93,7 @@ std::optional<Span> room_for_run(const Build& build, const ZoneBuild& zone, cons
     return along(row.band, row.front);
   for (const Span& span : build.site.free_spans(row)) {
     const auto modules = static_cast<int>(fill_widths(*row.spec, span.length()).size());
-    if (modules >= zone.least_in_run(row.spec->kind)) return span;
+    if (modules >= zone.min_in_run(row.spec->kind)) return span;
   }
   return std::nullopt;
 }
@@ -118,7 +118,7 @@ void line_wall(Build& build, ZoneBuild& zone, const WallJob& job) {
     Row row = whole;
     row.run = zone.run_id();
     row.band = cut_along(band, row.front, part);
-    row.max_modules = zone.most_in_run(spec.kind);
+    row.max_modules = zone.max_in_run(spec.kind);
     const std::optional<Span> room = room_for_run(build, zone, row);
     if (!room || zone.runs_left(spec.kind) == 0) continue;
     row.band = cut_along(row.band, row.front, *room);

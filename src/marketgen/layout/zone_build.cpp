@@ -22,15 +22,15 @@ int ZoneBuild::runs_left(const catalog::FixtureKind* kind) const {
   return lines ? std::max(0, *lines - main_runs) : std::numeric_limits<int>::max();
 }
 
-int ZoneBuild::most_in_run(const catalog::FixtureKind* kind) const {
+int ZoneBuild::max_in_run(const catalog::FixtureKind* kind) const {
   const int modules = modules_left(kind), runs = runs_left(kind);
   const bool shared = zone->fixture.count && zone->fixture.runs && kind == kinds.main && runs > 0;
   return shared ? (modules + runs - 1) / runs : modules;
 }
 
-int ZoneBuild::least_in_run(const catalog::FixtureKind* kind) const {
+int ZoneBuild::min_in_run(const catalog::FixtureKind* kind) const {
   const bool shared = zone->fixture.count && zone->fixture.runs && kind == kinds.main;
-  return shared ? most_in_run(kind) : 1;
+  return shared ? max_in_run(kind) : 1;
 }
 
 int ZoneBuild::modules_left(const catalog::FixtureKind* kind) const {

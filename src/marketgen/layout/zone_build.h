@@ -29,9 +29,9 @@ struct ZoneBuild {
   int modules_left(const catalog::FixtureKind* kind) const;
   int runs_left(const catalog::FixtureKind* kind) const;
   // The most that the next run may have, so that all runs that are wanted are as long.
-  int most_in_run(const catalog::FixtureKind* kind) const;
+  int max_in_run(const catalog::FixtureKind* kind) const;
   // The fewest for it to be one of the runs that are wanted.
-  int least_in_run(const catalog::FixtureKind* kind) const;
+  int min_in_run(const catalog::FixtureKind* kind) const;
   void count(const catalog::FixtureKind* kind, const std::vector<PlacedRun>& runs);
 };
 

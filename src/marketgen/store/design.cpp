@@ -15,7 +15,7 @@ namespace {
 constexpr int max_rounds = 10;
 constexpr int max_other_floors = 2;   // before a zone is left out
 constexpr int max_lax_rounds = 4;     // then the plainest floor there is
-constexpr int most_growth = 2;        // of a floor of no said size
+constexpr int max_growth = 2;         // of a floor of no said size
 constexpr int plain_after_draws = 2;  // of the smallest program
 constexpr std::size_t min_zones = 2;  // a till, and something to buy
 
@@ -151,7 +151,7 @@ class Bargain {
         std::ranges::any_of(now.layout.violations, [](const layout::Violation& fault) {
           return fault.severity == layout::Severity::hard && fault.code != "RELATION_BROKEN";
         });
-    if (!short_of_room || !now.planned.floor_is_open || concessions_.growth >= most_growth)
+    if (!short_of_room || !now.planned.floor_is_open || concessions_.growth >= max_growth)
       return false;
     ++concessions_.growth;
     return true;

@@ -29,7 +29,7 @@ double turn_rad(const Pose& from, const Pose& to) {
 
 TEST(Perturbation, KeepsWithinItsLimitsAndUsesThem) {
   const Pose stood{{1, 2, 3}, rotation_about({1, 0, 0}, 0.7)};
-  double farthest = 0, most_turned = 0;
+  double farthest = 0, max_turned = 0;
   for (int i = 0; i < 500; ++i) {
     const Pose now = perturbation(7).moved(stood, "item-" + std::to_string(i));
     const Vec3 way = now.position - stood.position;
@@ -39,10 +39,10 @@ TEST(Perturbation, KeepsWithinItsLimitsAndUsesThem) {
     const double turned = turn_rad(stood, now);
     ASSERT_LE(turned, degree + 1e-9);
     farthest = std::max(farthest, std::abs(way.x));
-    most_turned = std::max(most_turned, turned);
+    max_turned = std::max(max_turned, turned);
   }
   EXPECT_GT(farthest, 0.0045);
-  EXPECT_GT(most_turned, 0.9 * degree);
+  EXPECT_GT(max_turned, 0.9 * degree);
 }
 
 TEST(Perturbation, IsAFunctionOfSeedAndName) {

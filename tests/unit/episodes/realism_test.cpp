@@ -401,7 +401,7 @@ TEST(CameraSenses, LampsChangeColorAndNothingElse) {
 TEST(BasketDials, TheBasketStandsASideWithWhatLiesInIt) {
   episodes::Realism realism;
   realism.basket = {0.03, 5};
-  double farthest = 0, most_turned = 0;
+  double farthest = 0, max_turned = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     episodes::EpisodeSpec spec = drawn(7, 0);
     spec.seed = seed;
@@ -412,7 +412,7 @@ TEST(BasketDials, TheBasketStandsASideWithWhatLiesInIt) {
     EXPECT_LE(std::abs(yaw_of(now.rotation)), 5 * rad_a_degree + 1e-9);
     EXPECT_TRUE(world->station().has_room_for_basket(now));
     farthest = std::max(farthest, length(aside));
-    most_turned = std::max(most_turned, std::abs(yaw_of(now.rotation)));
+    max_turned = std::max(max_turned, std::abs(yaw_of(now.rotation)));
     for (std::size_t i = 0; i < world->item_count(); ++i)
       EXPECT_LT(
           length((inverse(now) * world->item_pose(i)).position - spec.items[i].pose().position),
@@ -423,7 +423,7 @@ TEST(BasketDials, TheBasketStandsASideWithWhatLiesInIt) {
               nominal.position.x);
   }
   EXPECT_GT(farthest, 0.02);
-  EXPECT_GT(most_turned, 2.5 * rad_a_degree);
+  EXPECT_GT(max_turned, 2.5 * rad_a_degree);
 }
 
 // ---- Repeatable ----

@@ -13,7 +13,7 @@ namespace {
 
 // So deep, as they are drawn, baskets' goods may lie in one another (sample_checkout.cpp).
 constexpr double max_pressed_m = 0.002;
-constexpr double least_share = 0.125;  // of a shift; rather none than less
+constexpr double min_share = 0.125;  // of a shift; rather none than less
 constexpr double max_settling_s = 1.5, at_rest_s = 0.2;
 constexpr std::array displaced_shares{1.0, 0.75, 0.5, 0.25, 0.0};
 constexpr std::string_view basket_thing = "basket";  // by its name its displacement is drawn
@@ -51,7 +51,7 @@ bool CheckoutWorld::halve_pressed(std::vector<double>& shares) const {
   bool any = false;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     if (!pressed[i] || shares[i] == 0) continue;
-    shares[i] = shares[i] > least_share ? shares[i] / 2 : 0;
+    shares[i] = shares[i] > min_share ? shares[i] / 2 : 0;
     any = true;
   }
   return any;
