@@ -1,0 +1,186 @@
+// The picture: renderer, camera and what stands in it. Draws only when something has changed.
+import {
+  ColorManagement,
+  LinearSRGBColorSpace,
+  NoToneMapping,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { direction, type Pose } from "../camera/pose";
+import type { Vec3 } from "../camera/vector";
+import type { Goods, Limits } from "./goods";
+import type { Overlays } from "./overlays";
+import { pick, type Picked, type Ray } from "./pick";
+import type { Room } from "./room";
+import type { Shared } from "./shading";
+
+ColorManagement.enabled = false; // the shaders write what the screen shows
+
+const softwareGoal = 55; // milliseconds a frame without a GPU
+const hardwareGoal = 14;
+
+export interface Figures {
+  frames: number;
+  frameMilliseconds: number; // of the last frames, smoothed
+  calls: number;
+  triangles: number;
+}
+
+// WebGL without a GPU: fewer extras.
+function isSoftware(gl: WebGL2RenderingContext): boolean {
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+function newCanvasContext(canvas: HTMLCanvasElement): { gl: WebGL2RenderingContext; software: boolean } | undefined {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  if (!probe) return undefined;
+  const software = isSoftware(probe);
+  probe.getExtension("WEBGL_lose_context")?.loseContext();
+  const gl = canvas.getContext("webgl2", {
+    antialias: !software,
+    alpha: false,
+    powerPreference: "high-performance",
+    preserveDrawingBuffer: false,
+  });
+  return gl ? { gl, software } : undefined;
+}
+
+export class Stage {
+  readonly camera = new PerspectiveCamera(55, 1, 0.03, 200);
+  readonly scene = new Scene();
+  readonly shared: Shared = { uDim: { value: 0 } };
+  readonly renderer: WebGLRenderer;
+  readonly software: boolean;
+  readonly figures: Figures = { frames: 0, frameMilliseconds: 0, calls: 0, triangles: 0 };
+  goods: Goods | undefined;
+  room: Room | undefined;
+  overlays: Overlays | undefined;
+  ceilingHeight = 3;
+  private dirty = true;
+  private wasBusy = false;
+
+  private constructor(
+    readonly canvas: HTMLCanvasElement,
+    gl: WebGL2RenderingContext,
+    software: boolean,
+  ) {
+    this.software = software;
+    this.renderer = new WebGLRenderer({ canvas, context: gl, antialias: !software });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.toneMapping = NoToneMapping;
+    this.renderer.info.autoReset = true;
+    this.camera.up.set(0, 0, 1);
+    this.scene.matrixAutoUpdate = false;
+  }
+
+  // Undefined: the browser has no WebGL 2.
+  static create(canvas: HTMLCanvasElement): Stage | undefined {
+    const context = newCanvasContext(canvas);
+    return context && new Stage(canvas, context.gl, context.software);
+  }
+
+  get limits(): Limits {
+    const small = Math.min(screen.width, screen.height) < 600;
+    return { sheetLayers: small ? 16 : 40, sharpness: this.software ? 1 : 8 };
+  }
+
+  setBackground(color: string): void {
+    this.renderer.setClearColor(color, 1);
+    this.redraw();
+  }
+
+  redraw(): void {
+    this.dirty = true;
+  }
+
+  resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(this.software ? 1 : Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.redraw();
+  }
+
+  setPose(pose: Pose): void {
+    const [x, y, z] = direction(pose);
+    this.camera.position.set(...pose.eye);
+    this.camera.lookAt(pose.eye[0] + x, pose.eye[1] + y, pose.eye[2] + z);
+    this.roomChanged();
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    this.redraw();
+  }
+
+  // From above the ceiling one looks into the room.
+  roomChanged(): void {
+    this.room?.showCeiling(this.camera.position.z < this.ceilingHeight - 0.1);
+    this.redraw();
+  }
+
+  // Draws if need be; true when it did. `moving`: frames follow one another, so that their time says how fast this machine is.
+  frame(moving: boolean): boolean {
+    if (!this.dirty) {
+      this.wasBusy = false;
+      return false;
+    }
+    this.dirty = false;
+    const began = performance.now();
+    const done = this.goods?.update(this.camera, new Vector3().copy(this.camera.position)) ?? true;
+    this.renderer.render(this.scene, this.camera);
+    if (this.software) (this.renderer.getContext() as WebGL2RenderingContext).finish();
+    this.count(performance.now() - began, moving && this.wasBusy);
+    this.wasBusy = moving;
+    if (!done) this.redraw();
+    return true;
+  }
+
+  private count(milliseconds: number, adapt: boolean): void {
+    const figures = this.figures;
+    figures.frames++;
+    figures.frameMilliseconds = figures.frameMilliseconds * 0.85 + milliseconds * 0.15;
+    figures.calls = this.renderer.info.render.calls;
+    figures.triangles = this.renderer.info.render.triangles;
+    if (adapt) this.goods?.adapt(figures.frameMilliseconds, this.software ? softwareGoal : hardwareGoal);
+  }
+
+  // Of a point of the canvas, in CSS pixels from its upper left corner.
+  rayAt(x: number, y: number): Ray {
+    const { clientWidth, clientHeight } = this.canvas;
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2((x / clientWidth) * 2 - 1, 1 - (y / clientHeight) * 2), this.camera);
+    const { origin, direction: way } = caster.ray;
+    return { from: [origin.x, origin.y, origin.z], way: [way.x, way.y, way.z] };
+  }
+
+  pickAt(x: number, y: number): Picked | undefined {
+    const goods = this.goods;
+    if (!goods) return undefined;
+    return pick(this.rayAt(x, y), {
+      table: goods.table,
+      skus: goods.skus,
+      meshes: goods.farMeshes,
+      room: this.room?.arrays,
+      roomHidden: (index) => this.room?.isPassed(index) ?? false,
+    });
+  }
+
+  // Where a point of the store is on the canvas, or undefined when it is behind the eye.
+  project(point: Vec3): { x: number; y: number } | undefined {
+    const seen = new Vector3(...point).project(this.camera);
+    if (seen.z > 1) return undefined;
+    return { x: ((seen.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - seen.y) / 2) * this.canvas.clientHeight };
+  }
+
+  async picture(): Promise<Blob | null> {
+    this.goods?.update(this.camera, new Vector3().copy(this.camera.position));
+    this.renderer.render(this.scene, this.camera);
+    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+  }
+}

@@ -1,0 +1,16 @@
+import { defineConfig } from "vitest/config";
+
+// No inline scripts, no data: URLs, no module preload polyfill (which is inline): the server's content security policy allows
+// files of its own origin alone. File names carry the hash of what they hold, so that a browser may keep them.
+export default defineConfig({
+  base: "./",
+  build: {
+    outDir: "dist",
+    target: "es2022",
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 1500,
+    reportCompressedSize: false,
+  },
+  test: { include: ["tests/**/*.test.ts"], environment: "node" },
+});
