@@ -4,7 +4,7 @@
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog  tinyxml2::tinyxml2
 #   xsimd::xsimd  squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
 #   PNG::PNG  ZLIB::ZLIB  JPEG::JPEG  TinyEXR::TinyEXR  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
-#   polyclipping::polyclipping  OpenCV::Imgproc
+#   civetweb::civetweb  polyclipping::polyclipping  OpenCV::Imgproc
 #   GTest::gtest  GTest::gtest_main  fcl::fcl (tests)
 #
 # All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI (cmake/FindMuJoCo.cmake). Whatever is missing is named at once, at the
@@ -55,6 +55,7 @@ marketgen_find(libtinyxml2-dev tinyxml2)
 marketgen_find(libssl-dev OpenSSL COMPONENTS Crypto)
 marketgen_find(libcurl4-openssl-dev CURL)
 marketgen_find(libzint-dev Zint)
+marketgen_find(libcivetweb-dev civetweb)
 marketgen_find(MuJoCo MuJoCo 4.0.1 EXACT)
 marketgen_find(libxsimd-dev xsimd 8)
 if(embree_FOUND)

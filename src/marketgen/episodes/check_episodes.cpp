@@ -72,7 +72,6 @@ Result<void> check_fields(const EpisodeSpec& spec, const std::string& where) {
   const std::map<std::string_view, bool> said{
       {"items", !spec.items.empty()},
       {"categories", !spec.categories.empty()},
-      {"tools", !spec.tools.empty()},
       {"station", spec.station.has_value()},
       {"lane", spec.lane.has_value()},
       {"start", start.x_m != 0 || start.y_m != 0 || start.heading_deg != 0}};

@@ -21,7 +21,7 @@ class TrackEntry {
   virtual ~TrackEntry() = default;
   // Cameras that an agent can have, as EpisodeSpec::cameras names them.
   virtual std::vector<std::string_view> cameras() const = 0;
-  // Of EpisodeSpec, those of its fields that not every track has: "items", "categories", "tools",
+  // Of EpisodeSpec, those of its fields that not every track has: "items", "categories",
   // "station", "lane", "start".
   virtual std::vector<std::string_view> own_fields() const = 0;
   // Whether the goals can be met, as far as the episode tells, at "WHERE/goals". Errors:

@@ -103,7 +103,8 @@ TEST(GoalsTable, IsWrittenWithReasons) {
   const evaluation::TextTable text = evaluation::text_of(table);
   EXPECT_EQ(text.columns.size(), 4 + table.variants.size());
   EXPECT_TRUE(std::ranges::any_of(text.notes, [](const std::string& note) {
-    return note.starts_with("Not for checkout: ") && note.find("too_wide ") != std::string::npos;
+    return note.starts_with("Not for checkout gripper: ") &&
+           note.find("too_wide ") != std::string::npos;
   }));
 }
 

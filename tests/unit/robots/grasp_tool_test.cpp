@@ -11,9 +11,10 @@ namespace {
 TEST(GraspTools, TheRowsThatAreTools) {
   const auto ids = robots::grasp_tool_ids(committed_rows);
   ASSERT_TRUE(ids.ok());
-  EXPECT_EQ(*ids,
-            (std::vector<std::string>{
-                "panda-hand", "panda-long-hand", "parallel-gripper", "suction-cup"}));
+  EXPECT_EQ(
+      *ids,
+      (std::vector<std::string>{
+          "panda-hand", "panda-long-hand", "panda-suction", "parallel-gripper", "suction-cup"}));
 }
 
 // The hand's figures, and its pads of 17.5 x 17.7 mm round the tool centre point.

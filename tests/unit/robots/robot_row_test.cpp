@@ -23,7 +23,7 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
 TEST(RobotRows, EveryRowLoads) {
   const auto ids = robots::robot_ids(committed_rows);
   ASSERT_TRUE(ids.ok());
-  EXPECT_EQ(ids->size(), 10U);
+  EXPECT_EQ(ids->size(), 11U);
   for (const std::string& id : *ids)
     EXPECT_FALSE(committed_robot(id).links.empty()) << id;
 }

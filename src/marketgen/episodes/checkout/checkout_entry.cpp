@@ -12,9 +12,7 @@ namespace {
 class CheckoutEntry : public TrackEntry {
  public:
   std::vector<std::string_view> cameras() const override { return {"scene", "wrist"}; }
-  std::vector<std::string_view> own_fields() const override {
-    return {"items", "tools", "station", "lane"};
-  }
+  std::vector<std::string_view> own_fields() const override { return {"items", "station", "lane"}; }
 
   Result<void> check_goals(const EpisodeSpec& spec, const std::string& where) const override {
     for (const EpisodeGoal& goal : spec.goals) {
