@@ -22,6 +22,7 @@ export interface Limits {
 type Detail = "far" | "middle";
 
 interface Shown {
+  readonly number: number; // in the table's cells
   readonly cell: Cell;
   readonly box: Box3;
   readonly built: Map<Detail, PackCell>;
@@ -55,7 +56,8 @@ export class Goods {
   ) {
     this.standIns = new StandIns(table, skus, shared);
     this.group.add(this.standIns.mesh);
-    this.shown = table.cells.map((cell) => ({
+    this.shown = table.cells.map((cell, number) => ({
+      number,
       cell,
       box: new Box3(new Vector3(...cell.low), new Vector3(...cell.high)),
       built: new Map(),
@@ -124,13 +126,12 @@ export class Goods {
     this.standIns.begin();
     let order = 0;
     for (const shown of byDistance) {
-      if (!this.frustum.intersectsBox(shown.box)) continue;
-      const detail = this.detailOf(shown, eye);
+      if (!this.frustum.intersectsBox(shown.box) || !this.facesEye(shown, eye)) continue;
+      const detail = this.detailOf(shown);
       const best = detail && (shown.built.get(detail) ?? shown.built.get("far"));
       if (detail && !shown.built.has(detail)) missing ??= { shown, detail };
       if (best) this.show(best, ++order);
-      const { first, deep, end } = shown.cell;
-      this.standIns.add(best ? deep : first, end);
+      this.standIns.add(shown.number, best ? shown.cell.deep : shown.cell.first, eye);
     }
     this.standIns.finish();
     if (missing) this.build(missing.shown, missing.detail);
@@ -139,17 +140,17 @@ export class Goods {
     return missing === undefined;
   }
 
-  private detailOf(shown: Shown, eye: Vector3): Detail | undefined {
-    if (!this.far || !this.light || shown.distance > this.meshRadius || !this.facesEye(shown, eye)) return undefined;
+  private detailOf(shown: Shown): Detail | undefined {
+    if (!this.far || !this.light || shown.distance > this.meshRadius) return undefined;
     return this.middle && shown.distance < Math.min(middleWithin, this.meshRadius / 2) ? "middle" : "far";
   }
 
   private facesEye({ cell, box }: Shown, eye: Vector3): boolean {
     if (cell.facing === facesAnyway) return true;
     const [x, y] = fronts[cell.facing]!;
-    // Behind the plane of the cell's back nothing of it is seen but over the top.
+    // From behind a shelf its back is seen, unless one looks over it.
     const back = Math.min(box.min.x * x, box.max.x * x) + Math.min(box.min.y * y, box.max.y * y);
-    return eye.x * x + eye.y * y > back;
+    return eye.x * x + eye.y * y > back || eye.z > box.max.z;
   }
 
   private hideMeshes(): void {

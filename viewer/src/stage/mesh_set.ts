@@ -34,10 +34,10 @@ export class MeshSet {
   }
 }
 
-// How much of the box round a pack its outline fills, seen from above (axis 2) or the front (axis 1): about pi / 4 for what is round.
-export function coverage(set: MeshSet, sku: number, axis: 1 | 2): number {
+// How much of the box round a pack its outline fills, seen from above: about pi / 4 for what is round.
+export function coverage(set: MeshSet, sku: number): number {
   const { firstIndex, opaque, clear, firstVertex, vertices } = set.range(sku);
-  const [u, v] = axis === 2 ? [0, 1] : [0, 2];
+  const [u, v] = [0, 1];
   const p = set.position;
   let area = 0;
   for (let i = firstIndex; i < firstIndex + opaque + clear; i += 3) {

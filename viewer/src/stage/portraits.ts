@@ -48,13 +48,13 @@ function extentOf(set: MeshSet, first: number, count: number): Extent {
   return extent;
 }
 
+// Round: a can, a bottle, an apple; seen from above a disc as wide as deep.
 function formOf(set: MeshSet, sku: number): Form {
-  if (set.range(sku).vertices === 0 || coverage(set, sku, 2) > 0.88) return Form.box;
   const { firstVertex, vertices } = set.range(sku);
+  if (vertices === 0 || coverage(set, sku) > 0.88) return Form.box;
   const { low, high } = extentOf(set, firstVertex, vertices);
   const [w, d] = [high[0] - low[0], high[1] - low[1]];
-  if (Math.min(w, d) / Math.max(w, d) < 0.8) return Form.box;
-  return coverage(set, sku, 1) < 0.83 && Math.abs(high[2] - low[2] - w) < 0.25 * w ? Form.ball : Form.post;
+  return Math.min(w, d) / Math.max(w, d) < 0.8 ? Form.box : Form.round;
 }
 
 function geometryOf(set: MeshSet, from: number, end: number, rows: number, places: SkuPlaces): BufferGeometry {

@@ -1,76 +1,70 @@
-// Packs that are not near enough for their mesh: one instanced draw of boxes with pictures of the pack on them. What is in view is
-// copied cell by cell into the buffer of instances.
-import {
-  BufferAttribute,
-  DynamicDrawUsage,
-  InstancedBufferGeometry,
-  InstancedInterleavedBuffer,
-  InterleavedBufferAttribute,
-  Mesh,
-  Vector2,
-  type RawShaderMaterial,
-  type Texture,
-} from "three";
+// Packs that are not near enough for their mesh: boxes with pictures of the pack on them, or for round ones a picture that turns with
+// the eye. One draw of still vertices; what is in view is chosen by copying runs of indices, a cell's sides at a time.
+// (Not instanced: WebGL without a GPU takes 0.1 ms an instance.)
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Vector3, type RawShaderMaterial, type Texture } from "three";
 import type { Sku } from "../store/contract";
-import type { GoodsTable } from "./goods_table";
-import { rotationOf } from "./goods_table";
-import { faceLight, type GoodsLight } from "./goods_light";
+import { faceLight, rotated, type GoodsLight } from "./goods_light";
+import { facesAnyway, fronts, rotationOf, type Cell, type GoodsTable, type Quaternion } from "./goods_table";
 import { standInMaterial, type Shared } from "./shading";
-
-// An instance is twelve words: place (3 floats), turn (4 x 16 bits), size in 1/10 mm and SKU row (4 x 16), light at the front, right,
-// left and top (4 x rgb), colour and form.
-const words = 12;
-const at = { place: 0, turn: 3, size: 5, light: 7, color: 11 };
 
 export enum Form {
   box = 0,
-  post = 1, // round about its axis
-  ball = 2,
+  round = 1, // about its upright axis
 }
 
 export interface Portraits {
   readonly texture: Texture;
-  readonly cells: readonly [number, number];
+  readonly cells: readonly [number, number]; // across and down
   readonly cellTexels: readonly [number, number];
   readonly forms: Uint8Array; // by SKU row
 }
 
-const quads: readonly (readonly (readonly [number, number, number])[])[] = [
-  [[-1, -1, 0], [1, -1, 0], [1, -1, 1], [-1, -1, 1]],
-  [[1, -1, 0], [1, 1, 0], [1, 1, 1], [1, -1, 1]],
-  [[1, 1, 0], [-1, 1, 0], [-1, 1, 1], [1, 1, 1]],
-  [[-1, 1, 0], [-1, -1, 0], [-1, -1, 1], [-1, 1, 1]],
-  [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]],
-];
-const sideNormals = [
-  [0, -1, 0],
-  [1, 0, 0],
-  [-1, 0, 0],
-  [0, 0, 1],
+// Sides of a box, in the product frame: -1..1 across, 0..1 up.
+const sides = [
+  { corners: [[-1, -1, 0], [1, -1, 0], [1, -1, 1], [-1, -1, 1]], normal: [0, -1, 0], view: 0 }, // front
+  { corners: [[1, -1, 0], [1, 1, 0], [1, 1, 1], [1, -1, 1]], normal: [1, 0, 0], view: 1 }, // right
+  { corners: [[-1, 1, 0], [-1, -1, 0], [-1, -1, 1], [-1, 1, 1]], normal: [-1, 0, 0], view: 1 }, // left
+  { corners: [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], normal: [0, 0, 1], view: 2 }, // top
+  { corners: [[1, 1, 0], [-1, 1, 0], [-1, 1, 1], [1, 1, 1]], normal: [0, 1, 0], view: 0 }, // back
 ] as const;
-
-function boxOfQuads(geometry: InstancedBufferGeometry): void {
-  const sides = quads.flatMap((quad, side) => quad.map(() => side));
-  const index = quads.flatMap((_, side) => [0, 1, 2, 0, 2, 3].map((k) => side * 4 + k));
-  geometry.setAttribute("corner", new BufferAttribute(new Float32Array(quads.flat(2)), 3));
-  geometry.setAttribute("side", new BufferAttribute(new Float32Array(sides), 1));
-  geometry.setIndex(index);
+enum Side {
+  front = 0,
+  right = 1,
+  left = 2,
+  top = 3,
+  back = 4,
 }
+const corners = sides.length * 4; // of a pack
+const picture = [
+  [0, 0],
+  [1, 0],
+  [1, 1],
+  [0, 1],
+] as const; // of a side's corners
+const seenRows = 2; // how many packs behind one another show their front
+const topShare = 0.93; // of the height: where a round pack's picture from above lies
+const inset = 1.5; // texels about a picture that are not its own
 
-const pack16 = (low: number, high: number): number => ((low & 0xffff) | ((high & 0xffff) << 16)) >>> 0;
+interface Box {
+  readonly turn: Quaternion;
+  readonly place: readonly [number, number, number];
+  readonly size: readonly [number, number, number];
+  readonly round: boolean;
+}
 
 export class StandIns {
   readonly mesh: Mesh;
-  private readonly source: Uint32Array; // every product, in the table's order
+  private readonly position: Float32Array;
+  private readonly across: Float32Array;
+  private readonly uv: Uint16Array;
+  private readonly color: Uint8Array;
+  private readonly light: Uint8Array;
+  private readonly runs: Uint32Array; // six indices a pack and side: side by side of the whole table
   private readonly shown: Uint32Array;
-  private readonly geometry = new InstancedBufferGeometry();
-  private readonly buffer: InstancedInterleavedBuffer;
-  private readonly uniforms = {
-    pictures: { value: null as Texture | null },
-    cells: { value: new Vector2(1, 1) },
-    cellTexels: { value: new Vector2(1, 1) },
-  };
-  private plain: RawShaderMaterial;
+  private readonly geometry = new BufferGeometry();
+  private readonly uniforms = { pictures: { value: null as Texture | null } };
+  private readonly plain: RawShaderMaterial;
+  private readonly seen: Uint32Array; // by cell: rows that show their front
   private filled = 0;
 
   constructor(
@@ -78,92 +72,167 @@ export class StandIns {
     private readonly skus: readonly Sku[],
     private readonly shared: Shared,
   ) {
-    this.source = new Uint32Array(table.count * words);
-    this.writePlaces();
-    this.writeColors(undefined);
+    const vertices = table.count * corners;
+    this.position = new Float32Array(vertices * 3);
+    this.across = new Float32Array(vertices);
+    this.uv = new Uint16Array(vertices * 2);
+    this.color = new Uint8Array(vertices * 4);
+    this.light = new Uint8Array(vertices * 4);
+    this.runs = new Uint32Array(table.count * sides.length * 6);
+    this.shown = new Uint32Array(Math.max(this.runs.length, 6));
+    this.seen = Uint32Array.from(table.cells, (cell) => this.rowsSeen(cell));
+    this.writeRuns();
+    this.writeShapes(undefined);
     this.writeLight(undefined);
-    this.shown = new Uint32Array(Math.max(table.count, 1) * words);
-    this.buffer = new InstancedInterleavedBuffer(this.shown, words, 1);
-    this.buffer.setUsage(DynamicDrawUsage);
-    boxOfQuads(this.geometry);
-    ["wordsA", "wordsB", "wordsC"].forEach((name, i) => {
-      this.geometry.setAttribute(name, new InterleavedBufferAttribute(this.buffer, 4, i * 4, false));
-    });
+    this.addAttributes();
     this.plain = standInMaterial(shared, this.uniforms, false);
     this.mesh = new Mesh(this.geometry, this.plain);
     this.mesh.frustumCulled = false;
     this.mesh.matrixAutoUpdate = false;
-    this.mesh.renderOrder = 1;
+    this.mesh.renderOrder = -500;
   }
 
-  get count(): number {
-    return this.filled;
+  get triangles(): number {
+    return this.filled / 3;
   }
 
   begin(): void {
     this.filled = 0;
   }
 
-  // Rows of the table's order.
-  add(first: number, end: number): void {
-    if (end <= first) return;
-    this.shown.set(this.source.subarray(first * words, end * words), this.filled * words);
-    this.filled += end - first;
+  // What of a cell is seen from the eye; `first`: its packs before are shown otherwise.
+  add(number: number, first: number, eye: Vector3): void {
+    const cell = this.table.cells[number]!;
+    const { low, high, end } = cell;
+    const frontEnd = Math.max(first, this.seen[number]!);
+    if (cell.facing === facesAnyway) {
+      for (const side of [Side.front, Side.right, Side.left, Side.back]) this.copy(side, first, end);
+    } else {
+      const [x, y] = fronts[cell.facing]!;
+      const [rx, ry] = [-y, x]; // the pack's right
+      const along = eye.x * rx + eye.y * ry;
+      const leftmost = Math.min(low[0] * rx, high[0] * rx) + Math.min(low[1] * ry, high[1] * ry);
+      const rightmost = Math.max(low[0] * rx, high[0] * rx) + Math.max(low[1] * ry, high[1] * ry);
+      this.copy(Side.front, first, frontEnd);
+      if (along > leftmost) this.copy(Side.right, first, frontEnd);
+      if (along < rightmost) this.copy(Side.left, first, frontEnd);
+    }
+    if (eye.z > low[2]) this.copy(Side.top, first, end);
   }
 
   finish(): void {
-    this.geometry.instanceCount = this.filled;
+    this.geometry.setDrawRange(0, this.filled);
     this.mesh.visible = this.filled > 0;
-    this.buffer.clearUpdateRanges();
-    this.buffer.addUpdateRange(0, this.filled * words);
-    this.buffer.needsUpdate = true;
+    const index = this.geometry.index!;
+    index.clearUpdateRanges();
+    index.addUpdateRange(0, this.filled);
+    index.needsUpdate = true;
   }
 
   setPortraits(portraits: Portraits): void {
     this.uniforms.pictures.value = portraits.texture;
-    this.uniforms.cells.value.set(...portraits.cells);
-    this.uniforms.cellTexels.value.set(...portraits.cellTexels);
-    this.writeColors(portraits.forms);
+    this.writeShapes(portraits);
     this.mesh.material = standInMaterial(this.shared, this.uniforms, true);
     this.plain.dispose();
+    for (const name of ["position", "across", "uv", "color"]) this.geometry.getAttribute(name).needsUpdate = true;
   }
 
   setLight(light: GoodsLight): void {
     this.writeLight(light);
+    this.geometry.getAttribute("light").needsUpdate = true;
   }
 
-  private writePlaces(): void {
-    const floats = new Float32Array(this.source.buffer);
-    this.table.order.forEach((row, i) => {
-      const o = i * words;
-      floats.set(this.table.position.subarray(row * 3, row * 3 + 3), o + at.place);
-      const r = this.table.rotation;
-      this.source[o + at.turn] = pack16(r[row * 4]!, r[row * 4 + 1]!);
-      this.source[o + at.turn + 1] = pack16(r[row * 4 + 2]!, r[row * 4 + 3]!);
-      const sku = this.table.sku[row]!;
-      const [w, d, h] = this.skus[sku]!.size_m.map((x) => Math.min(Math.round(x * 10000), 65535)) as [number, number, number];
-      this.source[o + at.size] = pack16(w, d);
-      this.source[o + at.size + 1] = pack16(h, sku);
+  private rowsSeen(cell: Cell): number {
+    let end = cell.first;
+    while (end < cell.end && this.table.rank[this.table.order[end]!]! < seenRows) end++;
+    return end;
+  }
+
+  private copy(side: Side, first: number, end: number): void {
+    if (end <= first) return;
+    const base = side * this.table.count;
+    this.shown.set(this.runs.subarray((base + first) * 6, (base + end) * 6), this.filled);
+    this.filled += (end - first) * 6;
+  }
+
+  private addAttributes(): void {
+    this.geometry.setAttribute("position", new BufferAttribute(this.position, 3));
+    this.geometry.setAttribute("across", new BufferAttribute(this.across, 1));
+    this.geometry.setAttribute("uv", new BufferAttribute(this.uv, 2, true));
+    this.geometry.setAttribute("color", new BufferAttribute(this.color, 4, true));
+    this.geometry.setAttribute("light", new BufferAttribute(this.light, 4, true));
+    const index = new BufferAttribute(this.shown, 1);
+    index.setUsage(DynamicDrawUsage);
+    this.geometry.setIndex(index);
+  }
+
+  private writeRuns(): void {
+    const { count } = this.table;
+    for (let side = 0; side < sides.length; side++) {
+      for (let i = 0; i < count; i++) {
+        const v = i * corners + side * 4;
+        this.runs.set([v, v + 1, v + 2, v, v + 2, v + 3], (side * count + i) * 6);
+      }
+    }
+  }
+
+  private writeShapes(portraits: Portraits | undefined): void {
+    const { order, sku, position, tint } = this.table;
+    const colors = this.skus.map(({ color }) => (portraits ? 0xffffff : Number.parseInt(color.slice(1), 16)));
+    order.forEach((row, i) => {
+      const type = sku[row]!;
+      const turn = rotationOf(this.table, row);
+      const upright = turn[0] ** 2 + turn[1] ** 2 < 0.02;
+      const box: Box = {
+        turn,
+        place: [position[row * 3]!, position[row * 3 + 1]!, position[row * 3 + 2]!],
+        size: this.skus[type]!.size_m,
+        round: upright && portraits?.forms[type] === Form.round,
+      };
+      const color = colors[type]!;
+      const painted = [16, 8, 0].map((shift, k) => Math.min((((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545), 255));
+      for (let side = 0; side < sides.length; side++) this.writeSide(i * corners + side * 4, side, box);
+      for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([painted[0]!, painted[1]!, painted[2]!, 255], v * 4);
+      if (portraits) this.writePictures(i, type, portraits);
     });
   }
 
-  // With forms there are pictures, which have the colour.
-  private writeColors(forms: Uint8Array | undefined): void {
-    const colors = this.skus.map((sku) => (forms ? 0xffffff : Number.parseInt(sku.color.slice(1), 16)));
-    this.table.order.forEach((row, i) => {
-      const sku = this.table.sku[row]!;
-      const color = colors[sku]!;
-      const part = (shift: number, k: number): number =>
-        Math.min(Math.round((((color >> shift) & 255) * this.table.tint[row * 3 + k]!) / 200), 255);
-      this.source[i * words + at.color] = (part(16, 0) | (part(8, 1) << 8) | (part(0, 2) << 16) | ((forms?.[sku] ?? 0) << 24)) >>> 0;
+  private writeSide(vertex: number, side: Side, { turn, place, size, round }: Box): void {
+    sides[side]!.corners.forEach(([x, y, z], k) => {
+      const v = vertex + k;
+      let local: [number, number, number] = [(x * size[0]) / 2, (y * size[1]) / 2, z * size[2]];
+      this.across[v] = 0;
+      if (round && side === Side.front) {
+        local = [0, 0, z * size[2]];
+        this.across[v] = (x * Math.max(size[0], size[1])) / 2;
+      } else if (round && side === Side.top) local[2] = size[2] * topShare;
+      else if (round) local = [0, 0, 0]; // no such side
+      const at = rotated(turn, local);
+      for (let axis = 0; axis < 3; axis++) this.position[v * 3 + axis] = at[axis]! + place[axis]!;
+    });
+  }
+
+  private writePictures(pack: number, sku: number, { cells, cellTexels }: Portraits): void {
+    sides.forEach(({ view }, side) => {
+      const cell = sku * 3 + view;
+      const [column, line] = [cell % cells[0], Math.floor(cell / cells[0])];
+      picture.forEach(([u, v], k) => {
+        const o = (pack * corners + side * 4 + k) * 2;
+        const within = (share: number, texels: number): number => (inset + share * (texels - 2 * inset)) / texels;
+        this.uv[o] = ((column + within(u, cellTexels[0])) / cells[0]) * 65535;
+        this.uv[o + 1] = ((line + within(v, cellTexels[1])) / cells[1]) * 65535;
+      });
     });
   }
 
   private writeLight(light: GoodsLight | undefined): void {
     this.table.order.forEach((row, i) => {
       const turn = rotationOf(this.table, row);
-      sideNormals.forEach((normal, side) => {
-        this.source[i * words + at.light + side] = light ? faceLight(light, row, turn, normal) : side === 3 ? 0x747474 : 0x6a6a6a;
+      sides.forEach(({ normal }, side) => {
+        const word = light ? faceLight(light, row, turn, normal) : side === Side.top ? 0x747474 : 0x6a6a6a;
+        for (let k = 0; k < 4; k++) {
+          this.light.set([word & 255, (word >> 8) & 255, word >> 16, 255], (i * corners + side * 4 + k) * 4);
+        }
       });
     });
   }
