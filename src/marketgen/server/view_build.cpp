@@ -38,7 +38,8 @@ std::string key_of(const store::Store& store) {
 
 // Whether a build makes files of such a name: nobody waits for others.
 bool may_come(const std::string& name) {
-  static const std::regex names("(room|goods-light|meshes)\\.bin|(goods-|textures/)[0-9]{1,4}\\.jpg");
+  static const std::regex names(
+      "(room|goods-light|meshes)\\.bin|(goods-|textures/)[0-9]{1,4}\\.jpg");
   return std::regex_match(name, names);
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/gzip.h"
-#include "raw_client.h"
+#include "support/raw_client.h"
 
 namespace marketgen {
 namespace {
@@ -110,17 +110,18 @@ TEST_F(HttpServer, RefusesForeignHostsAndOrigins) {
 
 TEST_F(HttpServer, RefusesWhatIsNoRequest) {
   start();
-  for (const std::string& bytes : {std::string("\r\n\r\n"),
-                                   std::string("hello\r\n\r\n"),
-                                   std::string("GET\r\n\r\n"),
-                                   std::string("GET / HTTP/9.9\r\n\r\n"),
-                                   std::string("GET /../../etc/passwd HTTP/1.1\r\n\r\n"),
-                                   std::string("GET /%2e%2e/%2e%2e/etc/passwd HTTP/1.1\r\n\r\n"),
-                                   std::string("GET /%00 HTTP/1.1\r\nHost: a\r\n\r\n"),
-                                   std::string("GET / HTTP/1.1\r\n: x\r\n\r\n"),
-                                   std::string("\0\0\0\0\r\n\r\n", 8),
-                                   "GET /" + std::string(100'000, 'a') + " HTTP/1.1\r\n\r\n",
-                                   "GET / HTTP/1.1\r\nX: " + std::string(100'000, 'a') + "\r\n\r\n"}) {
+  for (const std::string& bytes :
+       {std::string("\r\n\r\n"),
+        std::string("hello\r\n\r\n"),
+        std::string("GET\r\n\r\n"),
+        std::string("GET / HTTP/9.9\r\n\r\n"),
+        std::string("GET /../../etc/passwd HTTP/1.1\r\n\r\n"),
+        std::string("GET /%2e%2e/%2e%2e/etc/passwd HTTP/1.1\r\n\r\n"),
+        std::string("GET /%00 HTTP/1.1\r\nHost: a\r\n\r\n"),
+        std::string("GET / HTTP/1.1\r\n: x\r\n\r\n"),
+        std::string("\0\0\0\0\r\n\r\n", 8),
+        "GET /" + std::string(100'000, 'a') + " HTTP/1.1\r\n\r\n",
+        "GET / HTTP/1.1\r\nX: " + std::string(100'000, 'a') + "\r\n\r\n"}) {
     RawClient client(port_);
     client.send(bytes);
     const RawAnswer answer = client.answer();

@@ -79,6 +79,16 @@ TEST(RequestGuard, AsksForTheToken) {
   EXPECT_EQ(status(guard, page), 200);
 }
 
+// From another machine this one has another name; pages of other sites are refused all the same.
+TEST(RequestGuard, WithATokenTakesAnyNameOfItsOwn) {
+  server::RequestGuard guard(rules("sesame-sesame-sesame"));
+  server::HttpAsk asked = ask("192.168.1.5:8123", "http://192.168.1.5:8123");
+  asked.query["token"] = "sesame-sesame-sesame";
+  EXPECT_EQ(status(guard, asked), 200);
+  asked.headers["origin"] = "http://evil.example";
+  EXPECT_EQ(status(guard, asked), 403);
+}
+
 TEST(RequestGuard, SlowsDownWhoAsksTooOften) {
   server::GuardRules slow = rules();
   std::tie(slow.burst, slow.requests_per_s) = std::pair(10.0, 5.0);

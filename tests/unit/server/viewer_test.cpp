@@ -76,8 +76,7 @@ class ViewedStore : public testing::Test {
     viewer = nullptr;
   }
   static std::unique_ptr<server::Viewer> open() {
-    auto stores =
-        store::open_stores({(scratch->path() / "shop").string()}, committed_catalog());
+    auto stores = store::open_stores({(scratch->path() / "shop").string()}, committed_catalog());
     if (!stores.ok()) fatal(to_string(stores.error()).c_str());
     store = stores->stores[0];
     auto opened = server::Viewer::open(std::move(stores).value(), page);
@@ -218,8 +217,8 @@ TEST_F(ViewedStore, HasARoom) {
     if (owners[2 * i] != 65535) fixtures.insert(owners[2 * i]);
   EXPECT_EQ(fixtures.size(), scene().fixtures.size());
   for (const Json& texture : room.head["textures"]) {
-    const auto image = io::decode_jpeg(
-        bytes("/api/stores/0/" + texture["path"].get<std::string>()), texture["path"]);
+    const auto image = io::decode_jpeg(bytes("/api/stores/0/" + texture["path"].get<std::string>()),
+                                       texture["path"]);
     ASSERT_TRUE(image.ok());
     EXPECT_EQ(image->width, texture["width"]);
     EXPECT_EQ(image->height, texture["height"]);
@@ -284,8 +283,8 @@ TEST_F(ViewedStore, GivesNearMeshesAndLabelsOneByOne) {
   const auto label = io::decode_png(bytes(sku + "/label.png", {{"px", "128"}}), "label");
   ASSERT_TRUE(label.ok());
   EXPECT_LE(label->height, 128);
-  const auto tag = io::decode_png(
-      bytes("/api/stores/0/tags/0.png", {{"promotion", "1"}, {"px", "64"}}), "tag");
+  const auto tag =
+      io::decode_png(bytes("/api/stores/0/tags/0.png", {{"promotion", "1"}, {"px", "64"}}), "tag");
   ASSERT_TRUE(tag.ok());
   EXPECT_EQ(tag->height, 64);
   EXPECT_EQ(ask(sku + "/label.png", {{"px", "100"}}).status, 400);

@@ -75,7 +75,8 @@ class RawClient {
   static RawAnswer head_of(const std::string& head) {
     RawAnswer answer;
     if (head.starts_with("HTTP/1.1 ")) answer.status = std::stoi(head.substr(9, 3));
-    for (std::size_t at = head.find("\r\n"); at != std::string::npos; at = head.find("\r\n", at + 2)) {
+    for (std::size_t at = head.find("\r\n"); at != std::string::npos;
+         at = head.find("\r\n", at + 2)) {
       const std::string line = head.substr(at + 2, head.find("\r\n", at + 2) - at - 2);
       const std::size_t colon = line.find(": ");
       if (colon != std::string::npos)
