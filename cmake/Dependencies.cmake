@@ -55,7 +55,6 @@ marketgen_find(libtinyxml2-dev tinyxml2)
 marketgen_find(libssl-dev OpenSSL COMPONENTS Crypto)
 marketgen_find(libcurl4-openssl-dev CURL)
 marketgen_find(libzint-dev Zint)
-marketgen_find(libcivetweb-dev civetweb)
 marketgen_find(MuJoCo MuJoCo 4.0.1 EXACT)
 marketgen_find(libxsimd-dev xsimd 8)
 if(embree_FOUND)
@@ -89,6 +88,14 @@ find_path(MARKETGEN_SQUISH_INCLUDE squish.h)
 marketgen_need(libsquish-dev MARKETGEN_SQUISH AND MARKETGEN_SQUISH_INCLUDE)
 add_library(squish::squish UNKNOWN IMPORTED)
 set_target_properties(squish::squish PROPERTIES IMPORTED_LOCATION "${MARKETGEN_SQUISH}")
+
+# Debian's civetweb-targets.cmake asks for the server program of another package.
+find_library(MARKETGEN_CIVETWEB civetweb)
+find_path(MARKETGEN_CIVETWEB_INCLUDE civetweb.h)
+marketgen_need(libcivetweb-dev MARKETGEN_CIVETWEB AND MARKETGEN_CIVETWEB_INCLUDE)
+add_library(civetweb::civetweb UNKNOWN IMPORTED)
+set_target_properties(civetweb::civetweb PROPERTIES
+  IMPORTED_LOCATION "${MARKETGEN_CIVETWEB}" INTERFACE_INCLUDE_DIRECTORIES "${MARKETGEN_CIVETWEB_INCLUDE}")
 
 # Debian's libtinyexr has neither a CMake nor a pkg-config file.
 find_library(MARKETGEN_TINYEXR tinyexr)

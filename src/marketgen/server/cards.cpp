@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "io/file.h"
@@ -110,7 +111,9 @@ FixtureCard fixture_card(const scene::Scene& scene, std::uint32_t row) {
   const scene::SceneFixture& placed = scene.fixtures[row];
   const layout::Fixture& f = scene.layout.fixtures[row];
   const Vec3 at = scene::world_from_fixture(scene, row).position;
-  FixtureCard card{.row = row, .id = f.id, .run = f.run, .kind = f.kind, .zone = f.zone};
+  FixtureCard card;
+  card.row = row;
+  std::tie(card.id, card.run, card.kind, card.zone) = std::tie(f.id, f.run, f.kind, f.zone);
   card.position_m = {at.x, at.y, at.z};
   card.size_m = {f.width_mm * 1e-3, f.depth_mm * 1e-3, f.height_mm * 1e-3};
   std::tie(card.yaw_deg, card.levels, card.base_mm, card.spacing_mm, card.sides) =

@@ -21,7 +21,7 @@ namespace {
 using render::PrintDetail;
 using render::raytrace::Texture;
 
-constexpr int max_tile_px = 512;
+constexpr int max_label_px = 512;
 
 // What one SKU needs, made apart from the others.
 struct MadeSku {
@@ -127,7 +127,7 @@ class SkuMeshes {
 
 PictureSize tile_size(const Texture& label) {
   if (label.empty()) return {};
-  return {std::min(label.width(), max_tile_px), std::min(label.height(), max_tile_px)};
+  return {std::min(label.width(), max_label_px), std::min(label.height(), max_label_px)};
 }
 
 Result<std::vector<ViewFile>> label_pages(const std::vector<MadeSku>& made,

@@ -120,10 +120,21 @@ Result<HttpAsk> ask_of(const mg_request_info& info) {
   return ask;
 }
 
+// Stands for a request that could not be read.
+HttpAsk unread() {
+  HttpAsk ask;
+  ask.method = "GET";
+  return ask;
+}
+
+// An address of IPv6 as it stands before a port.
+std::string in_brackets(const std::string& host) {
+  return host.find(':') == std::string::npos ? host : "[" + host + "]";
+}
+
 // The address in a form that the library takes: "127.0.0.1:0", "[::1]:0".
 std::string listening(const HttpServerOptions& options) {
-  const bool six = options.host.find(':') != std::string::npos;
-  return fmt::format(six ? "[{}]:{}" : "{}:{}", options.host, options.port);
+  return fmt::format("{}:{}", in_brackets(options.host), options.port);
 }
 
 }  // namespace
@@ -156,7 +167,7 @@ struct HttpServer::State {
     // A body that nobody reads would be taken for the next request.
     const bool close = !ask.ok() || info.content_length > 0 || ask->method != "GET" ||
                        ask->header("connection") == "close";
-    const HttpAsk asked = ask.ok() ? *ask : HttpAsk{.method = "GET"};
+    const HttpAsk asked = ask.ok() ? *ask : unread();
     const HttpReply reply = ask.ok() ? state.answer(asked) : error_reply(400, ask.error());
     send(connection, asked, reply, close);
     if (close) mg_disable_connection_keep_alive(connection);
@@ -167,7 +178,7 @@ struct HttpServer::State {
   static int on_error(mg_connection* connection, int status, const char* message) {
     const HttpReply reply = error_reply(
         status, {"server.bad_request", "request", message == nullptr ? "is not HTTP" : message});
-    send(connection, HttpAsk{.method = "GET"}, reply, true);
+    send(connection, unread(), reply, true);
     return 0;
   }
 
@@ -183,8 +194,7 @@ int HttpServer::port() const {
 }
 
 std::string HttpServer::address() const {
-  const bool six = state_->options.host.find(':') != std::string::npos;
-  return fmt::format(six ? "http://[{}]:{}/" : "http://{}:{}/", state_->options.host, state_->port);
+  return fmt::format("http://{}:{}/", in_brackets(state_->options.host), state_->port);
 }
 
 Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpServerOptions& options,
@@ -234,8 +244,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpServerOptions& o
                              text[0] == '\0' ? "" : fmt::format(" ({})", text.data()))};
   state->port = ports[0].port;
   GuardRules rules = options.limits;
-  rules.host =
-      options.host.find(':') == std::string::npos ? options.host : "[" + options.host + "]";
+  rules.host = in_brackets(options.host);
   rules.port = state->port;
   rules.token = options.token;
   state->guard = std::make_unique<RequestGuard>(std::move(rules));

@@ -16,7 +16,7 @@
 namespace marketgen::server {
 namespace {
 
-constexpr std::chrono::milliseconds look_again{50};
+constexpr std::chrono::milliseconds between_looks{50};
 constexpr std::size_t min_token_bytes = 16;
 
 // Only numeric addresses: what a name stands for, others may change.
@@ -59,7 +59,7 @@ Result<void> serve(const ServeOptions& options,
   opened(server->address() + (options.token.empty() ? "" : "?token=" + options.token));
   while (true) {
     MARKETGEN_CHECK(check_interrupt());
-    std::this_thread::sleep_for(look_again);
+    std::this_thread::sleep_for(between_looks);
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/query.h"
+
 namespace marketgen::server {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -33,6 +34,13 @@ std::string key_of(const store::Store& store) {
     if (file.path == "scene.bin") hash.add(file.sha256);
   }
   return hash.add(store.manifest.scene_hash).add(store.manifest.look_hash).hex();
+}
+
+// Whether a build makes files of such a name: nobody waits for others.
+bool may_come(const std::string& name) {
+  static const std::regex names(
+      "(room|goods-light|meshes)\\.bin|(goods-|textures/)[0-9]{1,4}\\.jpg");
+  return std::regex_match(name, names);
 }
 
 // A file's name without folders, for the disk.
@@ -159,7 +167,7 @@ Result<ViewBuild::Body> ViewBuild::file(const std::string& name) {
     const auto found = files_.find(name);
     if (found != files_.end()) return found->second;
     if (error_) return *error_;
-    if (status_.state != BuildState::building)
+    if (status_.state != BuildState::building || !may_come(name))
       return Error{"server.not_found", name, "the store has no such file"};
     if (stop_) return interrupted_error();
     MARKETGEN_CHECK(check_interrupt());
