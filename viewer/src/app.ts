@@ -20,7 +20,7 @@ import type { Status } from "./ui/status";
 import { Theme } from "./ui/theme";
 import { Toolbar } from "./ui/toolbar";
 
-const tallestStep = 0.1; // longest time between two frames that moves are made for
+const longestStep = 0.1; // seconds: however slow the pictures, a walker makes no leap (a flight does)
 const hangsAbove = 1.9; // fixtures that hang so high are walked under
 const addressPause = 250;
 
@@ -97,9 +97,9 @@ export class App {
 
   // One turn of the page's loop.
   frame(now: number): void {
-    const seconds = Math.min((now - this.lastFrame) / 1000, tallestStep);
+    const seconds = (now - this.lastFrame) / 1000;
     this.lastFrame = now;
-    this.navigator.step(seconds, this.hands.held(this.navigator.mode));
+    this.navigator.step(this.navigator.flying ? seconds : Math.min(seconds, longestStep), this.hands.held(this.navigator.mode));
     const moved = this.navigator.pose !== this.shownPose;
     if (moved) {
       this.shownPose = this.navigator.pose;

@@ -59,8 +59,12 @@ export class Navigator {
     return ahead(this.pose, this.around);
   }
 
+  get flying(): boolean {
+    return this.flight !== undefined;
+  }
+
   get moving(): boolean {
-    return this.flight !== undefined || distance(this.velocity, [0, 0, 0]) > 1e-3;
+    return this.flying || distance(this.velocity, [0, 0, 0]) > 1e-3;
   }
 
   // Changes the way of moving; the eye goes where that way of moving can be.

@@ -113,9 +113,11 @@ export class StandIns {
       const along = eye.x * rx + eye.y * ry;
       const leftmost = Math.min(low[0] * rx, high[0] * rx) + Math.min(low[1] * ry, high[1] * ry);
       const rightmost = Math.max(low[0] * rx, high[0] * rx) + Math.max(low[1] * ry, high[1] * ry);
-      this.copy(Side.front, first, frontEnd);
-      if (along > leftmost) this.copy(Side.right, first, frontEnd);
-      if (along < rightmost) this.copy(Side.left, first, frontEnd);
+      // From beyond an end of the shelf all its rows are seen, else the first ones.
+      const seenEnd = along > rightmost || along < leftmost ? end : frontEnd;
+      this.copy(Side.front, first, seenEnd);
+      if (along > leftmost) this.copy(Side.right, first, seenEnd);
+      if (along < rightmost) this.copy(Side.left, first, seenEnd);
     }
     if (eye.z > low[2]) this.copy(Side.top, first, end);
   }

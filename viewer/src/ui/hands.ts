@@ -105,7 +105,8 @@ export class Hands {
 
   private keyDown(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const target = event.target as HTMLElement;
+    const { target } = event;
+    if (!(target instanceof Element)) return;
     if (target.closest("input, textarea, select, dialog, [role=menu]")) return;
     if (this.actions.key(event)) {
       event.preventDefault();
