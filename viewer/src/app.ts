@@ -8,6 +8,7 @@ import { readAddress, writeAddress, type ViewState } from "./state/address";
 import type { Client } from "./store/client";
 import type { Hit, StoreCamera, Summary } from "./store/contract";
 import { fronts, facingOf, rotationOf } from "./stage/goods_table";
+import { screensOf, Sight } from "./stage/sight";
 import type { Stage } from "./stage/stage";
 import { CardPanel } from "./ui/cards";
 import { element } from "./ui/dom";
@@ -63,6 +64,7 @@ export class App {
     private readonly status: Status,
   ) {
     stage.ceilingHeight = summary.ceiling_m;
+    stage.sight = new Sight(screensOf(summary.fixtures));
     const wanted = readAddress(location.hash);
     this.navigator = this.startNavigator(wanted);
     this.theme = new Theme((background) => stage.setBackground(background));

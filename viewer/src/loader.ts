@@ -1,4 +1,4 @@
-// Brings the store in, in the order in which it is seen: boxes of goods, the room, light, meshes and labels, fine meshes.
+// Brings the store in, in the order in which it is seen: boxes of goods, then the room, light, meshes and labels.
 import { LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, ClampToEdgeWrapping, Texture } from "three";
 import { Client, ServerError } from "./store/client";
 import type { MeshesHead, RoomHead, Summary } from "./store/contract";
@@ -40,7 +40,7 @@ export function loadGoods(client: Client, stage: Stage, summary: Summary, watch:
 
 async function loadRoom(client: Client, stage: Stage, watch: Watch): Promise<void> {
   const packed = await client.packed<RoomHead>("/room.bin");
-  const room = new Room(packed, stage.shared);
+  const room = await Room.create(packed, stage.shared);
   stage.room = room;
   stage.scene.add(room.group);
   stage.roomChanged();
@@ -68,12 +68,10 @@ export async function loadRest(client: Client, stage: Stage, goods: Goods, watch
   const watched = watchServer(client, watch, () => done).catch(() => undefined);
   const light = client.packed<unknown>("/goods-light.bin").then((packed) => goods.setLight({ cube: packed.u8("light", 18) }));
   const room = loadRoom(client, stage, watch);
-  const meshes = client.packed<MeshesHead>("/meshes.bin?detail=far").then((packed) => goods.setMeshes(packed, client, stage.renderer, stage.limits));
+  const meshes = client.packed<MeshesHead>("/meshes.bin").then((packed) => goods.setMeshes(packed, client, stage.renderer, stage.limits));
   try {
     await Promise.all([room, light, meshes]);
     watch.shown("labels");
-    watch.step(0.9);
-    goods.setMiddle(await client.packed<MeshesHead>("/meshes.bin?detail=middle"));
   } finally {
     done = true;
   }

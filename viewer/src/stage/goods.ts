@@ -1,5 +1,5 @@
 // All products: which cells show meshes, which stand-ins, and what is built next.
-import { Box3, Frustum, Group, Matrix4, Vector3, type Camera, type IUniform, type RawShaderMaterial, type WebGLRenderer } from "three";
+import { Box3, Group, Vector3, type IUniform, type RawShaderMaterial, type WebGLRenderer } from "three";
 import type { Client } from "../store/client";
 import type { MeshesHead, Sku } from "../store/contract";
 import type { Packed } from "../store/packed";
@@ -11,6 +11,7 @@ import { PageArray } from "./page_array";
 import { drawPortraits } from "./portraits";
 import { packMaterial, type Shared } from "./shading";
 import { Sheets, type Near } from "./sheets";
+import type { Sight } from "./sight";
 import { SkuPlaces } from "./sku_places";
 import { StandIns } from "./stand_ins";
 
@@ -19,33 +20,29 @@ export interface Limits {
   readonly sharpness: number; // anisotropy
 }
 
-type Detail = "far" | "middle";
-
 interface Shown {
   readonly number: number; // in the table's cells
   readonly cell: Cell;
   readonly box: Box3;
-  readonly built: Map<Detail, PackCell>;
+  triangles: number; // of its meshes
+  built: PackCell | undefined;
   distance: number;
 }
 
-const middleWithin = 1.5; // metres
-const labelsWithin = 2.6;
-const keptFor = 1.5; // times the radius, before a mesh is thrown away
-export const farthestMeshes = 14;
-const nearestMeshes = 2.2;
+const labelsWithin = 2.6; // metres
+const meshesWithin = 14;
+const kept = 1.5; // times as many triangles as are shown stay built
+const budgets = { least: 12_000, first: 60_000, most: 1_500_000 }; // triangles of meshes a frame
 
 export class Goods {
   readonly group = new Group();
   readonly standIns: StandIns;
   readonly shown: readonly Shown[];
-  meshRadius = 4.5;
+  budget = budgets.first;
   private far: MeshSet | undefined;
-  private middle: MeshSet | undefined;
   private light: GoodsLight | undefined;
   private sheets: Sheets | undefined;
   private materials: readonly [RawShaderMaterial, RawShaderMaterial] | undefined;
-  private readonly frustum = new Frustum();
   private triangles = 0;
 
   constructor(
@@ -60,7 +57,8 @@ export class Goods {
       number,
       cell,
       box: new Box3(new Vector3(...cell.low), new Vector3(...cell.high)),
-      built: new Map(),
+      triangles: 0,
+      built: undefined,
       distance: 0,
     }));
   }
@@ -108,41 +106,43 @@ export class Goods {
     this.sheets = new Sheets(client, sheets, places, this.changed);
     this.materials = [packMaterial(this.shared, uniforms, false), packMaterial(this.shared, uniforms, true)];
     this.far = far;
+    for (const shown of this.shown) shown.triangles = this.trianglesOf(shown.cell, far);
     this.changed();
   }
 
-  setMiddle(packed: Packed<MeshesHead>): void {
-    this.middle = new MeshSet(packed);
-    this.changed();
-  }
-
-  // Chooses what is seen from the camera. False: more is to be built; call again in the next frame.
-  update(camera: Camera, eye: Vector3): boolean {
-    this.frustum.setFromProjectionMatrix(new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
+  // Chooses what is seen. False: more is to be built; call again in the next frame.
+  update(sight: Sight): boolean {
+    const { eye } = sight;
     for (const shown of this.shown) shown.distance = shown.box.distanceToPoint(eye);
     const byDistance = [...this.shown].sort((a, b) => a.distance - b.distance);
-    let missing: { shown: Shown; detail: Detail } | undefined;
+    const seen = byDistance.filter((shown) => this.facesEye(shown, eye) && sight.sees(shown.cell.low, shown.cell.high, shown.cell.fixture));
     this.hideMeshes();
     this.standIns.begin();
+    let missing: Shown | undefined;
+    let left = this.far && this.light ? this.budget : -1;
     let order = 0;
-    for (const shown of byDistance) {
-      if (!this.frustum.intersectsBox(shown.box) || !this.facesEye(shown, eye)) continue;
-      const detail = this.detailOf(shown);
-      const best = detail && (shown.built.get(detail) ?? shown.built.get("far"));
-      if (detail && !shown.built.has(detail)) missing ??= { shown, detail };
-      if (best) this.show(best, ++order);
-      this.standIns.add(shown.number, best ? shown.cell.deep : shown.cell.first, eye);
+    for (const shown of seen) {
+      const near = shown.distance < meshesWithin && shown.triangles <= left;
+      if (near) left -= shown.triangles;
+      if (near && !shown.built) missing ??= shown;
+      const meshes = near ? shown.built : undefined;
+      if (meshes) this.show(meshes, ++order);
+      this.standIns.add(shown.number, meshes ? shown.cell.deep : shown.cell.first, eye, shown.distance);
     }
     this.standIns.finish();
-    if (missing) this.build(missing.shown, missing.detail);
-    this.forget();
-    this.wantLabels(byDistance, eye);
+    if (missing) this.build(missing);
+    this.forget(byDistance);
+    this.wantLabels(seen, eye);
     return missing === undefined;
   }
 
-  private detailOf(shown: Shown): Detail | undefined {
-    if (!this.far || !this.light || shown.distance > this.meshRadius) return undefined;
-    return this.middle && shown.distance < Math.min(middleWithin, this.meshRadius / 2) ? "middle" : "far";
+  private trianglesOf(cell: Cell, meshes: MeshSet): number {
+    let count = 0;
+    for (let i = cell.first; i < cell.deep; i++) {
+      const range = meshes.range(this.table.sku[this.table.order[i]!]!);
+      count += (range.opaque + range.clear) / 3;
+    }
+    return count;
   }
 
   private facesEye({ cell, box }: Shown, eye: Vector3): boolean {
@@ -155,9 +155,7 @@ export class Goods {
 
   private hideMeshes(): void {
     this.triangles = 0;
-    for (const shown of this.shown) {
-      for (const built of shown.built.values()) for (const mesh of built.meshes) mesh.visible = false;
-    }
+    for (const { built } of this.shown) for (const mesh of built?.meshes ?? []) mesh.visible = false;
   }
 
   private show(cell: PackCell, order: number): void {
@@ -168,37 +166,34 @@ export class Goods {
     });
   }
 
-  private build(shown: Shown, detail: Detail): void {
+  private build(shown: Shown): void {
     const { cell } = shown;
-    const set = detail === "middle" ? this.middle! : this.far!;
     const rows = this.table.order.subarray(cell.first, cell.deep);
-    const built = new PackCell(cell, rows, this.table, set, this.light!, this.materials!);
-    shown.built.set(detail, built);
-    for (const mesh of built.meshes) {
+    shown.built = new PackCell(cell, rows, this.table, this.far!, this.light!, this.materials!);
+    for (const mesh of shown.built.meshes) {
       mesh.visible = false;
       this.group.add(mesh);
     }
   }
 
-  private forget(): void {
-    for (const shown of this.shown) {
-      for (const [detail, built] of shown.built) {
-        const radius = detail === "middle" ? middleWithin : this.meshRadius;
-        if (shown.distance <= radius * keptFor) continue;
-        this.group.remove(...built.meshes);
-        built.dispose();
-        shown.built.delete(detail);
-      }
+  private forget(byDistance: readonly Shown[]): void {
+    let room = this.budget * kept * 2;
+    for (const shown of byDistance) {
+      if (!shown.built) continue;
+      room -= shown.triangles;
+      if (room >= 0 || shown.built.meshes[0]?.visible) continue;
+      this.group.remove(...shown.built.meshes);
+      shown.built.dispose();
+      shown.built = undefined;
     }
   }
 
-  private wantLabels(byDistance: readonly Shown[], eye: Vector3): void {
+  private wantLabels(seen: readonly Shown[], eye: Vector3): void {
     if (!this.sheets) return;
     const nearest = new Map<number, number>();
     const { position, order, sku } = this.table;
-    for (const shown of byDistance) {
+    for (const shown of seen) {
       if (shown.distance > labelsWithin) break;
-      if (!this.facesEye(shown, eye) || !this.frustum.intersectsBox(shown.box)) continue;
       for (let i = shown.cell.first; i < shown.cell.deep; i++) {
         const row = order[i]!;
         const away = Math.hypot(position[row * 3]! - eye.x, position[row * 3 + 1]! - eye.y, position[row * 3 + 2]! + 0.1 - eye.z);
@@ -210,9 +205,9 @@ export class Goods {
     this.sheets.want(near.sort((a, b) => a.distance - b.distance));
   }
 
-  // Frames that take long show meshes in a smaller radius.
+  // Frames that take long get fewer meshes.
   adapt(milliseconds: number, goal: number): void {
-    if (milliseconds > goal * 1.25) this.meshRadius = Math.max(this.meshRadius * 0.94, nearestMeshes);
-    else if (milliseconds < goal * 0.7) this.meshRadius = Math.min(this.meshRadius * 1.03, farthestMeshes);
+    if (milliseconds > goal * 1.2) this.budget = Math.max(this.budget * 0.92, budgets.least);
+    else if (milliseconds < goal * 0.75) this.budget = Math.min(this.budget * 1.04, budgets.most);
   }
 }

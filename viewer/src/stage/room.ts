@@ -1,8 +1,19 @@
-// Floor, walls, ceiling, fixtures, signs and price tags: one draw call a batch of the server.
-import { BufferAttribute, BufferGeometry, Box3, Group, Mesh, Sphere, Vector3, type RawShaderMaterial, type Texture } from "three";
+// Floor, walls, ceiling, fixtures, signs and price tags: a draw call for each picture they wear. What is in view, and how finely it
+// is drawn, is chosen part by part.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Group,
+  Mesh,
+  type RawShaderMaterial,
+  type Texture,
+} from "three";
 import type { RoomHead } from "../store/contract";
 import type { Packed } from "../store/packed";
+import { divideRoom, type Batch, type Part, type RoomParts } from "./room_parts";
 import { roomMaterial, type Shared } from "./shading";
+import type { Sight } from "./sight";
 
 export interface RoomArrays {
   readonly position: Float32Array;
@@ -11,21 +22,83 @@ export interface RoomArrays {
 }
 
 const layers = ["solid", "glass", "ceiling"] as const;
+type Layer = (typeof layers)[number];
+
+interface Surface {
+  readonly layer: Layer;
+  readonly texture: number;
+  readonly mesh: Mesh;
+  shown: Uint32Array;
+  filled: number;
+}
 
 export class Room {
   readonly group = new Group();
   readonly arrays: RoomArrays;
-  private readonly ceiling: Mesh[] = [];
+  fineWithin = 2.5; // metres; rough from three times as far
+  private readonly surfaces: Surface[] = [];
   private readonly layerOf: Uint8Array; // by triangle
-  private ceilingShown = true;
-  private readonly byTexture = new Map<number, { mesh: Mesh; glass: boolean }[]>();
   private readonly materials = new Map<string, RawShaderMaterial>();
+  private divided: RoomParts | undefined;
+  private ceilingShown = true;
 
-  constructor(
-    packed: Packed<RoomHead>,
+  private constructor(
+    private readonly packed: Packed<RoomHead>,
     private readonly shared: Shared,
   ) {
     this.arrays = { position: packed.f32("position", 3), index: packed.u32("index", 1), owner: packed.u16("owner", 2) };
+    this.layerOf = new Uint8Array(this.arrays.index.length / 3);
+  }
+
+  static async create(packed: Packed<RoomHead>, shared: Shared): Promise<Room> {
+    const room = new Room(packed, shared);
+    await room.divide();
+    return room;
+  }
+
+  textures(): number[] {
+    return [...new Set(this.surfaces.map(({ texture }) => texture).filter((row) => row >= 0))];
+  }
+
+  setTexture(row: number, texture: Texture): void {
+    for (const surface of this.surfaces) {
+      if (surface.texture === row) surface.mesh.material = this.materialOf(row, texture, surface.layer);
+    }
+  }
+
+  showCeiling(show: boolean): void {
+    this.ceilingShown = show;
+  }
+
+  // Whether a ray passes a triangle: through glass, and through a ceiling that is not shown. `index`: its first.
+  isPassed(index: number): boolean {
+    const layer = layers[this.layerOf[index / 3]!];
+    return layer === "glass" || (layer === "ceiling" && !this.ceilingShown);
+  }
+
+  update(sight: Sight): void {
+    const { parts, indices } = this.divided!;
+    for (const surface of this.surfaces) surface.filled = 0;
+    for (const part of parts) {
+      const surface = this.surfaces[part.surface]!;
+      if (surface.layer === "ceiling" && !this.ceilingShown) continue;
+      if (!sight.sees(part.low, part.high, part.fixture)) continue;
+      const level = this.fineness(part, sight);
+      const run = part.runs[level]!;
+      surface.shown.set(indices[level]!.subarray(run.start, run.end), surface.filled);
+      surface.filled += run.end - run.start;
+    }
+    for (const surface of this.surfaces) hand(surface);
+  }
+
+  private fineness(part: Part, sight: Sight): 0 | 1 | 2 {
+    const away = sight.distance(part.low, part.high);
+    return away < this.fineWithin ? 0 : away < this.fineWithin * 3 ? 1 : 2;
+  }
+
+  private async divide(): Promise<void> {
+    const { packed } = this;
+    const { batches, textures } = packed.head;
     const attributes = {
       position: new BufferAttribute(this.arrays.position, 3),
       normal: new BufferAttribute(packed.i8("normal", 4), 4, true),
@@ -34,55 +107,47 @@ export class Room {
       light: new BufferAttribute(packed.u8("light", 4), 4, true),
       finish: new BufferAttribute(packed.u8("finish", 4), 4, true),
     };
-    const index = new BufferAttribute(this.arrays.index, 1);
-    this.layerOf = new Uint8Array(this.arrays.index.length / 3);
-    for (const batch of packed.head.batches) {
+    const plan = batches.map((batch): Batch => {
       this.layerOf.fill(layers.indexOf(batch.layer), batch.first_index / 3, (batch.first_index + batch.index_count) / 3);
-      const geometry = new BufferGeometry();
-      for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
-      geometry.setIndex(index);
-      geometry.setDrawRange(batch.first_index, batch.index_count);
-      geometry.boundingBox = new Box3(new Vector3(...batch.low_m), new Vector3(...batch.high_m));
-      geometry.boundingSphere = geometry.boundingBox.getBoundingSphere(new Sphere());
-      const glass = batch.layer === "glass";
-      const mesh = new Mesh(geometry, this.materialOf(-1, null, glass));
-      mesh.matrixAutoUpdate = false;
-      if (glass) mesh.renderOrder = 2;
-      if (batch.layer === "ceiling") this.ceiling.push(mesh);
-      if (batch.texture >= 0) this.remember(batch.texture, mesh, glass);
-      this.group.add(mesh);
-    }
+      const exact = batch.texture >= 0 && !(textures[batch.texture]?.repeat ?? false);
+      return { first: batch.first_index, count: batch.index_count, surface: this.surfaceOf(batch.layer, batch.texture, attributes), exact };
+    });
+    const source = { ...this.arrays, normal: packed.i8("normal", 4), color: packed.u8("color", 4) };
+    this.divided = await divideRoom(source, plan);
+    this.surfaces.forEach((surface, i) => {
+      surface.shown = new Uint32Array(this.divided!.surfaces[i] ?? 0);
+      const index = new BufferAttribute(surface.shown, 1);
+      index.setUsage(DynamicDrawUsage);
+      surface.mesh.geometry.setIndex(index);
+    });
   }
 
-  textures(): number[] {
-    return [...this.byTexture.keys()];
+  private surfaceOf(layer: Layer, texture: number, attributes: Record<string, BufferAttribute>): number {
+    const known = this.surfaces.findIndex((surface) => surface.layer === layer && surface.texture === texture);
+    if (known >= 0) return known;
+    const geometry = new BufferGeometry();
+    for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
+    const mesh = new Mesh(geometry, this.materialOf(-1, null, layer));
+    mesh.matrixAutoUpdate = false;
+    mesh.frustumCulled = false;
+    if (layer === "glass") mesh.renderOrder = 500;
+    this.group.add(mesh);
+    return this.surfaces.push({ layer, texture, mesh, shown: new Uint32Array(0), filled: 0 }) - 1;
   }
 
-  setTexture(row: number, texture: Texture): void {
-    for (const { mesh, glass } of this.byTexture.get(row) ?? []) mesh.material = this.materialOf(row, texture, glass);
-  }
-
-  showCeiling(show: boolean): void {
-    this.ceilingShown = show;
-    for (const mesh of this.ceiling) mesh.visible = show;
-  }
-
-  // Whether a ray passes a triangle: through glass, and through a ceiling that is not shown. `index`: its first.
-  isPassed(index: number): boolean {
-    const layer = this.layerOf[index / 3];
-    return layer === 1 || (layer === 2 && !this.ceilingShown);
-  }
-
-  private remember(texture: number, mesh: Mesh, glass: boolean): void {
-    const list = this.byTexture.get(texture) ?? [];
-    list.push({ mesh, glass });
-    this.byTexture.set(texture, list);
-  }
-
-  private materialOf(row: number, texture: Texture | null, glass: boolean): RawShaderMaterial {
-    const key = `${row} ${glass}`;
+  private materialOf(row: number, texture: Texture | null, layer: Layer): RawShaderMaterial {
+    const key = `${row} ${layer === "glass"}`;
     let material = this.materials.get(key);
-    if (!material) this.materials.set(key, (material = roomMaterial(this.shared, texture, glass)));
+    if (!material) this.materials.set(key, (material = roomMaterial(this.shared, texture, layer === "glass")));
     return material;
   }
+}
+
+function hand({ mesh, filled }: Surface): void {
+  const index = mesh.geometry.index!;
+  mesh.visible = filled > 0;
+  mesh.geometry.setDrawRange(0, filled);
+  index.clearUpdateRanges();
+  index.addUpdateRange(0, filled);
+  index.needsUpdate = true;
 }

@@ -17,6 +17,7 @@ import type { Overlays } from "./overlays";
 import { pick, type Picked, type Ray } from "./pick";
 import type { Room } from "./room";
 import type { Shared } from "./shading";
+import { Sight } from "./sight";
 
 ColorManagement.enabled = false; // the shaders write what the screen shows
 
@@ -61,6 +62,7 @@ export class Stage {
   goods: Goods | undefined;
   room: Room | undefined;
   overlays: Overlays | undefined;
+  sight = new Sight([]);
   ceilingHeight = 3;
   private dirty = true;
   private wasBusy = false;
@@ -132,13 +134,21 @@ export class Stage {
     }
     this.dirty = false;
     const began = performance.now();
-    const done = this.goods?.update(this.camera, new Vector3().copy(this.camera.position)) ?? true;
-    this.renderer.render(this.scene, this.camera);
+    const done = this.draw();
     if (this.software) (this.renderer.getContext() as WebGL2RenderingContext).finish();
     this.count(performance.now() - began, moving && this.wasBusy);
     this.wasBusy = moving;
     if (!done) this.redraw();
     return true;
+  }
+
+  // False: more is to come.
+  draw(): boolean {
+    this.sight.look(this.camera);
+    const done = this.goods?.update(this.sight) ?? true;
+    this.room?.update(this.sight);
+    this.renderer.render(this.scene, this.camera);
+    return done;
   }
 
   private count(milliseconds: number, adapt: boolean): void {
@@ -179,8 +189,7 @@ export class Stage {
   }
 
   async picture(): Promise<Blob | null> {
-    this.goods?.update(this.camera, new Vector3().copy(this.camera.position));
-    this.renderer.render(this.scene, this.camera);
+    this.draw();
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
 }

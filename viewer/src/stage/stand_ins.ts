@@ -42,8 +42,15 @@ const picture = [
   [0, 1],
 ] as const; // of a side's corners
 const seenRows = 2; // how many packs behind one another show their front
+const plainFrom = 6; // metres: farther off, sides between packs and packs behind packs are left out
 const topShare = 0.93; // of the height: where a round pack's picture from above lies
 const inset = 1.5; // texels about a picture that are not its own
+
+// The indices of one side of all packs in the table's order; a pack without that side has none.
+interface Run {
+  readonly indices: Uint32Array;
+  readonly starts: Uint32Array; // of each pack, and the end
+}
 
 interface Box {
   readonly turn: Quaternion;
@@ -59,7 +66,7 @@ export class StandIns {
   private readonly uv: Uint16Array;
   private readonly color: Uint8Array;
   private readonly light: Uint8Array;
-  private readonly runs: Uint32Array; // six indices a pack and side: side by side of the whole table
+  private runs: readonly Run[] = []; // by side
   private readonly shown: Uint32Array;
   private readonly geometry = new BufferGeometry();
   private readonly uniforms = { pictures: { value: null as Texture | null } };
@@ -78,10 +85,8 @@ export class StandIns {
     this.uv = new Uint16Array(vertices * 2);
     this.color = new Uint8Array(vertices * 4);
     this.light = new Uint8Array(vertices * 4);
-    this.runs = new Uint32Array(table.count * sides.length * 6);
-    this.shown = new Uint32Array(Math.max(this.runs.length, 6));
+    this.shown = new Uint32Array(Math.max(table.count * sides.length * 6, 6));
     this.seen = Uint32Array.from(table.cells, (cell) => this.rowsSeen(cell));
-    this.writeRuns();
     this.writeShapes(undefined);
     this.writeLight(undefined);
     this.addAttributes();
@@ -100,13 +105,16 @@ export class StandIns {
     this.filled = 0;
   }
 
-  // What of a cell is seen from the eye; `first`: its packs before are shown otherwise.
-  add(number: number, first: number, eye: Vector3): void {
+  // What of a cell is seen from the eye, so far off; its packs before `first` are shown otherwise.
+  add(number: number, first: number, eye: Vector3, distance: number): void {
     const cell = this.table.cells[number]!;
     const { low, high, end } = cell;
     const frontEnd = Math.max(first, this.seen[number]!);
+    const above = eye.z - high[2] > 0.5 * distance; // one looks down on it
+    const few = distance > plainFrom && !above;
     if (cell.facing === facesAnyway) {
-      for (const side of [Side.front, Side.right, Side.left, Side.back]) this.copy(side, first, end);
+      const all = [Side.front, Side.right, Side.left, Side.back] as const;
+      for (const side of all) this.copy(side, first, end);
     } else {
       const [x, y] = fronts[cell.facing]!;
       const [rx, ry] = [-y, x]; // the pack's right
@@ -114,12 +122,13 @@ export class StandIns {
       const leftmost = Math.min(low[0] * rx, high[0] * rx) + Math.min(low[1] * ry, high[1] * ry);
       const rightmost = Math.max(low[0] * rx, high[0] * rx) + Math.max(low[1] * ry, high[1] * ry);
       // From beyond an end of the shelf all its rows are seen, else the first ones.
-      const seenEnd = along > rightmost || along < leftmost ? end : frontEnd;
+      const beyond = along > rightmost || along < leftmost;
+      const seenEnd = beyond && !few ? end : frontEnd;
       this.copy(Side.front, first, seenEnd);
-      if (along > leftmost) this.copy(Side.right, first, seenEnd);
-      if (along < rightmost) this.copy(Side.left, first, seenEnd);
+      if (along > leftmost && (beyond || !few)) this.copy(Side.right, first, seenEnd);
+      if (along < rightmost && (beyond || !few)) this.copy(Side.left, first, seenEnd);
     }
-    if (eye.z > low[2]) this.copy(Side.top, first, end);
+    if (eye.z > low[2]) this.copy(Side.top, first, few ? frontEnd : end);
   }
 
   finish(): void {
@@ -152,9 +161,9 @@ export class StandIns {
 
   private copy(side: Side, first: number, end: number): void {
     if (end <= first) return;
-    const base = side * this.table.count;
-    this.shown.set(this.runs.subarray((base + first) * 6, (base + end) * 6), this.filled);
-    this.filled += (end - first) * 6;
+    const { indices, starts } = this.runs[side]!;
+    this.shown.set(indices.subarray(starts[first]!, starts[end]!), this.filled);
+    this.filled += starts[end]! - starts[first]!;
   }
 
   private addAttributes(): void {
@@ -168,18 +177,25 @@ export class StandIns {
     this.geometry.setIndex(index);
   }
 
-  private writeRuns(): void {
+  private runOf(side: Side, has: (pack: number) => boolean): Run {
     const { count } = this.table;
-    for (let side = 0; side < sides.length; side++) {
-      for (let i = 0; i < count; i++) {
-        const v = i * corners + side * 4;
-        this.runs.set([v, v + 1, v + 2, v, v + 2, v + 3], (side * count + i) * 6);
-      }
+    const starts = new Uint32Array(count + 1);
+    const indices = new Uint32Array(count * 6);
+    let filled = 0;
+    for (let i = 0; i < count; i++) {
+      starts[i] = filled;
+      if (!has(i)) continue;
+      const v = i * corners + side * 4;
+      indices.set([v, v + 1, v + 2, v, v + 2, v + 3], filled);
+      filled += 6;
     }
+    starts[count] = filled;
+    return { indices: indices.slice(0, filled), starts };
   }
 
   private writeShapes(portraits: Portraits | undefined): void {
     const { order, sku, position, tint } = this.table;
+    const rounds = new Uint8Array(this.table.count);
     const colors = this.skus.map(({ color }) => (portraits ? 0xffffff : Number.parseInt(color.slice(1), 16)));
     order.forEach((row, i) => {
       const type = sku[row]!;
@@ -191,12 +207,14 @@ export class StandIns {
         size: this.skus[type]!.size_m,
         round: upright && portraits?.forms[type] === Form.round,
       };
+      rounds[i] = box.round ? 1 : 0;
       const color = colors[type]!;
       const painted = [16, 8, 0].map((shift, k) => Math.min((((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545), 255));
       for (let side = 0; side < sides.length; side++) this.writeSide(i * corners + side * 4, side, box);
       for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([painted[0]!, painted[1]!, painted[2]!, 255], v * 4);
       if (portraits) this.writePictures(i, type, portraits);
     });
+    this.runs = sides.map((_, side) => this.runOf(side, (pack) => rounds[pack] === 0 || side === Side.front || side === Side.top));
   }
 
   private writeSide(vertex: number, side: Side, { turn, place, size, round }: Box): void {
@@ -208,7 +226,6 @@ export class StandIns {
         local = [0, 0, z * size[2]];
         this.across[v] = (x * Math.max(size[0], size[1])) / 2;
       } else if (round && side === Side.top) local[2] = size[2] * topShare;
-      else if (round) local = [0, 0, 0]; // no such side
       const at = rotated(turn, local);
       for (let axis = 0; axis < 3; axis++) this.position[v * 3 + axis] = at[axis]! + place[axis]!;
     });
