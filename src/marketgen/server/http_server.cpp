@@ -1,16 +1,34 @@
 #include "server/http_server.h"
 
-#include <array>
-#include <latch>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
-#include <civetweb.h>
 #include <fmt/format.h>
+#include <boost/asio/dispatch.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/strand.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/read.hpp>
 
 #include "base/text.h"
 #include "io/gzip.h"
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using boost::system::error_code;
 
 namespace marketgen::server {
 namespace {
@@ -70,7 +88,8 @@ Result<Sent> sent_form(const HttpBody& body, const HttpAsk& ask) {
   return sent;
 }
 
-std::string head_of(const HttpReply& reply, const Sent& sent, int status, bool close) {
+std::string head_of(
+    const HttpReply& reply, std::size_t bytes, bool packed, int status, bool close) {
   std::string head =
       fmt::format("HTTP/1.1 {} {}\r\n{}", status, phrase_of(status), security_headers);
   head += fmt::format("Content-Type: {}\r\nETag: {}\r\nVary: Accept-Encoding\r\n",
@@ -78,46 +97,11 @@ std::string head_of(const HttpReply& reply, const Sent& sent, int status, bool c
                       reply.body->etag);
   head += reply.lasting ? "Cache-Control: public, max-age=31536000, immutable\r\n"
                         : "Cache-Control: no-cache\r\n";
-  if (sent.packed) head += "Content-Encoding: gzip\r\n";
+  if (packed) head += "Content-Encoding: gzip\r\n";
   if (reply.retry_after_s > 0) head += fmt::format("Retry-After: {}\r\n", reply.retry_after_s);
   if (status == 405) head += "Allow: GET, HEAD\r\n";
-  if (status != 304) head += fmt::format("Content-Length: {}\r\n", sent.bytes.size());
+  if (status != 304) head += fmt::format("Content-Length: {}\r\n", bytes);
   return head + (close ? "Connection: close\r\n\r\n" : "Connection: keep-alive\r\n\r\n");
-}
-
-// Nothing else can be done for a client that has gone.
-void write_all(mg_connection* connection, std::string_view bytes) {
-  constexpr std::size_t piece = 1U << 20;
-  while (!bytes.empty()) {
-    const std::string_view now = bytes.substr(0, piece);
-    if (mg_write(connection, now.data(), now.size()) <= 0) return;
-    bytes.remove_prefix(now.size());
-  }
-}
-
-void send(mg_connection* connection, const HttpAsk& ask, const HttpReply& reply, bool close) {
-  Result<Sent> sent = sent_form(*reply.body, ask);
-  if (!sent.ok()) {
-    const HttpReply failed = error_reply(500, sent.error());
-    if (!failed.body->packed) send(connection, ask, failed, close);
-    return;
-  }
-  Sent form = std::move(sent).value();
-  if (!form.unpacked.empty()) form.bytes = form.unpacked;
-  const bool unchanged =
-      reply.status == 200 && ask.header("if-none-match") == std::string_view(reply.body->etag);
-  write_all(connection, head_of(reply, form, unchanged ? 304 : reply.status, close));
-  if (!unchanged && ask.method != "HEAD") write_all(connection, form.bytes);
-}
-
-Result<HttpAsk> ask_of(const mg_request_info& info) {
-  HttpAsk ask;
-  ask.method = info.request_method == nullptr ? "" : info.request_method;
-  for (int i = 0; i < info.num_headers; ++i)
-    ask.headers[lower_ascii(info.http_headers[i].name)] = info.http_headers[i].value;
-  MARKETGEN_TRY(ask.path, path_of(info.request_uri == nullptr ? "" : info.request_uri));
-  MARKETGEN_TRY(ask.query, query_of(info.query_string == nullptr ? "" : info.query_string));
-  return ask;
 }
 
 // Stands for a request that could not be read.
@@ -132,59 +116,200 @@ std::string in_brackets(const std::string& host) {
   return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-// The address in a form that the library takes: "127.0.0.1:0", "[::1]:0".
-std::string listening(const HttpServerOptions& options) {
-  return fmt::format("{}:{}", in_brackets(options.host), options.port);
+using Request = http::request<http::empty_body>;
+
+Result<HttpAsk> ask_of(const Request& request) {
+  HttpAsk ask;
+  ask.method = std::string(request.method_string());
+  for (const auto& field : request)
+    ask.headers[lower_ascii(std::string(field.name_string()))] = std::string(field.value());
+  const std::string target(request.target());
+  MARKETGEN_TRY(ask.path, path_of(target));
+  const std::size_t question = target.find('?');
+  if (question != std::string::npos) {
+    MARKETGEN_TRY(ask.query, query_of(std::string_view(target).substr(question + 1)));
+  }
+  return ask;
+}
+
+// An answer on its way: the head, then the body's bytes.
+struct Outgoing {
+  std::string head;
+  HttpReply reply;  // keeps the bytes
+  Sent sent;
+  bool with_body = true, close = false;
+  std::string_view rest() const { return with_body ? bytes() : std::string_view(); }
+  std::string_view bytes() const {
+    return sent.unpacked.empty() ? sent.bytes : std::string_view(sent.unpacked);
+  }
+};
+
+Outgoing outgoing(const HttpAsk& ask, HttpReply reply, bool close) {
+  Result<Sent> sent = sent_form(*reply.body, ask);
+  if (!sent.ok()) return outgoing(unread(), error_reply(500, sent.error()), true);
+  Outgoing out;
+  out.reply = std::move(reply);
+  out.sent = std::move(sent).value();
+  out.close = close;
+  const bool unchanged = out.reply.status == 200 &&
+                         ask.header("if-none-match") == std::string_view(out.reply.body->etag);
+  out.with_body = !unchanged && ask.method != "HEAD";
+  out.head = head_of(
+      out.reply, out.bytes().size(), out.sent.packed, unchanged ? 304 : out.reply.status, close);
+  return out;
 }
 
 }  // namespace
 
-// Nothing on the disk is served by the library itself: it has no document root.
+// Sockets are served on a few threads that never wait; answers are made on others, which may.
 struct HttpServer::State {
   HttpHandler handler;
   HttpServerOptions options;
   std::unique_ptr<RequestGuard> guard;
-  mg_context* context = nullptr;
   int port = 0;
-  std::latch started{1};  // from here on `guard` is there
+  std::atomic<int> connections = 0;
+  asio::io_context io;
+  asio::ip::tcp::acceptor acceptor{io};
+  asio::thread_pool makers;  // goes first: what it still holds needs `io`
+  std::vector<std::thread> carriers;
 
+  explicit State(const HttpServerOptions& given)
+      : options(given), makers(static_cast<std::size_t>(given.threads)) {}
   ~State() {
-    if (guard == nullptr) started.count_down();
-    if (context != nullptr) mg_stop(context);
+    io.stop();
+    for (std::thread& carrier : carriers)
+      carrier.join();
+    makers.stop();
+    makers.join();
   }
 
-  HttpReply answer(const HttpAsk& ask) const {
-    if (guard == nullptr) return error_reply(500, {"server.cannot_listen", "", "is not started"});
-    if (std::optional<HttpReply> refused = guard->refusal(ask)) return *std::move(refused);
-    return handler(ask);
-  }
-
-  static int on_request(mg_connection* connection) {
-    const mg_request_info& info = *mg_get_request_info(connection);
-    const auto& state = *static_cast<const State*>(info.user_data);
-    state.started.wait();
-    const Result<HttpAsk> ask = ask_of(info);
-    // A body that nobody reads would be taken for the next request.
-    const bool close = !ask.ok() || info.content_length > 0 || ask->method != "GET" ||
-                       ask->header("connection") == "close";
-    const HttpAsk asked = ask.ok() ? *ask : unread();
-    const HttpReply reply = ask.ok() ? state.answer(asked) : error_reply(400, ask.error());
-    send(connection, asked, reply, close);
-    if (close) mg_disable_connection_keep_alive(connection);
-    return reply.status;
-  }
-
-  // What the library refuses by itself: requests that are none.
-  static int on_error(mg_connection* connection, int status, const char* message) {
-    const HttpReply reply = error_reply(
-        status, {"server.bad_request", "request", message == nullptr ? "is not HTTP" : message});
-    send(connection, unread(), reply, true);
-    return 0;
-  }
-
-  // Nothing on standard error: what a client does wrong is its own business.
-  static int on_log(const mg_connection*, const char*) { return 1; }
+  Result<void> listen();
+  void accept();
+  Outgoing answer_to(const Request& request) const;
 };
+
+namespace {
+
+// One connection: reads a request, has it answered, writes the answer, and so on.
+template <class State>
+class Session : public std::enable_shared_from_this<Session<State>> {
+ public:
+  Session(State& state, asio::ip::tcp::socket socket)
+      : state_(state),
+        stream_(std::move(socket)),
+        buffer_(static_cast<std::size_t>(state.options.max_request_bytes)) {
+    ++state_.connections;
+  }
+  ~Session() { --state_.connections; }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(static_cast<std::uint32_t>(state_.options.max_request_bytes));
+    expire();
+    http::async_read_header(stream_,
+                            buffer_,
+                            *parser_,
+                            [self = this->shared_from_this()](error_code failed, std::size_t) {
+                              self->on_read(failed);
+                            });
+  }
+
+ private:
+  void expire() { stream_.expires_after(std::chrono::milliseconds(state_.options.timeout_ms)); }
+
+  void on_read(error_code failed) {
+    // What is no HTTP is told so; who has gone or takes too long is left.
+    const bool not_http =
+        failed.category() == http::make_error_code(http::error::bad_method).category() &&
+        failed != http::error::end_of_stream;
+    if (failed && !not_http) return;
+    stream_.expires_never();  // our own time does not count
+    asio::post(state_.makers, [self = this->shared_from_this(), failed] {
+      self->out_ = failed ? outgoing(unread(),
+                                     error_reply(400,
+                                                 {"server.bad_request",
+                                                  "request",
+                                                  "is not HTTP, or too long: " + failed.message()}),
+                                     true)
+                          : self->state_.answer_to(self->parser_->get());
+      asio::dispatch(self->stream_.get_executor(), [self] { self->write(self->out_.head, true); });
+    });
+  }
+
+  // In pieces, each of which has its own time to go out.
+  void write(std::string_view rest, bool is_head) {
+    constexpr std::size_t piece_bytes = 256U << 10;
+    const std::string_view piece = rest.substr(0, piece_bytes);
+    expire();
+    asio::async_write(
+        stream_,
+        asio::buffer(piece.data(), piece.size()),
+        [self = this->shared_from_this(), rest, is_head](error_code failed, std::size_t sent) {
+          if (failed) return;
+          if (sent < rest.size()) return self->write(rest.substr(sent), is_head);
+          if (is_head && !self->out_.rest().empty()) return self->write(self->out_.rest(), false);
+          self->finish();
+        });
+  }
+
+  void finish() {
+    const bool close = out_.close;
+    out_ = {};  // large bodies are not kept for quiet connections
+    if (!close) return read();
+    error_code ignored;
+    stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+  }
+
+  State& state_;
+  beast::tcp_stream stream_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::empty_body>> parser_;
+  Outgoing out_;
+};
+
+}  // namespace
+
+Outgoing HttpServer::State::answer_to(const Request& request) const {
+  const Result<HttpAsk> ask = ask_of(request);
+  if (!ask.ok()) return outgoing(unread(), error_reply(400, ask.error()), true);
+  // A body that nobody reads would be taken for the next request.
+  const bool close = !request.keep_alive() || request.has_content_length() || request.chunked();
+  std::optional<HttpReply> refused = guard->refusal(*ask);
+  return outgoing(*ask, refused ? *std::move(refused) : handler(*ask), close);
+}
+
+void HttpServer::State::accept() {
+  acceptor.async_accept(asio::make_strand(io),
+                        [this](error_code failed, asio::ip::tcp::socket socket) {
+                          // One too many is closed at once.
+                          if (!failed && connections < options.max_connections)
+                            std::make_shared<Session<State>>(*this, std::move(socket))->read();
+                          accept();
+                        });
+}
+
+Result<void> HttpServer::State::listen() {
+  error_code failed;
+  const auto address = asio::ip::make_address(options.host, failed);
+  const asio::ip::tcp::endpoint endpoint(address, static_cast<std::uint16_t>(options.port));
+  const auto step = [&](auto&& done) {
+    if (!failed) done();
+  };
+  step([&] { acceptor.open(endpoint.protocol(), failed); });
+  step([&] { acceptor.set_option(asio::ip::tcp::acceptor::reuse_address(true), failed); });
+  step([&] { acceptor.bind(endpoint, failed); });
+  step([&] { acceptor.listen(asio::socket_base::max_listen_connections, failed); });
+  if (failed)
+    return Error{"server.cannot_listen",
+                 fmt::format("{}:{}", in_brackets(options.host), options.port),
+                 fmt::format("no server can be started there ({}); take another --port, or leave "
+                             "it out for a free one",
+                             failed.message())};
+  port = acceptor.local_endpoint(failed).port();
+  return {};
+}
 
 HttpServer::HttpServer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 HttpServer::~HttpServer() = default;
@@ -199,56 +324,18 @@ std::string HttpServer::address() const {
 
 Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpServerOptions& options,
                                                       HttpHandler handler) {
-  static const unsigned features = mg_init_library(0);  // for as long as the process lives
-  static_cast<void>(features);
-  auto state = std::make_unique<State>();
+  constexpr int carriers = 2;
+  auto state = std::make_unique<State>(options);
   state->handler = std::move(handler);
-  state->options = options;
-  const std::array<std::pair<const char*, std::string>, 9> settings{
-      {{"listening_ports", listening(options)},
-       {"num_threads", std::to_string(options.threads)},
-       {"connection_queue", std::to_string(2 * options.threads)},
-       {"request_timeout_ms", std::to_string(options.timeout_ms)},
-       {"enable_keep_alive", "yes"},
-       {"keep_alive_timeout_ms", "2000"},
-       {"max_request_size", std::to_string(options.max_request_bytes)},
-       {"decode_url", "no"},  // path_of() does
-       {"enable_auth_domain_check", "no"}}};
-  std::vector<const char*> words;
-  for (const auto& [name, value] : settings) {
-    words.push_back(name);
-    words.push_back(value.c_str());
-  }
-  words.push_back(nullptr);
-  mg_callbacks callbacks{};
-  callbacks.begin_request = State::on_request;
-  callbacks.http_error = State::on_error;
-  callbacks.log_message = State::on_log;
-  callbacks.log_access = State::on_log;
-  std::array<char, 256> text{};
-  mg_error_data error{};
-  error.text = text.data();
-  error.text_buffer_size = text.size();
-  mg_init_data init{};
-  init.callbacks = &callbacks;
-  init.user_data = state.get();
-  init.configuration_options = words.data();
-  state->context = mg_start2(&init, &error);
-  std::array<mg_server_port, 2> ports{};
-  if (state->context == nullptr ||
-      mg_get_server_ports(state->context, static_cast<int>(ports.size()), ports.data()) < 1)
-    return Error{"server.cannot_listen",
-                 options.port == 0 ? options.host : listening(options),
-                 fmt::format("no server can be started there{}; take another --port, or leave it "
-                             "out for a free one",
-                             text[0] == '\0' ? "" : fmt::format(" ({})", text.data()))};
-  state->port = ports[0].port;
+  MARKETGEN_CHECK(state->listen());
   GuardRules rules = options.limits;
   rules.host = in_brackets(options.host);
   rules.port = state->port;
   rules.token = options.token;
   state->guard = std::make_unique<RequestGuard>(std::move(rules));
-  state->started.count_down();
+  state->accept();
+  for (int i = 0; i < carriers; ++i)
+    state->carriers.emplace_back([&io = state->io] { io.run(); });
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));
 }
 

@@ -1,8 +1,8 @@
 // An HTTP server on one address, for pages in a browser on this machine.
 //
-// Requests are answered on up to `threads` threads side by side; each has `timeout_ms` to be sent
-// and to be read. Headers that keep a page from loading anything from elsewhere, and others from
-// showing it, stand on every answer.
+// Requests are answered on up to `threads` threads side by side; each has `timeout_ms` to be sent,
+// and as long for every 256 kB of its answer to be taken. Headers that keep a page from loading
+// anything from elsewhere, and others from showing it, stand on every answer.
 #pragma once
 #include <functional>
 #include <memory>
@@ -17,7 +17,8 @@ struct HttpServerOptions {
   std::string host = "127.0.0.1";  // a numeric address; "::1" too
   int port = 0;                    // 0: any free one
   std::string token;               // see GuardRules
-  int threads = 64;
+  int threads = 32;
+  int max_connections = 256;
   int timeout_ms = 10'000;
   int max_request_bytes = 16'384;  // of its head; bodies are refused
   GuardRules limits;               // its host, port and token are set here

@@ -14,6 +14,7 @@
 #include "export/label_picture.h"
 #include "io/json.h"
 #include "io/png.h"
+#include "server/page_files.h"
 #include "server/store_summary.h"
 #include "server/view_files.h"
 

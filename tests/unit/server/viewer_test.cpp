@@ -34,7 +34,8 @@ struct Container {
     const std::size_t count =
         section["count"].get<std::size_t>() * section["components"].get<std::size_t>();
     std::vector<Number> values(count);
-    std::memcpy(values.data(), data.data() + section["offset"], count * sizeof(Number));
+    std::memcpy(
+        values.data(), data.data() + section["offset"].get<std::size_t>(), count * sizeof(Number));
     return values;
   }
   std::size_t rows(const std::string& name) const { return head["sections"][name]["count"]; }
