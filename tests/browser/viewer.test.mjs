@@ -105,7 +105,7 @@ test("a click on a known point picks the product that is there", async () => {
   const { page, faults, close } = await open();
   await complete(page);
   const there = await beforeAProduct(page);
-  await page.evaluate((hash) => (location.hash = hash), there.hash);
+  await page.evaluate((hash) => new Promise((done) => (window.addEventListener("hashchange", done, { once: true }), (location.hash = hash))).then(() => 0), there.hash);
   await settled(page);
   await page.mouse.click(640, 360);
   await page.locator(".card dd", { hasText: there.sku }).waitFor({ timeout: patience });

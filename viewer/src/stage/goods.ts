@@ -33,12 +33,14 @@ const labelsWithin = 2.6; // metres
 const meshesWithin = 14;
 const kept = 1.5; // times as many triangles as are shown stay built
 const budgets = { least: 12_000, first: 60_000, most: 1_500_000 }; // triangles of meshes a frame
+const buildMilliseconds = 8; // a frame
 
 export class Goods {
   readonly group = new Group();
   readonly standIns: StandIns;
   readonly shown: readonly Shown[];
   budget = budgets.first;
+  stillBudget = 350_000; // of a picture that stands still
   private far: MeshSet | undefined;
   private light: GoodsLight | undefined;
   private sheets: Sheets | undefined;
@@ -50,6 +52,7 @@ export class Goods {
     readonly skus: readonly Sku[],
     private readonly shared: Shared,
     private readonly changed: () => void,
+    private readonly changedSoon: () => void,
   ) {
     this.standIns = new StandIns(table, skus, shared);
     this.group.add(this.standIns.mesh);
@@ -103,37 +106,38 @@ export class Goods {
       sheets: { value: sheets.texture },
     };
     this.standIns.setPortraits(await drawPortraits(renderer, far, this.skus.length, places, atlas.texture));
-    this.sheets = new Sheets(client, sheets, places, this.changed);
+    this.sheets = new Sheets(client, sheets, places, this.changedSoon);
     this.materials = [packMaterial(this.shared, uniforms, false), packMaterial(this.shared, uniforms, true)];
     this.far = far;
     for (const shown of this.shown) shown.triangles = this.trianglesOf(shown.cell, far);
     this.changed();
   }
 
-  // Chooses what is seen. False: more is to be built; call again in the next frame.
-  update(sight: Sight): boolean {
+  // Chooses what is seen; a picture that stands still may take longer. False: more is to be built; call again in the next frame.
+  update(sight: Sight, still: boolean): boolean {
     const { eye } = sight;
     for (const shown of this.shown) shown.distance = shown.box.distanceToPoint(eye);
     const byDistance = [...this.shown].sort((a, b) => a.distance - b.distance);
     const seen = byDistance.filter((shown) => this.facesEye(shown, eye) && sight.sees(shown.cell.low, shown.cell.high, shown.cell.fixture));
     this.hideMeshes();
     this.standIns.begin();
-    let missing: Shown | undefined;
-    let left = this.far && this.light ? this.budget : -1;
+    const missing: Shown[] = [];
+    const budget = still ? Math.max(this.budget, this.stillBudget) : this.budget;
+    let left = this.far && this.light ? budget : -1;
     let order = 0;
     for (const shown of seen) {
       const near = shown.distance < meshesWithin && shown.triangles <= left;
       if (near) left -= shown.triangles;
-      if (near && !shown.built) missing ??= shown;
+      if (near && !shown.built) missing.push(shown);
       const meshes = near ? shown.built : undefined;
       if (meshes) this.show(meshes, ++order);
       this.standIns.add(shown.number, meshes ? shown.cell.deep : shown.cell.first, eye, shown.distance);
     }
     this.standIns.finish();
-    if (missing) this.build(missing);
-    this.forget(byDistance);
+    this.buildSome(missing);
+    this.forget(byDistance, budget);
     this.wantLabels(seen, eye);
-    return missing === undefined;
+    return missing.length === 0;
   }
 
   private trianglesOf(cell: Cell, meshes: MeshSet): number {
@@ -166,6 +170,14 @@ export class Goods {
     });
   }
 
+  private buildSome(missing: readonly Shown[]): void {
+    const until = performance.now() + buildMilliseconds;
+    for (const shown of missing) {
+      this.build(shown);
+      if (performance.now() > until) return;
+    }
+  }
+
   private build(shown: Shown): void {
     const { cell } = shown;
     const rows = this.table.order.subarray(cell.first, cell.deep);
@@ -176,8 +188,8 @@ export class Goods {
     }
   }
 
-  private forget(byDistance: readonly Shown[]): void {
-    let room = this.budget * kept * 2;
+  private forget(byDistance: readonly Shown[], budget: number): void {
+    let room = Math.max(budget, this.stillBudget) * kept;
     for (const shown of byDistance) {
       if (!shown.built) continue;
       room -= shown.triangles;

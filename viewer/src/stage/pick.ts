@@ -34,6 +34,8 @@ export function enters(from: Vec3, way: Vec3, low: Vec3, high: Vec3): number {
   return near <= far ? near : Infinity;
 }
 
+const edge = 1e-5; // share of a triangle by which it is taken wider: a ray along a common edge meets one of the two
+
 // Moeller and Trumbore; both faces.
 export function meets(from: Vec3, way: Vec3, p: Float32Array, a: number, b: number, c: number): number {
   const [ax, ay, az] = [p[a]!, p[a + 1]!, p[a + 2]!];
@@ -46,12 +48,12 @@ export function meets(from: Vec3, way: Vec3, p: Float32Array, a: number, b: numb
   if (Math.abs(det) < 1e-14) return Infinity;
   const [sx, sy, sz] = [from[0] - ax, from[1] - ay, from[2] - az];
   const s = (sx * hx + sy * hy + sz * hz) / det;
-  if (s < 0 || s > 1) return Infinity;
+  if (s < -edge || s > 1 + edge) return Infinity;
   const qx = sy * uz - sz * uy;
   const qy = sz * ux - sx * uz;
   const qz = sx * uy - sy * ux;
   const t = (way[0] * qx + way[1] * qy + way[2] * qz) / det;
-  if (t < 0 || s + t > 1) return Infinity;
+  if (t < -edge || s + t > 1 + edge) return Infinity;
   const away = (vx * qx + vy * qy + vz * qz) / det;
   return away > 1e-6 ? away : Infinity;
 }

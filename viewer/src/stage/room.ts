@@ -21,6 +21,7 @@ export interface RoomArrays {
   readonly owner: Uint16Array; // fixture row, joint row; 65535: none
 }
 
+const fineWithin = { moving: 2.5, still: 6 }; // metres; rough from three times as far
 const layers = ["solid", "glass", "ceiling"] as const;
 type Layer = (typeof layers)[number];
 
@@ -35,7 +36,6 @@ interface Surface {
 export class Room {
   readonly group = new Group();
   readonly arrays: RoomArrays;
-  fineWithin = 2.5; // metres; rough from three times as far
   private readonly surfaces: Surface[] = [];
   private readonly layerOf: Uint8Array; // by triangle
   private readonly materials = new Map<string, RawShaderMaterial>();
@@ -76,14 +76,14 @@ export class Room {
     return layer === "glass" || (layer === "ceiling" && !this.ceilingShown);
   }
 
-  update(sight: Sight): void {
+  update(sight: Sight, still: boolean): void {
     const { parts, indices } = this.divided!;
     for (const surface of this.surfaces) surface.filled = 0;
     for (const part of parts) {
       const surface = this.surfaces[part.surface]!;
       if (surface.layer === "ceiling" && !this.ceilingShown) continue;
       if (!sight.sees(part.low, part.high, part.fixture)) continue;
-      const level = this.fineness(part, sight);
+      const level = this.fineness(part, sight, still ? fineWithin.still : fineWithin.moving);
       const run = part.runs[level]!;
       surface.shown.set(indices[level]!.subarray(run.start, run.end), surface.filled);
       surface.filled += run.end - run.start;
@@ -91,9 +91,9 @@ export class Room {
     for (const surface of this.surfaces) hand(surface);
   }
 
-  private fineness(part: Part, sight: Sight): 0 | 1 | 2 {
+  private fineness(part: Part, sight: Sight, fine: number): 0 | 1 | 2 {
     const away = sight.distance(part.low, part.high);
-    return away < this.fineWithin ? 0 : away < this.fineWithin * 3 ? 1 : 2;
+    return away < fine ? 0 : away < fine * 3 ? 1 : 2;
   }
 
   private async divide(): Promise<void> {

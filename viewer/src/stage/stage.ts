@@ -23,6 +23,8 @@ ColorManagement.enabled = false; // the shaders write what the screen shows
 
 const softwareGoal = 55; // milliseconds a frame without a GPU
 const hardwareGoal = 14;
+const soonMilliseconds = 350;
+const stillAfter = 200; // milliseconds without a move: the picture is drawn once more, finely
 
 export interface Figures {
   frames: number;
@@ -66,6 +68,9 @@ export class Stage {
   ceilingHeight = 3;
   private dirty = true;
   private wasBusy = false;
+  private moved = -Infinity;
+  private still = false;
+  private soon: number | undefined;
 
   private constructor(
     readonly canvas: HTMLCanvasElement,
@@ -101,6 +106,14 @@ export class Stage {
     this.dirty = true;
   }
 
+  // For what comes piece by piece: not a picture each.
+  readonly redrawSoon = (): void => {
+    this.soon ??= window.setTimeout(() => {
+      this.soon = undefined;
+      this.redraw();
+    }, soonMilliseconds);
+  };
+
   resize(): void {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
@@ -128,13 +141,19 @@ export class Stage {
 
   // Draws if need be; true when it did. `moving`: frames follow one another, so that their time says how fast this machine is.
   frame(moving: boolean): boolean {
+    const began = performance.now();
+    if (moving) this.moved = began;
+    const still = began - this.moved > stillAfter;
+    if (still !== this.still) {
+      this.still = still;
+      this.dirty ||= still;
+    }
     if (!this.dirty) {
       this.wasBusy = false;
       return false;
     }
     this.dirty = false;
-    const began = performance.now();
-    const done = this.draw();
+    const done = this.draw(still);
     if (this.software) (this.renderer.getContext() as WebGL2RenderingContext).finish();
     this.count(performance.now() - began, moving && this.wasBusy);
     this.wasBusy = moving;
@@ -143,10 +162,10 @@ export class Stage {
   }
 
   // False: more is to come.
-  draw(): boolean {
+  draw(still: boolean): boolean {
     this.sight.look(this.camera);
-    const done = this.goods?.update(this.sight) ?? true;
-    this.room?.update(this.sight);
+    const done = this.goods?.update(this.sight, still) ?? true;
+    this.room?.update(this.sight, still);
     this.renderer.render(this.scene, this.camera);
     return done;
   }
@@ -189,7 +208,7 @@ export class Stage {
   }
 
   async picture(): Promise<Blob | null> {
-    this.draw();
+    while (!this.draw(true));
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
 }
