@@ -56,8 +56,17 @@ async function open(hash = "", options = {}, arrange = async () => {}) {
 }
 
 const complete = (page) => page.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
+// The picture shows what the navigator means, with its labels.
 const settled = (page) =>
-  page.waitForFunction(() => window.marketgen.stage.goods?.labelsSettled && !window.marketgen.app.navigator.moving, null, { timeout: patience });
+  page.waitForFunction(
+    () => {
+      const { stage, app } = window.marketgen;
+      const shown = app.navigator.pose.eye.every((x, k) => Math.abs(stage.camera.position.getComponent(k) - x) < 1e-6);
+      return shown && !app.navigator.moving && stage.goods?.labelsSettled;
+    },
+    null,
+    { timeout: patience },
+  );
 
 async function take(page, name) {
   if (!pictures) return;

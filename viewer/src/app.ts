@@ -113,11 +113,11 @@ export class App {
 
   private startNavigator(wanted: ViewState): Navigator {
     const room = roomOf(this.summary);
-    if (wanted.pose) return new Navigator(room, wanted.mode ?? "orbit", wanted.pose, wanted.distance ?? 2);
     const camera = this.summary.cameras.find(({ name }) => name === "entrance") ?? this.summary.cameras[0];
     const eye: Vec3 = camera?.from_m ?? add(room.low, [1, 1, 1.6]);
     const at: Vec3 = camera?.at_m ?? add(room.high, [0, 0, -2]);
     this.stage.camera.fov = camera?.fov_deg ?? this.stage.camera.fov;
+    if (wanted.pose) return new Navigator(room, wanted.mode ?? "orbit", wanted.pose, wanted.distance ?? 2);
     return new Navigator(room, wanted.mode ?? "orbit", lookingAt(eye, at), distance(eye, at));
   }
 
