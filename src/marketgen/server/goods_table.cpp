@@ -59,7 +59,8 @@ ViewFile goods_table(const scene::Scene& scene) {
   std::vector<float> position;
   std::vector<std::int16_t> rotation;
   std::vector<std::uint16_t> sku, fixture, shelf;
-  std::vector<std::uint8_t> tint;
+  std::vector<std::uint32_t> facing;
+  std::vector<std::uint8_t> tint, flags;
   for (std::size_t row = 0; row < scene.products.size(); ++row) {
     const scene::SceneProduct& item = scene.products[row];
     const Pose pose = scene::world_from_product(item);
@@ -68,6 +69,8 @@ ViewFile goods_table(const scene::Scene& scene) {
     const auto turned = packed_rotation(pose.rotation);
     rotation.insert(rotation.end(), turned.begin(), turned.end());
     sku.push_back(static_cast<std::uint16_t>(item.sku));
+    facing.push_back(item.facing);
+    flags.push_back(static_cast<std::uint8_t>(item.flags));
     const std::int32_t on = shelf_of(scene, item);
     shelf.push_back(on < 0 ? no_row : static_cast<std::uint16_t>(on));
     fixture.push_back(
@@ -82,6 +85,8 @@ ViewFile goods_table(const scene::Scene& scene) {
   sections.add("sku", 1, std::span<const std::uint16_t>(sku));
   sections.add("fixture", 1, std::span<const std::uint16_t>(fixture));
   sections.add("shelf", 1, std::span<const std::uint16_t>(shelf));
+  sections.add("facing", 1, std::span<const std::uint32_t>(facing));
+  sections.add("flags", 1, std::span<const std::uint8_t>(flags));
   sections.add("tint", 3, std::span<const std::uint8_t>(tint));
   sections.note("products", scene.products.size());
   return {"goods.bin", "application/octet-stream", sections.file()};

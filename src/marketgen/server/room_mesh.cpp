@@ -65,8 +65,11 @@ class RoomMesh {
   std::string file() {
     ViewMesh mesh;
     nlohmann::ordered_json batches = nlohmann::ordered_json::array();
-    for (const auto& [key, corners] : batches_)
-      batches.push_back(put(mesh, key, corners));
+    for (auto& [key, part] : batches_) {
+      batches.push_back(batch_of(key, part, mesh.indices.size()));
+      mesh.append(part);
+      part = {};
+    }
     PackedSections sections;
     mesh.pack(sections);
     const std::vector<std::uint8_t> light = light_of(mesh);
@@ -153,23 +156,19 @@ class RoomMesh {
                        texture,
                        static_cast<int>(std::floor(middle.x / cell_m)),
                        static_cast<int>(std::floor(middle.y / cell_m))};
-    batches_[key].push_back(corners);
+    ViewMesh& part = batches_[key];
+    for (const ViewVertex& corner : corners)
+      part.indices.push_back(part.add(corner));
   }
 
-  static nlohmann::ordered_json put(ViewMesh& mesh,
-                                    const BatchKey& key,
-                                    const std::vector<Corners>& triangles) {
-    const std::size_t first = mesh.indices.size();
+  static nlohmann::ordered_json batch_of(const BatchKey& key,
+                                         const ViewMesh& part,
+                                         std::size_t first) {
     Bounds3 bounds;
-    mesh.begin_part();
-    for (const Corners& corners : triangles) {
-      for (const ViewVertex& corner : corners) {
-        mesh.indices.push_back(mesh.add(corner));
-        bounds.include(corner.position);
-      }
-    }
+    for (const ViewVertex& vertex : part.vertices)
+      bounds.include(vertex.position);
     return {{"first_index", first},
-            {"index_count", mesh.indices.size() - first},
+            {"index_count", part.indices.size()},
             {"layer", layer_names[static_cast<std::size_t>(std::get<0>(key))]},
             {"texture", std::get<1>(key)},
             {"low_m", {bounds.low.x, bounds.low.y, bounds.low.z}},
@@ -202,7 +201,7 @@ class RoomMesh {
   const World& world_;
   const LitWorld& lit_;
   const RoomTextures& textures_;
-  std::map<BatchKey, std::vector<Corners>> batches_;
+  std::map<BatchKey, ViewMesh> batches_;
 };
 
 }  // namespace

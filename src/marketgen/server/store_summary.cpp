@@ -87,6 +87,7 @@ std::vector<ViewSku> skus_of(const scene::Scene& scene) {
   std::vector<ViewSku> rows;
   for (const catalog::Product& p : scene.catalog)
     rows.push_back({p.sku,
+                    p.ean,
                     p.name,
                     p.name_zh,
                     p.brand,

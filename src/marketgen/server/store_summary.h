@@ -95,13 +95,14 @@ struct ViewJoint {
 };
 
 struct ViewSku {
-  std::string sku, name, name_zh, brand, variant, category;
+  std::string sku, ean, name, name_zh, brand, variant, category;
   double price = 0;
   std::array<double, 3> size_m{};
   std::string color;
   std::uint64_t products = 0;
   static constexpr auto fields =
       field_list(field("sku", &ViewSku::sku, "SKU"),
+                 field("ean", &ViewSku::ean, "EAN-13; empty for loose produce"),
                  field("name", &ViewSku::name, "name"),
                  field("name_zh", &ViewSku::name_zh, "name in Chinese"),
                  field("brand", &ViewSku::brand, "brand"),

@@ -85,13 +85,14 @@ void ViewBuild::run(std::mutex& alone) {
   const CallInterrupt breaks_off(&stop_);
   const std::scoped_lock lock(alone);
   finish(until_interrupted([&] { return build(); }));
-  malloc_trim(0);  // the renderer's world is gone: its memory goes back
+  malloc_trim(0);
 }
 
 Result<void> ViewBuild::build() {
   MARKETGEN_CHECK(check_interrupt());
   if (take_kept()) return {};
   MARKETGEN_CHECK(make_room());
+  malloc_trim(0);  // the renderer's world is gone: its memory goes back
   MARKETGEN_CHECK(make_goods());
   keep();
   return {};

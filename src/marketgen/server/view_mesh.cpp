@@ -66,6 +66,13 @@ std::uint32_t ViewMesh::add(const ViewVertex& vertex) {
   return number;
 }
 
+void ViewMesh::append(const ViewMesh& part) {
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  vertices.insert(vertices.end(), part.vertices.begin(), part.vertices.end());
+  for (const std::uint32_t index : part.indices)
+    indices.push_back(first + index);
+}
+
 void ViewMesh::pack(PackedSections& sections) const {
   pack_rows<float, 3>(sections, "position", vertices, [](const ViewVertex& v) {
     return std::array<float, 3>{v.position.x, v.position.y, v.position.z};

@@ -28,6 +28,9 @@ class ViewMesh {
   // From now on no vertex is shared with those before.
   void begin_part() { known_.clear(); }
 
+  // Its vertices stay apart from those that are there.
+  void append(const ViewMesh& part);
+
   std::vector<ViewVertex> vertices;
   std::vector<std::uint32_t> indices;
 

@@ -67,6 +67,18 @@ Result<HttpReply> png_reply(const Result<Image>& image) {
   return reply_with({"", "image/png", std::move(bytes)});
 }
 
+// Among those who draw.
+class Turn {
+ public:
+  explicit Turn(std::counting_semaphore<>& turns) : turns_(turns) { turns_.acquire(); }
+  ~Turn() { turns_.release(); }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  std::counting_semaphore<>& turns_;
+};
+
 }  // namespace
 
 struct Viewer::Opened {
@@ -159,9 +171,8 @@ Result<HttpReply> Viewer::of_sku(Opened& store, const HttpAsk& ask, const Words&
   const auto detail =
       value_named<assets::Detail>(given == ask.query.end() ? "near" : given->second);
   if (!detail) return Error{"server.bad_request", "detail", "is not near, middle or far"};
-  drawing_.acquire();
+  const Turn turn(drawing_);
   Result<ViewFile> mesh = product_mesh(scene, sku, *detail);
-  drawing_.release();
   if (!mesh.ok()) return mesh.error();
   return reply_with(std::move(mesh).value());
 }
@@ -172,11 +183,9 @@ Result<HttpReply> Viewer::label(const Opened& store, std::uint32_t sku, const Ht
       number_in(ask, "px", usual_label_px, label_heights_px.front(), label_heights_px.back()));
   if (std::ranges::find(label_heights_px, static_cast<int>(px)) == label_heights_px.end())
     return Error{"server.bad_request", "px", "is not 64, 128, 256, 512 or 1024"};
-  drawing_.acquire();
-  const Result<Image> image =
-      exporters::exported_label(store.store->scene.catalog[sku], static_cast<int>(px));
-  drawing_.release();
-  return png_reply(image);
+  const Turn turn(drawing_);
+  return png_reply(
+      exporters::exported_label(store.store->scene.catalog[sku], static_cast<int>(px)));
 }
 
 Result<HttpReply> Viewer::tag(const Opened& store, const HttpAsk& ask, const std::string& name) {
@@ -186,6 +195,7 @@ Result<HttpReply> Viewer::tag(const Opened& store, const HttpAsk& ask, const std
   MARKETGEN_TRY(const std::uint32_t sku, row_of(ask, row, store.store->scene.catalog.size()));
   MARKETGEN_TRY(const std::uint64_t promotion, number_in(ask, "promotion", 0, 0, 1));
   MARKETGEN_TRY(const std::uint64_t px, number_in(ask, "px", usual_tag_px, min_tag_px, max_tag_px));
+  const Turn turn(drawing_);
   return png_reply(exporters::exported_price_tag(
       store.store->scene.catalog[sku], promotion != 0, static_cast<int>(px)));
 }
