@@ -1,5 +1,5 @@
 // Brings the store in, in the order in which it is seen: boxes of goods, then the room, light, meshes and labels.
-import { LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, ClampToEdgeWrapping, Texture } from "three";
+import { LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, RepeatWrapping, ClampToEdgeWrapping, Texture } from "three";
 import { Client, ServerError } from "./store/client";
 import type { MeshesHead, RoomHead, Summary } from "./store/contract";
 import { Goods } from "./stage/goods";
@@ -56,7 +56,7 @@ async function loadTexture(client: Client, stage: Stage, room: Room, head: RoomH
   const texture = new Texture(await client.picture(`/${entry.path}`));
   texture.flipY = false;
   texture.wrapS = texture.wrapT = entry.repeat ? RepeatWrapping : ClampToEdgeWrapping;
-  texture.minFilter = LinearMipmapLinearFilter;
+  texture.minFilter = stage.limits.quick ? LinearMipmapNearestFilter : LinearMipmapLinearFilter;
   texture.magFilter = LinearFilter;
   texture.anisotropy = stage.limits.sharpness;
   texture.needsUpdate = true;

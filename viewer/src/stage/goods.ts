@@ -18,6 +18,7 @@ import { StandIns } from "./stand_ins";
 export interface Limits {
   readonly sheetLayers: number;
   readonly sharpness: number; // anisotropy
+  readonly quick: boolean; // one mip level a point, for WebGL without a GPU
 }
 
 interface Shown {
@@ -55,7 +56,7 @@ export class Goods {
     private readonly changedSoon: () => void,
   ) {
     this.standIns = new StandIns(table, skus, shared);
-    this.group.add(this.standIns.mesh);
+    this.group.add(this.standIns.group);
     this.shown = table.cells.map((cell, number) => ({
       number,
       cell,
@@ -91,7 +92,7 @@ export class Goods {
     const width = Math.max(1, ...sizes.map((page) => page.width));
     const height = Math.max(1, ...sizes.map((page) => page.height));
     const places = new SkuPlaces(packed.f32("tile", 5), sizes.map((page) => [page.width / width, page.height / height]));
-    const atlas = new PageArray(renderer, width, height, Math.max(sizes.length, 1), 4, limits.sharpness);
+    const atlas = new PageArray(renderer, width, height, Math.max(sizes.length, 1), 4, limits.sharpness, limits.quick);
     const pictures = await Promise.all(sizes.map((_, page) => client.picture(`/goods-${page}.jpg`)));
     pictures.forEach((picture, page) => {
       atlas.put(page, 0, picture);
@@ -99,13 +100,13 @@ export class Goods {
     });
     atlas.makeSmallerCopies();
 
-    const sheets = new PageArray(renderer, 1024, 512, limits.sheetLayers, 11, limits.sharpness);
+    const sheets = new PageArray(renderer, 1024, 512, limits.sheetLayers, 11, limits.sharpness, limits.quick);
     const uniforms: Record<string, IUniform> = {
       skus: { value: places.texture },
       atlas: { value: atlas.texture },
       sheets: { value: sheets.texture },
     };
-    this.standIns.setPortraits(await drawPortraits(renderer, far, this.skus.length, places, atlas.texture));
+    this.standIns.setPortraits(await drawPortraits(renderer, far, this.skus.length, places, atlas.texture, limits.quick));
     this.sheets = new Sheets(client, sheets, places, this.changedSoon);
     this.materials = [packMaterial(this.shared, uniforms, false), packMaterial(this.shared, uniforms, true)];
     this.far = far;

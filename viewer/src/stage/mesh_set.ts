@@ -34,10 +34,9 @@ export class MeshSet {
   }
 }
 
-// How much of the box round a pack its outline fills, seen from above: about pi / 4 for what is round.
-export function coverage(set: MeshSet, sku: number): number {
+// How much of the box round a pack its outline fills in the plane of two axes: about pi / 4 for what is round.
+export function coverage(set: MeshSet, sku: number, u: 0 | 1, v: 1 | 2): number {
   const { firstIndex, opaque, clear, firstVertex, vertices } = set.range(sku);
-  const [u, v] = [0, 1];
   const p = set.position;
   let area = 0;
   for (let i = firstIndex; i < firstIndex + opaque + clear; i += 3) {

@@ -14,6 +14,7 @@ export class PageArray {
     readonly layers: number,
     levels: number,
     sharpness: number,
+    quick: boolean,
   ) {
     this.gl = renderer.getContext() as WebGL2RenderingContext;
     const gl = this.gl;
@@ -21,7 +22,7 @@ export class PageArray {
     this.handle = gl.createTexture();
     this.bound(() => {
       gl.texStorage3D(gl.TEXTURE_2D_ARRAY, this.levels, gl.RGBA8, width, height, layers);
-      gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+      gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, quick ? gl.LINEAR_MIPMAP_NEAREST : gl.LINEAR_MIPMAP_LINEAR);
       gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
       gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
       gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);

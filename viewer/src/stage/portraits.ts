@@ -5,6 +5,7 @@ import {
   Color,
   LinearFilter,
   LinearMipmapLinearFilter,
+  LinearMipmapNearestFilter,
   Mesh,
   OrthographicCamera,
   WebGLRenderTarget,
@@ -48,13 +49,16 @@ function extentOf(set: MeshSet, first: number, count: number): Extent {
   return extent;
 }
 
-// Round: a can, a bottle, an apple; seen from above a disc as wide as deep.
+// Round: a can, a bottle, an apple; seen from above a disc as wide as deep. Solid: a carton, whose pictures have no holes.
 function formOf(set: MeshSet, sku: number): Form {
   const { firstVertex, vertices } = set.range(sku);
-  if (vertices === 0 || coverage(set, sku) > 0.88) return Form.box;
+  if (vertices === 0) return Form.solid;
+  const [above, front, right] = [coverage(set, sku, 0, 1), coverage(set, sku, 0, 2), coverage(set, sku, 1, 2)];
+  if (Math.min(above, front, right) > 0.96) return Form.solid;
+  if (above > 0.88) return Form.cut;
   const { low, high } = extentOf(set, firstVertex, vertices);
   const [w, d] = [high[0] - low[0], high[1] - low[1]];
-  return Math.min(w, d) / Math.max(w, d) < 0.8 ? Form.box : Form.round;
+  return Math.min(w, d) / Math.max(w, d) < 0.8 ? Form.cut : Form.round;
 }
 
 function geometryOf(set: MeshSet, from: number, end: number, rows: number, places: SkuPlaces): BufferGeometry {
@@ -107,10 +111,10 @@ function draw(renderer: WebGLRenderer, target: WebGLRenderTarget, geometry: Buff
 }
 
 // Resolves after a few frames: between two draws the page lives on.
-export async function drawPortraits(renderer: WebGLRenderer, set: MeshSet, skus: number, places: SkuPlaces, atlas: Texture): Promise<Portraits> {
+export async function drawPortraits(renderer: WebGLRenderer, set: MeshSet, skus: number, places: SkuPlaces, atlas: Texture, quick: boolean): Promise<Portraits> {
   const rows = 2 ** Math.ceil(Math.log2(Math.max(Math.ceil((skus * 3) / across), 1)));
   const target = new WebGLRenderTarget(across * cellWidth, rows * cellHeight, {
-    minFilter: LinearMipmapLinearFilter,
+    minFilter: quick ? LinearMipmapNearestFilter : LinearMipmapLinearFilter,
     magFilter: LinearFilter,
     generateMipmaps: false,
     depthBuffer: true,

@@ -200,15 +200,18 @@ void main() {
   vec3 base = vBase;
 #ifdef PICTURES
   vec4 picture = texture(pictures, vUv);
+#ifdef CUT
   if (picture.a < 0.5) discard;
-  base *= picture.rgb / picture.a;
+#endif
+  base *= picture.rgb / max(picture.a, 0.01);
 #endif
   outColor = vec4(shown(base, vResponse, uDim), 1.0);
 }
 `;
 
-export function standInMaterial(shared: Shared, uniforms: Record<string, IUniform>, pictures: boolean): RawShaderMaterial {
-  return material(standInVertex, standInFragment, { ...shared, ...uniforms }, pictures ? { PICTURES: "1" } : {});
+// `wear`: nothing yet; pictures; pictures that are cut out.
+export function standInMaterial(shared: Shared, uniforms: Record<string, IUniform>, wear: readonly ("PICTURES" | "CUT")[]): RawShaderMaterial {
+  return material(standInVertex, standInFragment, { ...shared, ...uniforms }, Object.fromEntries(wear.map((name) => [name, "1"])));
 }
 
 // Draws the pictures of the stand-ins: vertices come in clip space already.

@@ -22,8 +22,9 @@ import { Sight } from "./sight";
 ColorManagement.enabled = false; // the shaders write what the screen shows
 
 const softwareGoal = 55; // milliseconds a frame without a GPU
-const hardwareGoal = 14;
+const hardwareGoal = 18;
 const soonMilliseconds = 350;
+const coarsenesses = [1, 0.75, 0.5] as const; // share of the pixels in each direction, while one moves
 const stillAfter = 200; // milliseconds without a move: the picture is drawn once more, finely
 
 export interface Figures {
@@ -68,8 +69,10 @@ export class Stage {
   ceilingHeight = 3;
   private dirty = true;
   private wasBusy = false;
+  private began = 0; // the last picture
   private moved = -Infinity;
   private still = false;
+  private coarseness: (typeof coarsenesses)[number] = 1;
   private soon: number | undefined;
 
   private constructor(
@@ -94,7 +97,7 @@ export class Stage {
 
   get limits(): Limits {
     const small = Math.min(screen.width, screen.height) < 600;
-    return { sheetLayers: small ? 16 : 40, sharpness: this.software ? 1 : 8 };
+    return { sheetLayers: small ? 16 : 40, sharpness: this.software ? 1 : 8, quick: this.software };
   }
 
   setBackground(color: string): void {
@@ -117,10 +120,24 @@ export class Stage {
   resize(): void {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(this.software ? 1 : Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.pixelRatio());
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / clientHeight;
     this.redraw();
+  }
+
+  // A machine that is too slow for moving pictures gets coarser ones until they stand still.
+  private pixelRatio(): number {
+    const full = this.software ? 1 : Math.min(devicePixelRatio, 2);
+    return this.still ? full : full * this.coarseness;
+  }
+
+  private adaptCoarseness(): void {
+    if (!this.software) return;
+    const { frameMilliseconds } = this.figures;
+    const steps = coarsenesses.indexOf(this.coarseness);
+    const next = frameMilliseconds > softwareGoal * 1.3 ? steps + 1 : frameMilliseconds < softwareGoal * 0.5 ? steps - 1 : steps;
+    this.coarseness = coarsenesses[Math.min(Math.max(next, 0), coarsenesses.length - 1)]!;
   }
 
   setPose(pose: Pose): void {
@@ -147,6 +164,8 @@ export class Stage {
     if (still !== this.still) {
       this.still = still;
       this.dirty ||= still;
+      if (still) this.adaptCoarseness();
+      if (this.renderer.getPixelRatio() !== this.pixelRatio()) this.renderer.setPixelRatio(this.pixelRatio());
     }
     if (!this.dirty) {
       this.wasBusy = false;
@@ -154,8 +173,7 @@ export class Stage {
     }
     this.dirty = false;
     const done = this.draw(still);
-    if (this.software) (this.renderer.getContext() as WebGL2RenderingContext).finish();
-    this.count(performance.now() - began, moving && this.wasBusy);
+    this.count(began, moving && this.wasBusy);
     this.wasBusy = moving;
     if (!done) this.redraw();
     return true;
@@ -170,13 +188,17 @@ export class Stage {
     return done;
   }
 
-  private count(milliseconds: number, adapt: boolean): void {
-    const figures = this.figures;
+  // While one moves, pictures follow one another as fast as the machine draws them: that time is what is minded.
+  private count(began: number, following: boolean): void {
+    const { figures } = this;
     figures.frames++;
-    figures.frameMilliseconds = figures.frameMilliseconds * 0.85 + milliseconds * 0.15;
     figures.calls = this.renderer.info.render.calls;
     figures.triangles = this.renderer.info.render.triangles;
-    if (adapt) this.goods?.adapt(figures.frameMilliseconds, this.software ? softwareGoal : hardwareGoal);
+    if (following) {
+      figures.frameMilliseconds = figures.frameMilliseconds * 0.8 + (began - this.began) * 0.2;
+      this.goods?.adapt(figures.frameMilliseconds, this.software ? softwareGoal : hardwareGoal);
+    }
+    this.began = began;
   }
 
   // Of a point of the canvas, in CSS pixels from its upper left corner.

@@ -1,15 +1,16 @@
 // Packs that are not near enough for their mesh: boxes with pictures of the pack on them, or for round ones a picture that turns with
-// the eye. One draw of still vertices; what is in view is chosen by copying runs of indices, a cell's sides at a time.
+// the eye. Two draws of still vertices (what is cut out costs more); what is in view is chosen by copying runs of indices, a cell's sides at a time.
 // (Not instanced: WebGL without a GPU takes 0.1 ms an instance.)
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Vector3, type RawShaderMaterial, type Texture } from "three";
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, Mesh, Vector3, type RawShaderMaterial, type Texture } from "three";
 import type { Sku } from "../store/contract";
 import { faceLight, rotated, type GoodsLight } from "./goods_light";
 import { facesAnyway, fronts, rotationOf, type Cell, type GoodsTable, type Quaternion } from "./goods_table";
 import { standInMaterial, type Shared } from "./shading";
 
 export enum Form {
-  box = 0,
-  round = 1, // about its upright axis
+  solid = 0, // fills its box
+  cut = 1, // does not: its pictures are cut out
+  round = 2, // about its upright axis
 }
 
 export interface Portraits {
@@ -59,20 +60,37 @@ interface Box {
   readonly round: boolean;
 }
 
-export class StandIns {
+interface Draw {
   readonly mesh: Mesh;
+  readonly shown: Uint32Array;
+  filled: number;
+}
+
+function drawOf(attributes: Record<string, BufferAttribute>, packs: number, material: RawShaderMaterial, order: number): Draw {
+  const geometry = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
+  const shown = new Uint32Array(Math.max(packs, 1) * sides.length * 6);
+  const index = new BufferAttribute(shown, 1);
+  index.setUsage(DynamicDrawUsage);
+  geometry.setIndex(index);
+  const mesh = new Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
+  mesh.renderOrder = order;
+  return { mesh, shown, filled: 0 };
+}
+
+export class StandIns {
+  readonly group = new Group();
   private readonly position: Float32Array;
   private readonly across: Float32Array;
   private readonly uv: Uint16Array;
   private readonly color: Uint8Array;
   private readonly light: Uint8Array;
-  private runs: readonly Run[] = []; // by side
-  private readonly shown: Uint32Array;
-  private readonly geometry = new BufferGeometry();
+  private runs: readonly (readonly [Run, Run])[] = []; // by side: solid, cut out
+  private readonly draws: readonly [Draw, Draw];
   private readonly uniforms = { pictures: { value: null as Texture | null } };
-  private readonly plain: RawShaderMaterial;
   private readonly seen: Uint32Array; // by cell: rows that show their front
-  private filled = 0;
 
   constructor(
     private readonly table: GoodsTable,
@@ -85,24 +103,21 @@ export class StandIns {
     this.uv = new Uint16Array(vertices * 2);
     this.color = new Uint8Array(vertices * 4);
     this.light = new Uint8Array(vertices * 4);
-    this.shown = new Uint32Array(Math.max(table.count * sides.length * 6, 6));
     this.seen = Uint32Array.from(table.cells, (cell) => this.rowsSeen(cell));
     this.writeShapes(undefined);
     this.writeLight(undefined);
-    this.addAttributes();
-    this.plain = standInMaterial(shared, this.uniforms, false);
-    this.mesh = new Mesh(this.geometry, this.plain);
-    this.mesh.frustumCulled = false;
-    this.mesh.matrixAutoUpdate = false;
-    this.mesh.renderOrder = -500;
+    const attributes = this.attributes();
+    const plain = standInMaterial(shared, this.uniforms, []);
+    this.draws = [drawOf(attributes, table.count, plain, -500), drawOf(attributes, table.count, plain, -400)];
+    this.group.add(...this.draws.map(({ mesh }) => mesh));
   }
 
   get triangles(): number {
-    return this.filled / 3;
+    return (this.draws[0].filled + this.draws[1].filled) / 3;
   }
 
   begin(): void {
-    this.filled = 0;
+    for (const draw of this.draws) draw.filled = 0;
   }
 
   // What of a cell is seen from the eye, so far off; its packs before `first` are shown otherwise.
@@ -132,25 +147,29 @@ export class StandIns {
   }
 
   finish(): void {
-    this.geometry.setDrawRange(0, this.filled);
-    this.mesh.visible = this.filled > 0;
-    const index = this.geometry.index!;
-    index.clearUpdateRanges();
-    index.addUpdateRange(0, this.filled);
-    index.needsUpdate = true;
+    for (const { mesh, filled } of this.draws) {
+      mesh.geometry.setDrawRange(0, filled);
+      mesh.visible = filled > 0;
+      const index = mesh.geometry.index!;
+      index.clearUpdateRanges();
+      index.addUpdateRange(0, filled);
+      index.needsUpdate = true;
+    }
   }
 
   setPortraits(portraits: Portraits): void {
     this.uniforms.pictures.value = portraits.texture;
     this.writeShapes(portraits);
-    this.mesh.material = standInMaterial(this.shared, this.uniforms, true);
-    this.plain.dispose();
-    for (const name of ["position", "across", "uv", "color"]) this.geometry.getAttribute(name).needsUpdate = true;
+    const [solid, cut] = this.draws;
+    (solid.mesh.material as RawShaderMaterial).dispose();
+    solid.mesh.material = standInMaterial(this.shared, this.uniforms, ["PICTURES"]);
+    cut.mesh.material = standInMaterial(this.shared, this.uniforms, ["PICTURES", "CUT"]);
+    for (const name of ["position", "across", "uv", "color"]) solid.mesh.geometry.getAttribute(name).needsUpdate = true;
   }
 
   setLight(light: GoodsLight): void {
     this.writeLight(light);
-    this.geometry.getAttribute("light").needsUpdate = true;
+    this.draws[0].mesh.geometry.getAttribute("light").needsUpdate = true;
   }
 
   private rowsSeen(cell: Cell): number {
@@ -161,20 +180,21 @@ export class StandIns {
 
   private copy(side: Side, first: number, end: number): void {
     if (end <= first) return;
-    const { indices, starts } = this.runs[side]!;
-    this.shown.set(indices.subarray(starts[first]!, starts[end]!), this.filled);
-    this.filled += starts[end]! - starts[first]!;
+    this.runs[side]!.forEach(({ indices, starts }, i) => {
+      const draw = this.draws[i]!;
+      draw.shown.set(indices.subarray(starts[first]!, starts[end]!), draw.filled);
+      draw.filled += starts[end]! - starts[first]!;
+    });
   }
 
-  private addAttributes(): void {
-    this.geometry.setAttribute("position", new BufferAttribute(this.position, 3));
-    this.geometry.setAttribute("across", new BufferAttribute(this.across, 1));
-    this.geometry.setAttribute("uv", new BufferAttribute(this.uv, 2, true));
-    this.geometry.setAttribute("color", new BufferAttribute(this.color, 4, true));
-    this.geometry.setAttribute("light", new BufferAttribute(this.light, 4, true));
-    const index = new BufferAttribute(this.shown, 1);
-    index.setUsage(DynamicDrawUsage);
-    this.geometry.setIndex(index);
+  private attributes(): Record<string, BufferAttribute> {
+    return {
+      position: new BufferAttribute(this.position, 3),
+      across: new BufferAttribute(this.across, 1),
+      uv: new BufferAttribute(this.uv, 2, true),
+      color: new BufferAttribute(this.color, 4, true),
+      light: new BufferAttribute(this.light, 4, true),
+    };
   }
 
   private runOf(side: Side, has: (pack: number) => boolean): Run {
@@ -195,7 +215,7 @@ export class StandIns {
 
   private writeShapes(portraits: Portraits | undefined): void {
     const { order, sku, position, tint } = this.table;
-    const rounds = new Uint8Array(this.table.count);
+    const forms = new Uint8Array(this.table.count);
     const colors = this.skus.map(({ color }) => (portraits ? 0xffffff : Number.parseInt(color.slice(1), 16)));
     order.forEach((row, i) => {
       const type = sku[row]!;
@@ -207,14 +227,19 @@ export class StandIns {
         size: this.skus[type]!.size_m,
         round: upright && portraits?.forms[type] === Form.round,
       };
-      rounds[i] = box.round ? 1 : 0;
+      const form = portraits?.forms[type] ?? Form.solid;
+      forms[i] = form === Form.round && !box.round ? Form.cut : form;
       const color = colors[type]!;
       const painted = [16, 8, 0].map((shift, k) => Math.min((((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545), 255));
       for (let side = 0; side < sides.length; side++) this.writeSide(i * corners + side * 4, side, box);
       for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([painted[0]!, painted[1]!, painted[2]!, 255], v * 4);
       if (portraits) this.writePictures(i, type, portraits);
     });
-    this.runs = sides.map((_, side) => this.runOf(side, (pack) => rounds[pack] === 0 || side === Side.front || side === Side.top));
+    const turns = [Side.front, Side.top]; // what a round pack has
+    this.runs = sides.map((_, side) => [
+      this.runOf(side, (pack) => forms[pack] === Form.solid),
+      this.runOf(side, (pack) => forms[pack] === Form.cut || (forms[pack] === Form.round && turns.includes(side))),
+    ]);
   }
 
   private writeSide(vertex: number, side: Side, { turn, place, size, round }: Box): void {
