@@ -1,5 +1,5 @@
 // The page: what the reader does becomes what is shown.
-import { Navigator, type Room as NavigatorRoom } from "./camera/navigator";
+import { Navigator, topFov, type Room as NavigatorRoom } from "./camera/navigator";
 import type { Mode } from "./camera/modes";
 import { modes } from "./camera/modes";
 import { lookingAt, type Pose } from "./camera/pose";
@@ -24,6 +24,7 @@ import { Toolbar } from "./ui/toolbar";
 const longestStep = 0.1; // seconds: however slow the pictures, a walker makes no leap (a flight does)
 const hangsAbove = 1.9; // fixtures that hang so high are walked under
 const addressPause = 250;
+const defaultFov = 55;
 
 export function roomOf(summary: Summary): NavigatorRoom {
   const obstacles = summary.fixtures
@@ -66,6 +67,7 @@ export class App {
     stage.ceilingHeight = summary.ceiling_m;
     stage.sight = new Sight(screensOf(summary.fixtures));
     const wanted = readAddress(location.hash);
+    stage.setLens(this.usualFov());
     this.navigator = this.startNavigator(wanted);
     this.theme = new Theme((background) => stage.setBackground(background));
     this.search = this.makeSearch();
@@ -116,7 +118,6 @@ export class App {
     const camera = this.summary.cameras.find(({ name }) => name === "entrance") ?? this.summary.cameras[0];
     const eye: Vec3 = camera?.from_m ?? add(room.low, [1, 1, 1.6]);
     const at: Vec3 = camera?.at_m ?? add(room.high, [0, 0, -2]);
-    this.stage.camera.fov = camera?.fov_deg ?? this.stage.camera.fov;
     if (wanted.pose) return new Navigator(room, wanted.mode ?? "orbit", wanted.pose, wanted.distance ?? 2);
     return new Navigator(room, wanted.mode ?? "orbit", lookingAt(eye, at), distance(eye, at));
   }
@@ -181,23 +182,23 @@ export class App {
   }
 
   private enter(mode: Mode): void {
-    this.navigator.enter(mode, reduced());
+    // The view from above has a lens of its own: there is no flight between the two.
+    this.navigator.enter(mode, reduced() || mode === "top" || this.navigator.mode === "top");
     this.showTools();
     this.addressSoon();
   }
 
   private goToCamera(camera: StoreCamera): void {
     if (camera.ortho_height_m > 0) return this.enter("top");
+    const still = reduced() || this.navigator.mode === "top";
     this.navigator.mode = "orbit";
-    this.setFov(camera.fov_deg);
-    this.navigator.goTo(lookingAt(camera.from_m, camera.at_m), distance(camera.from_m, camera.at_m), reduced());
+    this.stage.setLens(camera.fov_deg);
+    this.navigator.goTo(lookingAt(camera.from_m, camera.at_m), distance(camera.from_m, camera.at_m), still);
     this.showTools();
   }
 
-  private setFov(degrees: number): void {
-    this.stage.camera.fov = degrees;
-    this.stage.camera.updateProjectionMatrix();
-    this.stage.redraw();
+  private usualFov(): number {
+    return this.summary.cameras.find(({ name }) => name === "entrance")?.fov_deg ?? defaultFov;
   }
 
   private cameraName(camera: StoreCamera): string {
@@ -284,10 +285,11 @@ export class App {
     const at: Vec3 = [table.position[row * 3]!, table.position[row * 3 + 1]!, table.position[row * 3 + 2]! + size[2] / 2];
     const [fx, fy] = fronts[facingOf(rotationOf(table, row))]!;
     const away = 0.75 + Math.max(...size) + 0.1 * table.rank[row]!;
+    const still = reduced() || this.navigator.mode === "top";
     if (this.navigator.mode === "top") this.navigator.mode = "orbit";
     const high = this.navigator.mode === "walk" ? 1.62 : at[2] + 0.12;
     const eye: Vec3 = [at[0] + fx * away, at[1] + fy * away, high];
-    this.navigator.goTo(lookingAt(eye, at), distance(eye, at), reduced());
+    this.navigator.goTo(lookingAt(eye, at), distance(eye, at), still);
     this.showTools();
   }
 
@@ -390,6 +392,8 @@ export class App {
   }
 
   private showTools(): void {
+    if (this.navigator.mode === "top") this.stage.setLens(topFov);
+    else if (this.stage.camera.fov === topFov) this.stage.setLens(this.usualFov());
     this.toolbar.show({ mode: this.navigator.mode, measuring: this.measuring, zones: this.zones });
   }
 }

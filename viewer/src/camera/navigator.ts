@@ -21,6 +21,7 @@ export interface Room {
   readonly obstacles: readonly Obstacle[];
 }
 
+export const topFov = 14; // degrees: from above, nearly a plan
 export const eyeHeight = 1.62;
 const walkSpeed = 1.7; // m/s, a brisk shopper
 const flySpeed = 3;
@@ -29,7 +30,7 @@ const turnSpeed = 1.6; // rad/s
 const settle = 12; // 1/s: how quickly a held key's speed is reached
 const lookPerPixel = 0.0042;
 const nearestAround = 0.12;
-const farthest = 4; // times the room's diagonal
+const farthest = 7; // times the room's diagonal
 
 interface Flight {
   readonly from: Pose;
@@ -121,7 +122,7 @@ export class Navigator {
   }
 
   private glide(seconds: number, held: Held): void {
-    const speed = (this.mode === "walk" ? walkSpeed : Math.max(flySpeed, this.mode === "fly" ? 0 : this.reach() * 0.6)) *
+    const speed = (this.mode === "walk" ? walkSpeed : this.mode === "fly" ? flySpeed : Math.max(flySpeed, this.breadth() * 0.6)) *
       (held.fast ? fastFactor : 1);
     const [x, y] = this.level();
     const ahead3: Vec3 = this.mode === "fly" ? direction(this.pose) : [x, y, 0];
@@ -189,7 +190,7 @@ export class Navigator {
   private lookDown(still: boolean): void {
     const { low, high } = this.room;
     const middle: Vec3 = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0];
-    const height = Math.max((high[1] - low[1]) * 1.25, (high[0] - low[0]) * 0.72);
+    const height = Math.max((high[1] - low[1]) * 0.62, (high[0] - low[0]) * 0.36) / Math.tan((topFov * Math.PI) / 360);
     this.goTo({ eye: [middle[0], middle[1], height], yaw: Math.PI / 2, pitch: -maxPitch }, height, still);
   }
 
@@ -234,6 +235,11 @@ export class Navigator {
 
   private reach(): number {
     return this.mode === "orbit" || this.mode === "top" ? this.around : 3;
+  }
+
+  // About how much of the store is in the picture.
+  private breadth(): number {
+    return this.mode === "top" ? 2 * this.around * Math.tan((topFov * Math.PI) / 360) : this.reach();
   }
 
   private level(): Vec3 {

@@ -117,7 +117,7 @@ export class Goods {
   // Chooses what is seen; a picture that stands still may take longer. False: more is to be built; call again in the next frame.
   update(sight: Sight, still: boolean): boolean {
     const { eye } = sight;
-    for (const shown of this.shown) shown.distance = shown.box.distanceToPoint(eye);
+    for (const shown of this.shown) shown.distance = sight.distance(shown.cell.low, shown.cell.high);
     const byDistance = [...this.shown].sort((a, b) => a.distance - b.distance);
     const seen = byDistance.filter((shown) => this.facesEye(shown, eye) && sight.sees(shown.cell.low, shown.cell.high, shown.cell.fixture));
     this.hideMeshes();

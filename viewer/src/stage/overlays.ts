@@ -62,8 +62,8 @@ export class Overlays {
   highlight(rows: readonly number[]): void {
     const marks = new Group();
     for (const [through, opacity] of [
-      [false, 0.55],
-      [true, 0.22],
+      [false, 0.4],
+      [true, 0.07],
     ] as const) {
       const material = new MeshBasicMaterial({ color: accent, transparent: true, opacity, depthTest: !through, depthWrite: false });
       const mesh = new InstancedMesh(new BoxGeometry(1, 1, 1), material, rows.length);

@@ -1,5 +1,5 @@
 // What can be seen from the eye: inside the picture, and not behind a shelf that is higher than what is looked for.
-import { Box3, Frustum, Matrix4, Vector3, type Camera } from "three";
+import { Box3, Frustum, Matrix4, Vector3, type PerspectiveCamera } from "three";
 import type { Vec3 } from "../camera/vector";
 import type { Fixture } from "../store/contract";
 
@@ -12,6 +12,7 @@ interface Screen {
 }
 
 const backed = new Set(["gondola", "wall_unit", "multideck", "peg_wall", "wine_rack", "glass_door_cooler"]);
+const usualFov = 55; // degrees
 const lowest = 1.2; // metres: lower ones hide nothing worth it
 const within = 0.96; // share of a panel's size that is taken for sure
 
@@ -27,24 +28,27 @@ export function screensOf(fixtures: readonly Fixture[]): Screen[] {
 }
 
 export class Sight {
-  eye: Vector3 = new Vector3();
+  readonly eye = new Vector3();
+  private zoom = 1; // what looks as near as it would with the usual angle
   private readonly frustum = new Frustum();
   private readonly box = new Box3();
   private near: readonly Screen[] = [];
 
   constructor(private readonly screens: readonly Screen[]) {}
 
-  look(camera: Camera): void {
+  look(camera: PerspectiveCamera): void {
     this.eye.copy(camera.position);
+    this.zoom = Math.tan((camera.fov * Math.PI) / 360) / Math.tan((usualFov * Math.PI) / 360);
     this.frustum.setFromProjectionMatrix(new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
     // Who looks down over the shelves sees behind them.
     this.near = this.screens.filter(({ top }) => top > this.eye.z - 0.6);
   }
 
+  // How far off it looks: a narrow angle brings it nearer.
   distance(low: Vec3, high: Vec3): number {
     this.box.min.set(...low);
     this.box.max.set(...high);
-    return this.box.distanceToPoint(this.eye);
+    return this.box.distanceToPoint(this.eye) * this.zoom;
   }
 
   // `fixture`: whose part it is; its own back does not hide it. -1: of the shell, of which some may be seen where no corner is.

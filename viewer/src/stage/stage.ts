@@ -150,6 +150,14 @@ export class Stage {
     this.redraw();
   }
 
+  // Degrees from the picture's top to its bottom. A narrow angle is for views from far above.
+  setLens(fov: number): void {
+    const far = fov < 30;
+    Object.assign(this.camera, { fov, near: far ? 1 : 0.03, far: far ? 4000 : 400 });
+    this.camera.updateProjectionMatrix();
+    this.redraw();
+  }
+
   // From above the ceiling one looks into the room.
   roomChanged(): void {
     this.room?.showCeiling(this.camera.position.z < this.ceilingHeight - 0.1);
