@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (auto query = server::query_of(text); query.ok()) ask.query = std::move(query).value();
   ask.headers["host"] = text;
-  static server::RequestGuard guard({.host = "127.0.0.1", .port = 80});
+  static server::RequestGuard guard({.host = "127.0.0.1", .port = 80, .token = ""});
   const bool own = text == "127.0.0.1:80" || text == "localhost:80" || text == "[::1]:80";
   if (!own && text.size() > 15 && !guard.refusal(ask)) std::abort();
   return 0;

@@ -19,7 +19,6 @@
 #include "server/view_fingerprint.h"
 
 namespace marketgen::server {
-namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view entry_kind = "view/1";
@@ -98,7 +97,7 @@ Result<void> ViewBuild::build() {
   return {};
 }
 
-void ViewBuild::finish(Result<void> done) {
+void ViewBuild::finish(const Result<void>& done) {
   const std::scoped_lock lock(mutex_);
   status_ = {done.ok() ? BuildState::ready : BuildState::failed, "", 1};
   steps_ = done_ = 1;
@@ -106,9 +105,9 @@ void ViewBuild::finish(Result<void> done) {
   changed_.notify_all();
 }
 
-void ViewBuild::add(const std::string& name, Body body) {
+void ViewBuild::add(const std::string& name, const Body& body) {
   const std::scoped_lock lock(mutex_);
-  files_[name] = std::move(body);
+  files_[name] = body;
   changed_.notify_all();
 }
 
@@ -145,8 +144,8 @@ bool ViewBuild::take_kept() {
     if (!bytes) return false;
     files[name] = made_body(type, *std::move(bytes));
   }
-  for (auto& [name, body] : files)
-    add(name, std::move(body));
+  for (const auto& [name, body] : files)
+    add(name, body);
   return true;
 }
 

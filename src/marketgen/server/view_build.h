@@ -57,11 +57,11 @@ class ViewBuild {
   void run(std::mutex& alone);
   Result<void> build();
   bool take_kept();
-  void add(const std::string& name, Body body);
+  void add(const std::string& name, const Body& body);
   Result<void> make_room();
   Result<void> make_goods();
   void keep() const;
-  void finish(Result<void> done);
+  void finish(const Result<void>& done);
 
   std::shared_ptr<const store::Store> store_;
   std::filesystem::path kept_in_;
