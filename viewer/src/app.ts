@@ -15,7 +15,7 @@ import { element } from "./ui/dom";
 import { Hands } from "./ui/hands";
 import { Help } from "./ui/help";
 import { Marks } from "./ui/marks";
-import { SearchPanel } from "./ui/search";
+import { SearchPanel, shownHits } from "./ui/search";
 import type { Speech } from "./ui/speech";
 import type { Status } from "./ui/status";
 import { Theme } from "./ui/theme";
@@ -294,7 +294,7 @@ export class App {
   }
 
   private showFound(hits: readonly Hit[], query: string): void {
-    const rows = hits.flatMap((hit) => hit.products);
+    const rows = hits.slice(0, shownHits).flatMap((hit) => hit.products);
     this.stage.overlays?.highlight(rows);
     this.stage.shared.uDim.value = rows.length > 0 ? 0.72 : 0;
     this.stage.redraw();

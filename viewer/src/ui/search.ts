@@ -12,7 +12,7 @@ export interface SearchActions {
 }
 
 const pause = 180; // milliseconds of no typing before the server is asked
-const shownHits = 12;
+export const shownHits = 12;
 
 export class SearchPanel {
   readonly panel: HTMLElement;
