@@ -1,5 +1,5 @@
 # The commands a contributor needs; `make help` lists them. What they run is in tools/ and CMakePresets.json.
-.PHONY: help setup build demo gallery test sanitize fuzz bench format lint clean
+.PHONY: help setup build viewer demo gallery test sanitize fuzz bench format lint clean
 .DEFAULT_GOAL := help
 
 # WERROR=ON: warnings stop the release build, as in CI. TIDY: what `make test` gives to clang-tidy: CHANGED (five minutes at
@@ -22,6 +22,11 @@ build: ## the program: build/release/marketgen
 	tools/setup build
 	cmake --preset release -DMARKETGEN_TESTS=OFF -DMARKETGEN_WERROR=$(WERROR)
 	cmake --build --preset release
+
+viewer: ## the page of `marketgen view`: viewer/dist
+	tools/setup build
+	cmake --preset release -DMARKETGEN_TESTS=OFF -DMARKETGEN_WERROR=$(WERROR)
+	cmake --build --preset release --target marketgen_page
 
 demo: build ## make, draw and check a 24 x 15 m store in out/demo; film a robot at both tasks in it
 	rm -rf $(DEMO)

@@ -4,7 +4,7 @@
 #   nlohmann_json::nlohmann_json  flatbuffers::flatbuffers  CLI11::CLI11  fmt::fmt  spdlog::spdlog  tinyxml2::tinyxml2
 #   xsimd::xsimd  squish::squish  TinyGLTF::TinyGLTF  meshoptimizer::meshoptimizer
 #   PNG::PNG  ZLIB::ZLIB  JPEG::JPEG  TinyEXR::TinyEXR  SQLite::SQLite3  utf8proc::utf8proc  OpenSSL::Crypto  CURL::libcurl  xxHash::xxhash
-#   polyclipping::polyclipping  OpenCV::Imgproc
+#   boost::beast  polyclipping::polyclipping  OpenCV::Imgproc
 #   GTest::gtest  GTest::gtest_main  fcl::fcl (tests)
 #
 # All come from `tools/setup`: Debian 12 packages, and MuJoCo from PyPI (cmake/FindMuJoCo.cmake). Whatever is missing is named at once, at the
@@ -55,11 +55,16 @@ marketgen_find(libtinyxml2-dev tinyxml2)
 marketgen_find(libssl-dev OpenSSL COMPONENTS Crypto)
 marketgen_find(libcurl4-openssl-dev CURL)
 marketgen_find(libzint-dev Zint)
+marketgen_find(libboost-dev Boost 1.74)
 marketgen_find(MuJoCo MuJoCo 4.0.1 EXACT)
 marketgen_find(libxsimd-dev xsimd 8)
 if(embree_FOUND)
   add_library(embree::embree ALIAS embree)
 endif()
+# Headers alone: Beast, Asio and what they include.
+add_library(boost::beast INTERFACE IMPORTED)
+target_include_directories(boost::beast SYSTEM INTERFACE "${Boost_INCLUDE_DIRS}")
+target_link_libraries(boost::beast INTERFACE Threads::Threads)
 # Debian's target also links xtl, which only complex numbers need.
 add_library(xsimd::xsimd INTERFACE IMPORTED)
 target_include_directories(xsimd::xsimd INTERFACE "${xsimd_INCLUDE_DIRS}")

@@ -30,7 +30,7 @@ PLATFORM = "manylinux_2_36_x86_64"  # Debian 12's glibc
 # Fonts, and libraries that have no file of their own in the wheel.
 COMPILED_IN = {
     "fonts-dejavu-core", "fonts-lato", "fonts-open-sans",
-    "libeigen3-dev", "nlohmann-json3-dev", "libcli11-dev", "libxsimd-dev", "libflatbuffers-dev",
+    "libboost1.74-dev", "libeigen3-dev", "nlohmann-json3-dev", "libcli11-dev", "libxsimd-dev", "libflatbuffers-dev",
 }  # fmt: skip
 MOST_BYTES = 120_000_000
 

@@ -52,6 +52,7 @@ const std::map<std::string, Work>& works() {
       {"query", {{"{store}", "products", "-o", "{out}"}, false}},
       {"render",
        {{"{store}", "--mode", "path", "--spp", "4096", "--size", "1280x720", "-o", "{out}.png"}}},
+      {"view", {{"{store}", "--no-open"}}},
       {"pick", {{"{store}", "canned-tuna-chunks-150g", "-o", "{out}.png"}, false}},
       {"episodes", {{"{store}", "--count", "1000", "-o", "{out}"}}},
       {"eval", {{"--episodes", "{episodes}", "--policy", "classical", "-o", "{out}"}}},
@@ -105,8 +106,12 @@ class EveryCommand : public testing::Test {
                                                     {"{model}", model.string()},
                                                     {"{out}", out},
                                                     {"{out}.png", out + ".png"}};
+    std::ofstream(inputs_.path() / "index.html") << "<!doctype html>";
     // A cache of its own: nothing is there yet that would shorten the work.
-    Words words{"env", "MARKETGEN_CACHE=" + (inputs_.path() / "cache").string(), MARKETGEN_BINARY};
+    Words words{"env",
+                "MARKETGEN_CACHE=" + (inputs_.path() / "cache").string(),
+                "MARKETGEN_VIEWER=" + inputs_.path().string(),
+                MARKETGEN_BINARY};
     for (const std::string& word : split_words(name))
       words.push_back(word);
     for (const std::string& word : work.arguments) {

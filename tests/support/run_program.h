@@ -77,6 +77,7 @@ class Started {
   }
   void end_at_once() const { kill(pid_, SIGKILL); }  // kill -9
   std::string errors_so_far() const { return contents_of(logs_.path() / "err"); }
+  std::string output_so_far() const { return contents_of(logs_.path() / "out"); }
 
   Ran wait() {
     int state = 0;

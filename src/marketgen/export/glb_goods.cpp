@@ -225,12 +225,8 @@ Result<void> add_price_labels(const scene::Scene& scene,
     drawn.emplace_back(key, std::string());
   parallel_for(drawn.size(), [&](std::size_t i) {
     const auto& [sku, promotion] = drawn[i].first;
-    const catalog::Product& product = scene.catalog[sku];
-    const bool yellow = promotion != 0;
-    drawn[i].second =
-        png_of(fmt::format(
-                   "tag {} {}{}", tag_px, yellow ? "promotion " : "", io::write_json_line(product)),
-               [&] { return assets::draw_price_tag(product, yellow, tag_px); });
+    const Result<Image> tag = exported_price_tag(scene.catalog[sku], promotion != 0, tag_px);
+    drawn[i].second = tag.ok() ? io::encode_png(*tag) : tag.error();
   });
   for (const auto& [key, png] : drawn) {
     if (!png.ok()) return png.error();

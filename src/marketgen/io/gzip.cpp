@@ -14,6 +14,7 @@ namespace {
 
 constexpr int gzip_window = 15 + 16;  // zlib's way to ask for gzip's header and trailer
 constexpr int memory_level = 8;       // zlib's default
+constexpr int quick_level = 5;        // the first that looks ahead for longer matches
 constexpr std::size_t block_bytes = 1 << 16;
 
 // zlib counts in unsigned int; its input is never written to, though it is not const.
@@ -48,10 +49,11 @@ int put_block(z_stream& stream, std::string& out, Step&& step) {
 
 }  // namespace
 
-std::string gzip(std::string_view bytes) {
+std::string gzip(std::string_view bytes, GzipEffort effort) {
   z_stream stream{};
-  check_begun(deflateInit2(
-      &stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, memory_level, Z_DEFAULT_STRATEGY));
+  const int level = effort == GzipEffort::small ? Z_BEST_COMPRESSION : quick_level;
+  check_begun(
+      deflateInit2(&stream, level, Z_DEFLATED, gzip_window, memory_level, Z_DEFAULT_STRATEGY));
   std::string out;
   for (int answer = Z_OK; answer != Z_STREAM_END;) {
     feed(stream, bytes);

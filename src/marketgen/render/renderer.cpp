@@ -4,6 +4,7 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "render/light/lit_world.h"
 #include "render/path/path_picture.h"
 #include "render/picture_objects.h"
 #include "render/render.h"
@@ -20,24 +21,16 @@ namespace raytrace {
 namespace {
 
 constexpr float shelf_search_m = 0.03F;  // above a product's foot: it stands on the board's face
-constexpr float meter_share = 0.75F;
 
 class EmbreeRenderer : public Renderer {
  public:
-  EmbreeRenderer(std::unique_ptr<World> world, const scene::Scene& scene, bool keep_light)
+  EmbreeRenderer(std::unique_ptr<LitWorld> lit, const scene::Scene& scene)
       : scene_(scene),
-        world_(std::move(world)),
-        lights_(*world_),
-        field_(*world_, lights_, scene, keep_light),
-        panels_(*world_),
-        actors_(*world_, first_actor_object(scene)),
-        lighting_{*world_, lights_, field_, panels_} {
-    // Exposed by the light meter, but not all the way: a dim shop should look dimmer than a bright
-    // one.
-    const float metered = field_.floor_mean();
-    const float meant = pi / world_->exposure;  // irradiance that the look asks for
-    if (metered > 0) world_->exposure *= std::pow(meant / metered, meter_share);
-  }
+        lit_(std::move(lit)),
+        world_(*lit_->world),
+        panels_(world_),
+        actors_(world_, first_actor_object(scene)),
+        lighting_{world_, lit_->lights, lit_->field, panels_} {}
 
   Result<void> set_actors(const std::vector<Actor>& actors) override { return actors_.set(actors); }
 
@@ -51,11 +44,11 @@ class EmbreeRenderer : public Renderer {
     std::vector<Displaced> rows;
     for (const MovedProduct& moved : products) {
       const Placement place = placement_of(moved.world_from_product);
-      rows.push_back({world_->first_product_instance + moved.product,
-                      field_.shelf_at(place({0, 0, shelf_search_m})),
+      rows.push_back({world_.first_product_instance + moved.product,
+                      lit_->field.shelf_at(place({0, 0, shelf_search_m})),
                       place});
     }
-    add_moved_joints(*world_, scene_, joints, rows);
+    add_moved_joints(world_, scene_, joints, rows);
     MARKETGEN_CHECK(actors_.displace(std::move(rows)));
     moved_.assign(products.begin(), products.end());
     return {};
@@ -69,7 +62,7 @@ class EmbreeRenderer : public Renderer {
   std::vector<Silhouette> silhouettes(const Camera& camera,
                                       const Frame& frame,
                                       std::span<const std::uint32_t> objects) const override {
-    return silhouettes_of(*world_, camera, frame, objects);
+    return silhouettes_of(world_, camera, frame, objects);
   }
 
   Result<Frame> render(const Camera& camera,
@@ -78,7 +71,8 @@ class EmbreeRenderer : public Renderer {
     MARKETGEN_CHECK(check_camera(camera, camera.name.empty() ? "camera" : camera.name));
     const View view(camera);
     if (options.mode == RenderMode::sensor) return sensor_frame(view, options, progress);
-    MARKETGEN_TRY(Frame frame, path_picture({*world_, lights_, field_}, view, options, progress));
+    MARKETGEN_TRY(Frame frame,
+                  path_picture({world_, lit_->lights, lit_->field}, view, options, progress));
     // What is to be seen where is the same in both modes.
     FrameBuffers planes = make_planes(view, frame);
     planes.rgb = nullptr;
@@ -116,9 +110,8 @@ class EmbreeRenderer : public Renderer {
   }
 
   const scene::Scene& scene_;
-  std::unique_ptr<World> world_;
-  LightGrid lights_;
-  IrradianceField field_;
+  std::unique_ptr<LitWorld> lit_;
+  World& world_;
   PanelReflection panels_;
   ActorStage actors_;
   std::vector<MovedProduct> moved_;
@@ -131,10 +124,8 @@ Result<std::unique_ptr<Renderer>> create_renderer(const scene::Scene& scene,
                                                   const std::vector<Exhibit>& exhibits,
                                                   Progress& progress,
                                                   const RendererOptions& options) {
-  MARKETGEN_TRY(std::unique_ptr<World> world,
-                build_world(scene, exhibits, progress, options.print));
-  return std::unique_ptr<Renderer>(
-      std::make_unique<EmbreeRenderer>(std::move(world), scene, options.keep_light));
+  MARKETGEN_TRY(std::unique_ptr<LitWorld> lit, light_world(scene, exhibits, progress, options));
+  return std::unique_ptr<Renderer>(std::make_unique<EmbreeRenderer>(std::move(lit), scene));
 }
 
 }  // namespace raytrace

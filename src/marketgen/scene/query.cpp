@@ -90,12 +90,6 @@ struct PlanogramRow {
                  field("price", &PlanogramRow::price, "euro"));
 };
 
-std::string full_name(const catalog::Product& p) {
-  std::string name = p.brand.empty() ? p.name : p.brand + " " + p.name;
-  if (!p.variant.empty()) name += " " + p.variant;
-  return name;
-}
-
 double rounded(double value, double step) {
   return std::round(value / step) * step;
 }
@@ -389,6 +383,12 @@ constexpr std::string_view table_names[] = {
     "products", "fixtures", "zones", "prices", "materials", "planogram"};
 
 }  // namespace
+
+std::string full_name(const catalog::Product& product) {
+  std::string name = product.brand.empty() ? product.name : product.brand + " " + product.name;
+  if (!product.variant.empty()) name += " " + product.variant;
+  return name;
+}
 
 Result<Table> query_scene(const Scene& scene, std::string_view name, std::string_view where) {
   Table table;

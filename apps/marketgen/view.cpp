@@ -1,0 +1,63 @@
+// marketgen view: stores in a browser.
+#include <cstdio>
+
+#include "base/parallel.h"
+#include "command.h"
+#include "number_flags.h"
+#include "say.h"
+#include "server/open_browser.h"
+#include "server/serve.h"
+
+namespace marketgen::app {
+namespace {
+
+struct ViewFlags {
+  CommonFlags common;
+  server::ServeOptions serve;
+  bool no_open = false;
+};
+
+void tell(const ViewFlags& flags, const std::string& address) {
+  say("view        {}\n", address);
+  if (!flags.common.quiet) say("Ctrl-C ends it.\n");
+  std::fflush(stdout);  // who reads it through a pipe waits for it
+  if (!flags.no_open && !server::open_browser(address) && !flags.common.quiet)
+    say("No browser could be started here: open the address in one.\n");
+  std::fflush(stdout);
+}
+
+Result<void> view(const ViewFlags& flags) {
+  const ThreadLimit limit(flags.common.threads);
+  MARKETGEN_TRY(catalog::Catalog rows, load_rows());
+  return server::serve(
+      flags.serve, std::move(rows), [&](const std::string& address) { tell(flags, address); });
+}
+
+}  // namespace
+
+Run add_view(CLI::App& app) {
+  auto flags = std::make_shared<ViewFlags>();
+  CLI::App* command = app.add_subcommand("view", "Show stores in a browser, until Ctrl-C");
+  command->add_option("folders", flags->serve.folders, "store folders")->required();
+  constexpr int max_port = 65535;
+  command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
+      ->check(whole_number(0, max_port))
+      ->capture_default_str();
+  command->add_flag("--no-open", flags->no_open, "print the address, start no browser");
+  command
+      ->add_option("--host",
+                   flags->serve.host,
+                   "numeric address to listen on; any but loopback needs --token")
+      ->capture_default_str();
+  command->add_option("--token", flags->serve.token, "secret that every request must carry");
+  add_common_flags(*command, flags->common, Takes::nothing);
+  command->footer(
+      "Example:  marketgen view shop\n"
+      "          marketgen view shop other-shop --no-open --port 8080");
+  return [flags] {
+    const auto done = view(*flags);
+    return done.ok() ? 0 : fail(done.error());
+  };
+}
+
+}  // namespace marketgen::app

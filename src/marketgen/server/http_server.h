@@ -1,0 +1,48 @@
+// An HTTP server on one address, for pages in a browser on this machine.
+//
+// Requests are answered on up to `threads` threads side by side; each has `timeout_ms` to be sent,
+// and as long for every 256 kB of its answer to be taken. Headers that keep a page from loading
+// anything from elsewhere, and others from showing it, stand on every answer.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "server/request_guard.h"
+
+namespace marketgen::server {
+
+struct HttpServerOptions {
+  std::string host = "127.0.0.1";  // a numeric address; "::1" too
+  int port = 0;                    // 0: any free one
+  std::string token;               // see GuardRules
+  int threads = 64;                // some wait for what is being built
+  int max_connections = 256;
+  int timeout_ms = 10'000;
+  int max_request_bytes = 16'384;  // of its head; bodies are refused
+  GuardRules limits;               // its host, port and token are set here
+};
+
+using HttpHandler = std::function<HttpReply(const HttpAsk&)>;
+
+class HttpServer {
+ public:
+  // Answers until it is destroyed, which ends all connections. `handler` is called from many
+  // threads. Errors: server.cannot_listen.
+  static Result<std::unique_ptr<HttpServer>> start(const HttpServerOptions& options,
+                                                   HttpHandler handler);
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+  ~HttpServer();
+
+  int port() const;
+  std::string address() const;  // "http://127.0.0.1:8123/"
+
+ private:
+  struct State;
+  explicit HttpServer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace marketgen::server

@@ -1,0 +1,66 @@
+#include "server/serve.h"
+
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+
+#include "base/interrupt.h"
+#include "server/http_server.h"
+#include "server/page_files.h"
+#include "server/viewer.h"
+
+namespace marketgen::server {
+namespace {
+
+constexpr std::chrono::milliseconds between_looks{50};
+constexpr std::size_t min_token_bytes = 16;
+
+// Only numeric addresses: what a name stands for, others may change.
+Result<bool> is_loopback(const std::string& host) {
+  in_addr four{};
+  in6_addr six{};
+  if (inet_pton(AF_INET, host.c_str(), &four) == 1) return ntohl(four.s_addr) >> 24 == 127;
+  if (inet_pton(AF_INET6, host.c_str(), &six) == 1) return IN6_IS_ADDR_LOOPBACK(&six) != 0;
+  return Error{"usage.bad_flag", "--host", "\"" + host + "\" is no numeric address, as 127.0.0.1"};
+}
+
+Result<void> check_host(const ServeOptions& options) {
+  MARKETGEN_TRY(const bool loopback, is_loopback(options.host));
+  if (!loopback && options.token.size() < min_token_bytes)
+    return Error{
+        "usage.bad_flag",
+        "--token",
+        fmt::format("whoever reaches {} could read the stores: give a secret of {} letters "
+                    "or more, as `openssl rand -hex 16` makes",
+                    options.host,
+                    min_token_bytes)};
+  return {};
+}
+
+}  // namespace
+
+Result<void> serve(const ServeOptions& options,
+                   catalog::Catalog rows,
+                   const std::function<void(const std::string&)>& opened) {
+  MARKETGEN_CHECK(check_host(options));
+  MARKETGEN_TRY(const std::filesystem::path page, page_folder());
+  MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(options.folders, std::move(rows)));
+  MARKETGEN_TRY(const std::unique_ptr<Viewer> viewer, Viewer::open(std::move(stores), page));
+  HttpServerOptions http;
+  http.host = options.host;
+  http.port = options.port;
+  http.token = options.token;
+  MARKETGEN_TRY(const std::unique_ptr<HttpServer> server,
+                HttpServer::start(http, [&](const HttpAsk& ask) { return viewer->answer(ask); }));
+  opened(server->address() + (options.token.empty() ? "" : "?token=" + options.token));
+  while (true) {
+    MARKETGEN_CHECK(check_interrupt());
+    std::this_thread::sleep_for(between_looks);
+  }
+}
+
+}  // namespace marketgen::server

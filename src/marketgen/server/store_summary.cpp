@@ -1,0 +1,143 @@
+#include "server/store_summary.h"
+
+#include <utility>
+
+#include "render/cameras/camera.h"
+#include "render/stage/room.h"
+
+namespace marketgen::server {
+namespace {
+
+std::array<double, 3> numbers(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+std::string folder_name(const store::Store& store) {
+  return store.folder.lexically_normal().filename().empty()
+             ? store.folder.lexically_normal().parent_path().filename().string()
+             : store.folder.filename().string();
+}
+
+std::vector<ViewOpening> openings_of(const render::raytrace::Room& room) {
+  std::vector<ViewOpening> openings;
+  for (const render::raytrace::WallEdge& wall : room.walls) {
+    for (const render::raytrace::WallOpening& o : wall.openings) {
+      const Vec3f low = wall.world_from_wall({o.low, 0, o.sill});
+      const Vec3f high = wall.world_from_wall({o.high, 0, o.head});
+      openings.push_back({o.kind, {low.x, low.y, low.z}, {high.x, high.y, high.z}});
+    }
+  }
+  return openings;
+}
+
+std::vector<ViewCamera> cameras_of(const scene::Scene& scene) {
+  constexpr int width = 1280, height = 720;
+  std::vector<ViewCamera> cameras;
+  for (const render::Camera& camera : render::standard_cameras(scene, width, height))
+    cameras.push_back({camera.name,
+                       numbers(camera.from),
+                       numbers(camera.at),
+                       camera.fov_deg,
+                       camera.ortho_height_m});
+  return cameras;
+}
+
+std::vector<ViewFixture> fixtures_of(const scene::Scene& scene) {
+  std::vector<ViewFixture> rows;
+  for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
+    const layout::Fixture& f = scene.layout.fixtures[i];
+    rows.push_back({i,
+                    f.id,
+                    f.kind,
+                    f.zone,
+                    f.run,
+                    numbers(scene::world_from_fixture(scene, i).position),
+                    {f.width_mm * 1e-3, f.depth_mm * 1e-3, f.height_mm * 1e-3},
+                    f.yaw_deg,
+                    f.levels});
+  }
+  return rows;
+}
+
+std::vector<ViewJoint> joints_of(const scene::Scene& scene) {
+  std::vector<ViewJoint> rows;
+  for (std::uint32_t i = 0; i < scene.joints.size(); ++i) {
+    const scene::SceneJoint& joint = scene.joints[i];
+    const Pose world = scene::world_from_fixture(scene, joint.fixture);
+    const Quaternion turn{joint.rotation_wxyz[0],
+                          joint.rotation_wxyz[1],
+                          joint.rotation_wxyz[2],
+                          joint.rotation_wxyz[3]};
+    const Vec3 origin = world * Vec3{joint.position_m[0], joint.position_m[1], joint.position_m[2]};
+    rows.push_back({i,
+                    joint.fixture,
+                    joint.name,
+                    joint.kind,
+                    joint.parent,
+                    numbers(origin),
+                    numbers(rotate(world.rotation * turn, {0, 0, 1})),
+                    joint.lower,
+                    joint.upper,
+                    joint.states});
+  }
+  return rows;
+}
+
+std::vector<ViewSku> skus_of(const scene::Scene& scene) {
+  std::vector<ViewSku> rows;
+  for (const catalog::Product& p : scene.catalog)
+    rows.push_back({p.sku,
+                    p.ean,
+                    p.name,
+                    p.name_zh,
+                    p.brand,
+                    p.variant,
+                    p.category,
+                    p.price,
+                    {p.width_m(), p.depth_m(), p.height_m()},
+                    p.label.primary,
+                    0});
+  for (const scene::SceneProduct& item : scene.products)
+    ++rows[item.sku].products;
+  return rows;
+}
+
+}  // namespace
+
+StoreLine line_of(int number, const store::Store& store) {
+  return {number,
+          store.manifest.name,
+          folder_name(store),
+          store.manifest.scene_hash,
+          store.scene.products.size()};
+}
+
+StoreSummary summary_of(int number, const store::Store& store) {
+  const scene::Scene& scene = store.scene;
+  const plan::Shell& shell = scene.layout.shell;
+  const render::raytrace::Room room = render::raytrace::room_of(shell);
+  StoreSummary summary;
+  summary.store = number;
+  summary.name = store.manifest.name;
+  summary.folder = folder_name(store);
+  summary.seed = store.manifest.seed;
+  summary.profile = scene.layout.profile;
+  summary.scene_hash = store.manifest.scene_hash;
+  summary.look_hash = store.manifest.look_hash;
+  summary.prompt = store.manifest.brief.prompt;
+  summary.counts = scene::count(scene);
+  summary.ceiling_m = shell.ceiling_mm * 1e-3;
+  summary.bounds = {{0, 0, 0}, {shell.width_mm * 1e-3, shell.depth_mm * 1e-3, summary.ceiling_m}};
+  summary.outline_mm = room.outline;
+  summary.openings = openings_of(room);
+  summary.cameras = cameras_of(scene);
+  summary.zones = scene.layout.zones;
+  summary.aisles = scene.layout.aisles;
+  summary.violations = scene.layout.violations;
+  summary.fixtures = fixtures_of(scene);
+  summary.joints = joints_of(scene);
+  summary.skus = skus_of(scene);
+  return summary;
+}
+
+}  // namespace marketgen::server

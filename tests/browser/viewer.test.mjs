@@ -1,0 +1,259 @@
+// `marketgen view` as a person has it: Debian's Chromium, drawing without a GPU, opens the page of a small store. Pictures that were
+// taken lie in MARKETGEN_BROWSER_PICTURES, where that names a folder.
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { chromium } from "playwright-core";
+
+const program = process.env.MARKETGEN_BINARY ?? join(import.meta.dirname, "../../build/release/marketgen");
+const browserPath = process.env.MARKETGEN_CHROMIUM ?? "/usr/bin/chromium";
+const pictures = process.env.MARKETGEN_BROWSER_PICTURES;
+const patience = 120_000; // milliseconds for the store to be built and shown, on a busy machine
+
+let folder, server, address, browser;
+
+async function addressOf(process) {
+  let said = "";
+  for await (const text of process.stdout) {
+    said += text;
+    const found = /http:\/\/\S+/.exec(said);
+    if (found) return found[0];
+  }
+  throw new Error(`marketgen view ended without an address: ${said}`);
+}
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "marketgen-browser-"));
+  const store = join(folder, "shop");
+  execFileSync(program, ["generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", store]);
+  server = spawn(program, ["view", store, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
+  address = await addressOf(server);
+  browser = await chromium.launch({
+    executablePath: browserPath,
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  });
+});
+
+after(async () => {
+  await browser?.close();
+  server?.kill("SIGINT");
+  if (folder) rmSync(folder, { recursive: true, force: true });
+});
+
+// A page of its own; `faults` gathers what the browser complains of.
+async function open(hash = "", options = {}, arrange = async () => {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "en-GB", reducedMotion: "reduce", ...options });
+  const page = await context.newPage();
+  const faults = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(message.text()));
+  page.on("pageerror", (error) => faults.push(String(error)));
+  await arrange(page);
+  await page.goto(address + hash);
+  return { page, faults, close: () => context.close() };
+}
+
+const complete = (page) => page.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
+// The picture shows what the navigator means, with its labels.
+const settled = (page) =>
+  page.waitForFunction(
+    () => {
+      const { stage, app } = window.marketgen;
+      const shown = app.navigator.pose.eye.every((x, k) => Math.abs(stage.camera.position.getComponent(k) - x) < 1e-6);
+      return shown && !app.navigator.moving && stage.goods?.labelsSettled;
+    },
+    null,
+    { timeout: patience },
+  );
+
+async function take(page, name) {
+  if (!pictures) return;
+  mkdirSync(pictures, { recursive: true });
+  await page.screenshot({ path: join(pictures, `${name}.png`) });
+}
+
+// The address of a place right before a front-row product, with the product in the middle of the picture.
+async function beforeAProduct(page, sku) {
+  return page.evaluate((sku) => {
+    const { goods } = window.marketgen.stage;
+    const { table } = goods;
+    for (let row = 0; row < table.count; row++) {
+      const [x, y, z, w] = table.rotation.subarray(row * 4, row * 4 + 4).map((value) => value);
+      if (table.rank[row] !== 0 || x !== 0 || y !== 0) continue;
+      const product = goods.skus[table.sku[row]];
+      if (sku && product.sku !== sku) continue;
+      const yaw = 2 * Math.atan2(z, w);
+      const [px, py, pz] = table.position.subarray(row * 3, row * 3 + 3);
+      const eye = [px + 0.6 * Math.sin(yaw), py - 0.6 * Math.cos(yaw), pz + product.size_m[2] / 2];
+      return { row, sku: product.sku, hash: `#mode=fly&eye=${eye.join(",")}&look=${yaw + Math.PI / 2},0` };
+    }
+    return undefined;
+  }, sku);
+}
+
+test("the store is shown, within its limits and without complaints", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  await settled(page);
+  await take(page, "first");
+  const seen = await page.evaluate(async () => {
+    const summary = await (await fetch("api/stores/0")).json();
+    const { figures, goods } = window.marketgen.stage;
+    return { figures, wanted: summary.counts.products, placed: goods.table.count, name: summary.name, heading: document.querySelector("h1").textContent };
+  });
+  assert.equal(seen.placed, seen.wanted);
+  assert.equal(seen.heading, seen.name);
+  assert.ok(seen.figures.calls > 5 && seen.figures.calls < 300, `${seen.figures.calls} draw calls`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a click on a known point picks the product that is there", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  const there = await beforeAProduct(page);
+  await page.evaluate((hash) => new Promise((done) => (window.addEventListener("hashchange", done, { once: true }), (location.hash = hash))).then(() => 0), there.hash);
+  await settled(page);
+  await page.mouse.click(640, 360);
+  await page.locator(".card dd", { hasText: there.sku }).waitFor({ timeout: patience });
+  await take(page, "product");
+  assert.match(await page.evaluate(() => (window.marketgen.app.writeAddress(), location.hash)), /product=\d+/);
+  await page.keyboard.press("Escape");
+  await page.locator(".card").waitFor({ state: "hidden" });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("search finds, shows and flies, by keyboard alone", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  await page.keyboard.press("/");
+  await page.keyboard.type("milk");
+  await page.locator(".hits li").first().waitFor({ timeout: patience });
+  const hits = await page.evaluate(async () => (await (await fetch("api/stores/0/search?q=milk&max=50")).json()).hits);
+  assert.equal(await page.locator(".hits .name").first().textContent(), hits[0].name);
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await page.locator(".card dd", { hasText: hits[0].sku }).waitFor({ timeout: patience });
+  await settled(page);
+  await take(page, "found");
+  const away = await page.evaluate((row) => {
+    const { table } = window.marketgen.stage.goods;
+    const { eye } = window.marketgen.app.navigator.pose;
+    return Math.hypot(...[0, 1, 2].map((k) => table.position[row * 3 + k] - eye[k]));
+  }, hits[0].products[0]);
+  assert.ok(away < 2.5, `the eye is ${away} m from the product`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("keys alone walk, select, show the zones and measure", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  await page.locator("canvas").focus();
+  await page.keyboard.press("2");
+  const pose = () => page.evaluate(() => ({ eye: window.marketgen.app.navigator.pose.eye, mode: window.marketgen.app.navigator.mode }));
+  const start = await pose();
+  assert.equal(start.mode, "walk");
+  await page.keyboard.down("w");
+  await page.waitForFunction((eye) => Math.hypot(...window.marketgen.app.navigator.pose.eye.map((x, k) => x - eye[k])) > 0.2, start.eye, { timeout: patience });
+  await page.keyboard.up("w");
+  assert.equal((await pose()).eye[2], start.eye[2]);
+  await page.keyboard.press("z");
+  assert.ok((await page.locator(".marks .zone").count()) > 0);
+  await page.keyboard.press("m");
+  assert.equal(await page.locator("body.measuring").count(), 1);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("4");
+  await take(page, "top");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("an address shows the same view again", async () => {
+  const { page, close } = await open("#mode=fly&eye=3.5,2.25,1.5&look=1.25,-0.125&around=2&zones=1");
+  await complete(page);
+  const again = await page.evaluate(() => (window.marketgen.app.writeAddress(), location.hash));
+  assert.equal(again, "#mode=fly&eye=3.5,2.25,1.5&look=1.25,-0.125&around=2&zones=1");
+  await close();
+});
+
+test("a phone in the dark reads Chinese, and nothing sticks out", async () => {
+  const { page, faults, close } = await open("", { viewport: { width: 390, height: 780 }, colorScheme: "dark", locale: "zh-CN", hasTouch: true });
+  await complete(page);
+  await take(page, "phone");
+  assert.equal(await page.locator("input").getAttribute("placeholder"), "搜索商品");
+  for (const part of [".search", ".toolbar"]) {
+    const box = await page.locator(part).boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= 390, `${part} is at ${JSON.stringify(box)}`);
+  }
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+// WCAG 2.2, relative luminance and contrast of sRGB colours.
+function contrast(a, b) {
+  const luminance = (color) => {
+    const [r, g, blue] = color.map((byte) => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * blue;
+  };
+  const [dark, light] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+  return (light + 0.05) / (dark + 0.05);
+}
+
+for (const scheme of ["light", "dark"]) {
+  test(`words stand out from what is behind them: ${scheme}`, async () => {
+    const { page, close } = await open("", { colorScheme: scheme });
+    await complete(page);
+    const tones = await page.evaluate(() => {
+      const panel = document.querySelector(".search");
+      const numbers = (element, name) => getComputedStyle(element)[name].match(/[\d.]+/g).slice(0, 3).map(Number);
+      return { paper: numbers(panel, "backgroundColor"), ink: numbers(panel.querySelector("h1"), "color"), muted: numbers(panel.querySelector(".muted"), "color") };
+    });
+    for (const name of ["ink", "muted"]) {
+      const found = contrast(tones[name], tones.paper);
+      assert.ok(found >= 4.5, `${name} in ${scheme}: ${found.toFixed(2)}`);
+    }
+    await close();
+  });
+}
+
+test("markup in a store's names is text", async () => {
+  const evil = "<img src=x onerror=\"document.title='broken in'\">";
+  const { page, faults, close } = await open("#zones=1", {}, (page) =>
+    page.route("**/api/stores/0", async (route) => {
+      const answer = await (await route.fetch()).json();
+      for (const zone of answer.zones) zone.label = evil;
+      await route.fulfill({ json: { ...answer, name: evil } });
+    }),
+  );
+  await complete(page);
+  assert.equal(await page.locator("h1").textContent(), evil);
+  assert.equal(await page.locator("h1 img, .marks img").count(), 0);
+  assert.notEqual(await page.title(), "broken in");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("what the server says of an error is read, and a store that does not come is told", async () => {
+  const refuse = (path, status, message) => (page) =>
+    page.route(path, (route) => route.fulfill({ status, json: { error: { code: "server.test", where: "/", message } } }));
+  const first = await open("", {}, refuse("**/goods.bin", 500, "the disk is full; free some"));
+  await first.page.locator(".fault", { hasText: "the disk is full; free some" }).waitFor({ timeout: patience });
+  assert.equal(await first.page.locator(".fault button").evaluate((button) => button === document.activeElement), true);
+  await take(first.page, "fault");
+  await first.close();
+
+  const second = await open("", {}, refuse("**/search?**", 429, "too many; wait a second"));
+  await complete(second.page);
+  await second.page.keyboard.press("/");
+  await second.page.keyboard.type("milk");
+  await second.page.locator(".toast", { hasText: "too many; wait a second" }).waitFor({ timeout: patience });
+  await second.close();
+
+  const third = await open("", {}, (page) => page.route("**/room.bin", (route) => route.fulfill({ body: "MGV2" })));
+  await third.page.locator(".fault", { hasText: "does not understand" }).waitFor({ timeout: patience });
+  await third.close();
+});

@@ -1,0 +1,110 @@
+#include "server/request_guard.h"
+
+#include <gtest/gtest.h>
+
+namespace marketgen {
+namespace {
+
+using Clock = server::RequestGuard::Clock;
+
+server::HttpAsk ask(const std::string& host, const std::string& origin = "") {
+  server::HttpAsk asked{.method = "GET", .path = "/api/stores", .query = {}, .headers = {}};
+  asked.headers["host"] = host;
+  if (!origin.empty()) asked.headers["origin"] = origin;
+  return asked;
+}
+
+int status(server::RequestGuard& guard, const server::HttpAsk& asked) {
+  const auto refused = guard.refusal(asked);
+  return refused ? refused->status : 200;
+}
+
+server::GuardRules rules(const std::string& token = "") {
+  return {.host = "127.0.0.1", .port = 8123, .token = token};
+}
+
+TEST(RequestGuard, LetsOwnNamesPass) {
+  server::RequestGuard guard(rules());
+  for (const char* host : {"127.0.0.1:8123", "localhost:8123", "LOCALHOST:8123", "[::1]:8123"})
+    EXPECT_EQ(status(guard, ask(host)), 200) << host;
+  EXPECT_EQ(status(guard, ask("127.0.0.1:8123", "http://localhost:8123")), 200);
+}
+
+// DNS rebinding: the name of another site that stands for this machine.
+TEST(RequestGuard, RefusesForeignHosts) {
+  server::RequestGuard guard(rules());
+  for (const char* host : {"",
+                           "evil.example:8123",
+                           "127.0.0.1",
+                           "127.0.0.1:80",
+                           "127.0.0.1:8123.evil.example",
+                           "localhost:81234"})
+    EXPECT_EQ(status(guard, ask(host)), 403) << host;
+}
+
+TEST(RequestGuard, RefusesForeignOrigins) {
+  server::RequestGuard guard(rules());
+  for (const char* origin : {"http://evil.example",
+                             "null",
+                             "https://127.0.0.1:8123",
+                             "http://127.0.0.1:9000",
+                             "http://127.0.0.1:8123@evil.example"})
+    EXPECT_EQ(status(guard, ask("127.0.0.1:8123", origin)), 403) << origin;
+}
+
+TEST(RequestGuard, OnlyReads) {
+  server::RequestGuard guard(rules());
+  for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "TRACE", "get", ""}) {
+    server::HttpAsk asked = ask("127.0.0.1:8123");
+    asked.method = method;
+    EXPECT_EQ(status(guard, asked), 405) << method;
+  }
+}
+
+TEST(RequestGuard, AsksForTheToken) {
+  server::RequestGuard guard(rules("sesame-sesame-sesame"));
+  server::HttpAsk asked = ask("127.0.0.1:8123");
+  EXPECT_EQ(status(guard, asked), 403);
+  for (const char* wrong : {"", "sesame", "sesame-sesame-sesamE", "sesame-sesame-sesame-"}) {
+    asked.query["token"] = wrong;
+    EXPECT_EQ(status(guard, asked), 403) << wrong;
+  }
+  asked.query["token"] = "sesame-sesame-sesame";
+  EXPECT_EQ(status(guard, asked), 200);
+  asked.query.clear();
+  asked.headers["authorization"] = "Bearer sesame-sesame-sesame";
+  EXPECT_EQ(status(guard, asked), 200);
+  server::HttpAsk page = ask("127.0.0.1:8123");
+  page.path = "/";
+  EXPECT_EQ(status(guard, page), 200);
+}
+
+// From another machine this one has another name; pages of other sites are refused all the same.
+TEST(RequestGuard, WithATokenTakesAnyNameOfItsOwn) {
+  server::RequestGuard guard(rules("sesame-sesame-sesame"));
+  server::HttpAsk asked = ask("192.168.1.5:8123", "http://192.168.1.5:8123");
+  asked.query["token"] = "sesame-sesame-sesame";
+  EXPECT_EQ(status(guard, asked), 200);
+  asked.headers["origin"] = "http://evil.example";
+  EXPECT_EQ(status(guard, asked), 403);
+}
+
+TEST(RequestGuard, SlowsDownWhoAsksTooOften) {
+  server::GuardRules slow = rules();
+  std::tie(slow.burst, slow.requests_per_s) = std::pair(10.0, 5.0);
+  server::RequestGuard guard(slow);
+  const Clock::time_point now = Clock::now();
+  const server::HttpAsk asked = ask("127.0.0.1:8123");
+  for (int i = 0; i < 10; ++i)
+    EXPECT_FALSE(guard.refusal(asked, now)) << i;
+  const auto refused = guard.refusal(asked, now);
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->status, 429);
+  EXPECT_GT(refused->retry_after_s, 0);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_FALSE(guard.refusal(asked, now + std::chrono::milliseconds(1001))) << i;
+  EXPECT_TRUE(guard.refusal(asked, now + std::chrono::milliseconds(1001)));
+}
+
+}  // namespace
+}  // namespace marketgen

@@ -1,0 +1,409 @@
+// The page: what the reader does becomes what is shown.
+import { Navigator, topFov, type Room as NavigatorRoom } from "./camera/navigator";
+import type { Mode } from "./camera/modes";
+import { modes } from "./camera/modes";
+import { lookingAt, type Pose } from "./camera/pose";
+import { add, distance, type Vec3 } from "./camera/vector";
+import { readAddress, writeAddress, type ViewState } from "./state/address";
+import type { Client } from "./store/client";
+import type { Hit, StoreCamera, Summary } from "./store/contract";
+import { fronts, facingOf, rotationOf } from "./stage/goods_table";
+import { screensOf, Sight } from "./stage/sight";
+import type { Stage } from "./stage/stage";
+import { CardPanel } from "./ui/cards";
+import { element } from "./ui/dom";
+import { Hands } from "./ui/hands";
+import { Help } from "./ui/help";
+import { Marks } from "./ui/marks";
+import { SearchPanel, shownHits } from "./ui/search";
+import type { Speech } from "./ui/speech";
+import type { Status } from "./ui/status";
+import { Theme } from "./ui/theme";
+import { Toolbar } from "./ui/toolbar";
+
+const longestStep = 0.1; // seconds: however slow the pictures, a walker makes no leap (a flight does)
+const hangsAbove = 1.9; // fixtures that hang so high are walked under
+const addressPause = 250;
+const defaultFov = 55;
+
+export function roomOf(summary: Summary): NavigatorRoom {
+  const obstacles = summary.fixtures
+    .filter((fixture) => fixture.position_m[2] < hangsAbove && fixture.size_m[2] > 0.05)
+    .map((fixture) => ({
+      center: [fixture.position_m[0], fixture.position_m[1]] as const,
+      half: [fixture.size_m[0] / 2, fixture.size_m[1] / 2] as const,
+      yaw: (fixture.yaw_deg * Math.PI) / 180,
+    }));
+  const outline = summary.outline_mm.map(([x, y]) => [x / 1000, y / 1000] as const);
+  return { low: summary.bounds.low_m, high: summary.bounds.high_m, outline, obstacles };
+}
+
+export class App {
+  readonly navigator: Navigator;
+  private readonly hands: Hands;
+  private readonly toolbar: Toolbar;
+  private readonly search: SearchPanel;
+  private readonly card: CardPanel;
+  private readonly help: Help;
+  private readonly marks = new Marks();
+  private readonly theme: Theme;
+  private measuring = false;
+  private zones = false;
+  private tape: Vec3[] = [];
+  private product: number | undefined;
+  private fixture: number | undefined;
+  private addressTimer = 0;
+  private lastFrame = 0;
+  private shownPose: Pose | undefined;
+  private choosing: AbortController | undefined;
+
+  constructor(
+    private readonly client: Client,
+    private readonly stage: Stage,
+    private readonly summary: Summary,
+    private readonly speech: Speech,
+    private readonly status: Status,
+  ) {
+    stage.ceilingHeight = summary.ceiling_m;
+    stage.sight = new Sight(screensOf(summary.fixtures));
+    const wanted = readAddress(location.hash);
+    stage.setLens(this.usualFov());
+    this.navigator = this.startNavigator(wanted);
+    this.theme = new Theme((background) => stage.setBackground(background));
+    this.search = this.makeSearch();
+    this.card = new CardPanel(speech, {
+      close: () => this.deselect(),
+      goTo: () => this.product !== undefined && this.goToProduct(this.product),
+      showAll: () => this.product !== undefined && this.showAllOf(this.product),
+    });
+    this.help = new Help(speech);
+    this.toolbar = this.makeToolbar();
+    this.hands = this.makeHands();
+    document.body.append(element("div", { class: "crosshair" }), this.marks.layer, this.search.panel, this.card.panel, this.toolbar.bar, this.help.dialog);
+    document.title = `${summary.name} · MarketGen`;
+    speech.bind(() => {
+      stage.canvas.setAttribute("aria-label", speech.say("view3d"));
+      this.showZones();
+      this.showTape();
+    });
+    window.addEventListener("hashchange", () => this.apply(readAddress(location.hash)));
+    this.showTools();
+  }
+
+  // Once the goods are there: what the address asks for beside the pose.
+  restore(): void {
+    const { product, fixture, zones, query } = readAddress(location.hash);
+    if (zones) this.toggleZones();
+    if (query) void this.search.start(query);
+    if (product !== undefined) void this.selectProduct(product);
+    else if (fixture !== undefined) void this.selectFixture(fixture);
+  }
+
+  // One turn of the page's loop.
+  frame(now: number): void {
+    const seconds = (now - this.lastFrame) / 1000;
+    this.lastFrame = now;
+    this.navigator.step(this.navigator.flying ? seconds : Math.min(seconds, longestStep), this.hands.held(this.navigator.mode));
+    const moved = this.navigator.pose !== this.shownPose;
+    if (moved) {
+      this.shownPose = this.navigator.pose;
+      this.stage.setPose(this.navigator.pose);
+      this.addressSoon();
+    }
+    if (this.stage.frame(moved)) this.marks.place((point) => this.stage.project(point), this.navigator.pose.eye);
+  }
+
+  private startNavigator(wanted: ViewState): Navigator {
+    const room = roomOf(this.summary);
+    const camera = this.summary.cameras.find(({ name }) => name === "entrance") ?? this.summary.cameras[0];
+    const eye: Vec3 = camera?.from_m ?? add(room.low, [1, 1, 1.6]);
+    const at: Vec3 = camera?.at_m ?? add(room.high, [0, 0, -2]);
+    if (wanted.pose) return new Navigator(room, wanted.mode ?? "orbit", wanted.pose, wanted.distance ?? 2);
+    return new Navigator(room, wanted.mode ?? "orbit", lookingAt(eye, at), distance(eye, at));
+  }
+
+  private makeSearch(): SearchPanel {
+    return new SearchPanel(
+      this.speech,
+      {
+        ask: (query, signal) => this.client.search(query, signal),
+        found: (hits, query) => this.showFound(hits, query),
+        choose: (hit) => this.choose(hit),
+        failed: (error) => this.status.say(this.status.textOf(error)),
+      },
+      this.summary,
+    );
+  }
+
+  private makeToolbar(): Toolbar {
+    const actions = {
+      mode: (mode: Mode) => this.enter(mode),
+      view: (camera: StoreCamera) => this.goToCamera(camera),
+      measure: () => this.toggleMeasure(),
+      zones: () => this.toggleZones(),
+      picture: () => void this.savePicture(),
+      share: () => void this.share(),
+      theme: () => this.theme.toggle(),
+      help: () => this.help.open(),
+    };
+    return new Toolbar(this.speech, actions, this.summary.cameras, (camera) => this.cameraName(camera));
+  }
+
+  private makeHands(): Hands {
+    const fov = (): number => (this.stage.camera.fov * Math.PI) / 180;
+    return new Hands(this.stage.canvas, {
+      drag: (dx, dy, pan) => this.navigator.drag(dx, dy, this.stage.canvas.clientHeight, fov(), pan),
+      zoom: (factor) => this.navigator.zoom(factor),
+      click: (x, y) => this.click(x, y),
+      key: (event) => this.key(event),
+      wake: () => undefined,
+    });
+  }
+
+  private key(event: KeyboardEvent): boolean {
+    const onButton = (event.target as HTMLElement).closest("button, [role=option]") !== null;
+    const mode = modes[Number(event.key) - 1];
+    if (mode) this.enter(mode);
+    else if (event.key === "/") this.search.focus();
+    else if (event.key === "?") this.help.open();
+    else if (event.key === "m" || event.key === "M") this.toggleMeasure();
+    else if (event.key === "z" || event.key === "Z") this.toggleZones();
+    else if (event.key === "p" || event.key === "P") void this.savePicture();
+    else if (event.key === "Escape") this.escape();
+    else if (event.key === "Enter" && !onButton) this.click(this.stage.canvas.clientWidth / 2, this.stage.canvas.clientHeight / 2);
+    else return false;
+    return true;
+  }
+
+  private escape(): void {
+    if (this.measuring) this.toggleMeasure();
+    else if (this.product !== undefined || this.fixture !== undefined) this.deselect();
+    else this.search.clear();
+  }
+
+  private enter(mode: Mode): void {
+    // The view from above has a lens of its own: there is no flight between the two.
+    this.navigator.enter(mode, reduced() || mode === "top" || this.navigator.mode === "top");
+    this.showTools();
+    this.addressSoon();
+  }
+
+  private goToCamera(camera: StoreCamera): void {
+    if (camera.ortho_height_m > 0) return this.enter("top");
+    const still = reduced() || this.navigator.mode === "top";
+    this.navigator.mode = "orbit";
+    this.stage.setLens(camera.fov_deg);
+    this.navigator.goTo(lookingAt(camera.from_m, camera.at_m), distance(camera.from_m, camera.at_m), still);
+    this.showTools();
+  }
+
+  private usualFov(): number {
+    return this.summary.cameras.find(({ name }) => name === "entrance")?.fov_deg ?? defaultFov;
+  }
+
+  private cameraName(camera: StoreCamera): string {
+    const zone = camera.name.startsWith("zone:") ? camera.name.slice(5) : undefined;
+    const label = zone && this.summary.zones.find(({ id }) => id === zone)?.label;
+    const name = label ?? zone ?? camera.name;
+    return name.charAt(0).toUpperCase() + name.slice(1).replace(/_/g, " ");
+  }
+
+  private click(x: number, y: number): void {
+    const picked = this.stage.pickAt(x, y);
+    if (this.measuring) {
+      if (picked) this.tape = this.tape.length === 2 ? [picked.point] : [...this.tape, picked.point];
+      this.showTape();
+    } else if (picked?.product !== undefined) void this.selectProduct(picked.product);
+    else if (picked?.fixture !== undefined) void this.selectFixture(picked.fixture);
+    else this.deselect();
+  }
+
+  private async selectProduct(row: number): Promise<void> {
+    if (row >= this.summary.counts.products) return;
+    const signal = this.beginChoice();
+    this.product = row;
+    this.stage.overlays?.selectProduct(row);
+    this.stage.redraw();
+    await this.fill(async () => {
+      const card = await this.client.product(row, signal);
+      this.card.show({ kind: "product", card, picture: this.client.address(`/skus/${card.sku_row}/label.png?px=256`) });
+    }, signal);
+  }
+
+  private async selectFixture(row: number): Promise<void> {
+    const fixture = this.summary.fixtures[row];
+    if (!fixture) return;
+    const signal = this.beginChoice();
+    this.fixture = row;
+    this.stage.overlays?.selectFixture(fixture);
+    this.stage.redraw();
+    await this.fill(async () => {
+      const card = await this.client.fixture(row, signal);
+      const joints = card.joints.map((joint) => this.summary.joints[joint]?.name ?? "").filter((name) => name);
+      this.card.show({ kind: "fixture", card, joints });
+    }, signal);
+  }
+
+  private beginChoice(): AbortSignal {
+    this.choosing?.abort();
+    this.choosing = new AbortController();
+    this.product = this.fixture = undefined;
+    return this.choosing.signal;
+  }
+
+  private async fill(work: () => Promise<void>, signal: AbortSignal): Promise<void> {
+    try {
+      await work();
+    } catch (error) {
+      if (signal.aborted) return;
+      this.deselect();
+      this.status.say(this.status.textOf(error));
+    }
+    this.addressSoon();
+  }
+
+  private deselect(): void {
+    this.beginChoice().throwIfAborted();
+    this.stage.overlays?.selectProduct(undefined);
+    this.card.show(undefined);
+    this.stage.redraw();
+    this.addressSoon();
+  }
+
+  private choose(hit: Hit): void {
+    const row = hit.products[0];
+    if (row === undefined) return;
+    this.goToProduct(row);
+    void this.selectProduct(row);
+  }
+
+  // Before its shelf, as far off as one stands to read it.
+  private goToProduct(row: number): void {
+    const table = this.stage.goods?.table;
+    if (!table) return;
+    const size = this.summary.skus[table.sku[row]!]!.size_m;
+    const at: Vec3 = [table.position[row * 3]!, table.position[row * 3 + 1]!, table.position[row * 3 + 2]! + size[2] / 2];
+    const [fx, fy] = fronts[facingOf(rotationOf(table, row))]!;
+    const away = 0.75 + Math.max(...size) + 0.1 * table.rank[row]!;
+    const still = reduced() || this.navigator.mode === "top";
+    if (this.navigator.mode === "top") this.navigator.mode = "orbit";
+    const high = this.navigator.mode === "walk" ? 1.62 : at[2] + 0.12;
+    const eye: Vec3 = [at[0] + fx * away, at[1] + fy * away, high];
+    this.navigator.goTo(lookingAt(eye, at), distance(eye, at), still);
+    this.showTools();
+  }
+
+  private showFound(hits: readonly Hit[], query: string): void {
+    const rows = hits.slice(0, shownHits).flatMap((hit) => hit.products);
+    this.stage.overlays?.highlight(rows);
+    this.stage.shared.uDim.value = rows.length > 0 ? 0.72 : 0;
+    this.stage.redraw();
+    if (query === "" || hits.length > 0) this.addressSoon();
+  }
+
+  private showAllOf(product: number): void {
+    const table = this.stage.goods?.table;
+    if (!table) return;
+    const rows: number[] = [];
+    for (let row = 0; row < table.count; row++) if (table.sku[row] === table.sku[product]) rows.push(row);
+    this.stage.overlays?.highlight(rows);
+    this.stage.shared.uDim.value = 0.72;
+    this.enter("top");
+    this.stage.redraw();
+  }
+
+  private toggleMeasure(): void {
+    this.measuring = !this.measuring;
+    this.tape = [];
+    document.body.classList.toggle("measuring", this.measuring);
+    if (this.measuring) this.status.say(this.speech.say("measureHint"));
+    this.showTape();
+    this.showTools();
+  }
+
+  private showTape(): void {
+    this.stage.overlays?.showTape(this.tape);
+    const [a, b] = this.tape;
+    const text = a && b ? this.speech.say("metres", { value: this.speech.number(distance(a, b), 3) }) : "";
+    this.marks.set("tape", a && b ? [{ text, at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2], kind: "tape" }] : []);
+    this.stage.redraw();
+  }
+
+  private toggleZones(): void {
+    this.zones = !this.zones;
+    this.showZones();
+    this.showTools();
+    this.addressSoon();
+  }
+
+  private showZones(): void {
+    const zones = this.zones ? this.summary.zones : [];
+    this.stage.overlays?.showZones(zones);
+    this.marks.set("zones", zones.map((zone) => ({ text: zone.label, at: middleOf(zone.polygon_mm), kind: "zone" as const })));
+    this.stage.redraw();
+  }
+
+  private async savePicture(): Promise<void> {
+    const blob = await this.stage.picture();
+    if (!blob) return;
+    const address = URL.createObjectURL(blob);
+    const link = element("a", { attributes: { href: address, download: `${this.summary.folder || "store"}.png` } });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(address), 10_000);
+  }
+
+  private async share(): Promise<void> {
+    this.writeAddress();
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.status.say(this.speech.say("copied"));
+    } catch {
+      this.status.say(this.speech.say("notCopied"));
+    }
+  }
+
+  private apply(state: ViewState): void {
+    if (state.mode) this.navigator.mode = state.mode;
+    if (state.pose) this.navigator.goTo(state.pose, state.distance ?? this.navigator.around, true);
+    if ((state.zones ?? false) !== this.zones) this.toggleZones();
+    if ((state.query ?? "") !== this.search.query) void this.search.start(state.query ?? "");
+    if (state.product !== this.product && state.product !== undefined) void this.selectProduct(state.product);
+    else if (state.fixture !== this.fixture && state.fixture !== undefined) void this.selectFixture(state.fixture);
+    this.showTools();
+  }
+
+  private addressSoon(): void {
+    clearTimeout(this.addressTimer);
+    this.addressTimer = window.setTimeout(() => this.writeAddress(), addressPause);
+  }
+
+  private writeAddress(): void {
+    const { mode, pose, around } = this.navigator;
+    const state: ViewState = {
+      mode,
+      pose,
+      distance: around,
+      zones: this.zones,
+      ...(this.product !== undefined && { product: this.product }),
+      ...(this.fixture !== undefined && { fixture: this.fixture }),
+      ...(this.search.query && { query: this.search.query }),
+    };
+    history.replaceState(null, "", writeAddress(state));
+  }
+
+  private showTools(): void {
+    if (this.navigator.mode === "top") this.stage.setLens(topFov);
+    else if (this.stage.camera.fov === topFov) this.stage.setLens(this.usualFov());
+    this.toolbar.show({ mode: this.navigator.mode, measuring: this.measuring, zones: this.zones });
+  }
+}
+
+function reduced(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
+function middleOf(polygon: readonly (readonly [number, number])[]): Vec3 {
+  const xs = polygon.map(([x]) => x / 1000);
+  const ys = polygon.map(([, y]) => y / 1000);
+  return [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2, 1.5];
+}

@@ -1,0 +1,51 @@
+// Starts the page: the summary first, then the picture, then everything else as it comes.
+import { App } from "./app";
+import { loadGoods, loadRest } from "./loader";
+import { Client } from "./store/client";
+import { Stage } from "./stage/stage";
+import { element } from "./ui/dom";
+import { Speech } from "./ui/speech";
+import { Status } from "./ui/status";
+
+// What tests and measurements read; nothing in the page depends on it.
+interface Watched {
+  marketgen?: { stage: Stage; app?: App; times: Record<string, number> };
+}
+
+async function start(): Promise<void> {
+  const speech = new Speech();
+  const status = new Status(speech);
+  const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
+  document.body.append(canvas, status.progress, status.note, status.fault);
+  const stage = Stage.create(canvas);
+  if (!stage) return status.stop(new Error(speech.say("noWebgl")));
+  const times: Record<string, number> = {};
+  const watched = ((window as Watched).marketgen = { stage, times } as NonNullable<Watched["marketgen"]>);
+
+  const address = new URLSearchParams(location.search);
+  const client = new Client(Number(address.get("store") ?? 0) || 0, address.get("token"));
+  try {
+    status.work(0.05, speech.say("loading"));
+    const summary = await client.summary();
+    const app = (watched.app = new App(client, stage, summary, speech, status));
+    new ResizeObserver(() => stage.resize()).observe(canvas);
+    stage.resize();
+    const loop = (now: number): void => {
+      app.frame(now);
+      requestAnimationFrame(loop);
+    };
+    requestAnimationFrame(loop);
+    const watch = {
+      step: (share: number | undefined) => status.work(share, speech.say("loading")),
+      shown: (what: string) => (times[what] = performance.now()),
+    };
+    const goods = await loadGoods(client, stage, summary, watch);
+    app.restore();
+    await loadRest(client, stage, goods, watch);
+    times["complete"] = performance.now();
+  } catch (error) {
+    status.stop(error);
+  }
+}
+
+void start();

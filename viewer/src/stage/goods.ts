@@ -1,0 +1,226 @@
+// All products: which cells show meshes, which stand-ins, and what is built next.
+import { Box3, Group, Vector3, type IUniform, type RawShaderMaterial, type WebGLRenderer } from "three";
+import type { Client } from "../store/client";
+import type { MeshesHead, Sku } from "../store/contract";
+import type { Packed } from "../store/packed";
+import type { GoodsLight } from "./goods_light";
+import { facesAnyway, fronts, type Cell, type GoodsTable } from "./goods_table";
+import { MeshSet } from "./mesh_set";
+import { PackCell } from "./pack_cell";
+import { PageArray } from "./page_array";
+import { drawPortraits } from "./portraits";
+import { packMaterial, type Shared } from "./shading";
+import { Sheets, type Near } from "./sheets";
+import type { Sight } from "./sight";
+import { SkuPlaces } from "./sku_places";
+import { StandIns } from "./stand_ins";
+
+export interface Limits {
+  readonly sheetLayers: number;
+  readonly sharpness: number; // anisotropy
+  readonly quick: boolean; // one mip level a point, for WebGL without a GPU
+}
+
+interface Shown {
+  readonly number: number; // in the table's cells
+  readonly cell: Cell;
+  readonly box: Box3;
+  triangles: number; // of its meshes
+  built: PackCell | undefined;
+  distance: number;
+}
+
+const labelsWithin = 2.6; // metres
+const meshesWithin = 14;
+const kept = 1.5; // times as many triangles as are shown stay built
+const budgets = { least: 12_000, first: 60_000, most: 1_500_000 }; // triangles of meshes a frame
+const buildMilliseconds = 8; // a frame
+
+export class Goods {
+  readonly group = new Group();
+  readonly standIns: StandIns;
+  readonly shown: readonly Shown[];
+  budget = budgets.first;
+  stillBudget = 350_000; // of a picture that stands still
+  private far: MeshSet | undefined;
+  private light: GoodsLight | undefined;
+  private sheets: Sheets | undefined;
+  private materials: readonly [RawShaderMaterial, RawShaderMaterial] | undefined;
+  private triangles = 0;
+
+  constructor(
+    readonly table: GoodsTable,
+    readonly skus: readonly Sku[],
+    private readonly shared: Shared,
+    private readonly changed: () => void,
+    private readonly changedSoon: () => void,
+  ) {
+    this.standIns = new StandIns(table, skus, shared);
+    this.group.add(this.standIns.group);
+    this.shown = table.cells.map((cell, number) => ({
+      number,
+      cell,
+      box: new Box3(new Vector3(...cell.low), new Vector3(...cell.high)),
+      triangles: 0,
+      built: undefined,
+      distance: 0,
+    }));
+  }
+
+  get trianglesOfMeshes(): number {
+    return this.triangles;
+  }
+  get labelsSettled(): boolean {
+    return this.sheets?.settled ?? false;
+  }
+  get labelsLoaded(): number {
+    return this.sheets?.loaded ?? 0;
+  }
+  get farMeshes(): MeshSet | undefined {
+    return this.far;
+  }
+
+  setLight(light: GoodsLight): void {
+    this.light = light;
+    this.standIns.setLight(light);
+    this.changed();
+  }
+
+  async setMeshes(packed: Packed<MeshesHead>, client: Client, renderer: WebGLRenderer, limits: Limits): Promise<void> {
+    const far = new MeshSet(packed);
+    const sizes = packed.head.pages;
+    const width = Math.max(1, ...sizes.map((page) => page.width));
+    const height = Math.max(1, ...sizes.map((page) => page.height));
+    const places = new SkuPlaces(packed.f32("tile", 5), sizes.map((page) => [page.width / width, page.height / height]));
+    const atlas = new PageArray(renderer, width, height, Math.max(sizes.length, 1), 4, limits.sharpness, limits.quick);
+    const pictures = await Promise.all(sizes.map((_, page) => client.picture(`/goods-${page}.jpg`)));
+    pictures.forEach((picture, page) => {
+      atlas.put(page, 0, picture);
+      picture.close();
+    });
+    atlas.makeSmallerCopies();
+
+    const sheets = new PageArray(renderer, 1024, 512, limits.sheetLayers, 11, limits.sharpness, limits.quick);
+    const uniforms: Record<string, IUniform> = {
+      skus: { value: places.texture },
+      atlas: { value: atlas.texture },
+      sheets: { value: sheets.texture },
+    };
+    this.standIns.setPortraits(await drawPortraits(renderer, far, this.skus.length, places, atlas.texture, limits.quick));
+    this.sheets = new Sheets(client, sheets, places, this.changedSoon);
+    this.materials = [packMaterial(this.shared, uniforms, false), packMaterial(this.shared, uniforms, true)];
+    this.far = far;
+    for (const shown of this.shown) shown.triangles = this.trianglesOf(shown.cell, far);
+    this.changed();
+  }
+
+  // Chooses what is seen; a picture that stands still may take longer. False: more is to be built; call again in the next frame.
+  update(sight: Sight, still: boolean): boolean {
+    const { eye } = sight;
+    for (const shown of this.shown) shown.distance = sight.distance(shown.cell.low, shown.cell.high);
+    const byDistance = [...this.shown].sort((a, b) => a.distance - b.distance);
+    const seen = byDistance.filter((shown) => this.facesEye(shown, eye) && sight.sees(shown.cell.low, shown.cell.high, shown.cell.fixture));
+    this.hideMeshes();
+    this.standIns.begin();
+    const missing: Shown[] = [];
+    const budget = still ? Math.max(this.budget, this.stillBudget) : this.budget;
+    let left = this.far && this.light ? budget : -1;
+    let order = 0;
+    for (const shown of seen) {
+      const near = shown.distance < meshesWithin && shown.triangles <= left;
+      if (near) left -= shown.triangles;
+      if (near && !shown.built) missing.push(shown);
+      const meshes = near ? shown.built : undefined;
+      if (meshes) this.show(meshes, ++order);
+      this.standIns.add(shown.number, meshes ? shown.cell.deep : shown.cell.first, eye, shown.distance);
+    }
+    this.standIns.finish();
+    this.buildSome(missing);
+    this.forget(byDistance, budget);
+    this.wantLabels(seen, eye);
+    return missing.length === 0;
+  }
+
+  private trianglesOf(cell: Cell, meshes: MeshSet): number {
+    let count = 0;
+    for (let i = cell.first; i < cell.deep; i++) {
+      const range = meshes.range(this.table.sku[this.table.order[i]!]!);
+      count += (range.opaque + range.clear) / 3;
+    }
+    return count;
+  }
+
+  private facesEye({ cell, box }: Shown, eye: Vector3): boolean {
+    if (cell.facing === facesAnyway) return true;
+    const [x, y] = fronts[cell.facing]!;
+    // From behind a shelf its back is seen, unless one looks over it.
+    const back = Math.min(box.min.x * x, box.max.x * x) + Math.min(box.min.y * y, box.max.y * y);
+    return eye.x * x + eye.y * y > back || eye.z > box.max.z;
+  }
+
+  private hideMeshes(): void {
+    this.triangles = 0;
+    for (const { built } of this.shown) for (const mesh of built?.meshes ?? []) mesh.visible = false;
+  }
+
+  private show(cell: PackCell, order: number): void {
+    this.triangles += cell.triangles;
+    cell.meshes.forEach((mesh, i) => {
+      mesh.visible = true;
+      mesh.renderOrder = i === 0 ? -1000 + order : 1000 - order;
+    });
+  }
+
+  private buildSome(missing: readonly Shown[]): void {
+    const until = performance.now() + buildMilliseconds;
+    for (const shown of missing) {
+      this.build(shown);
+      if (performance.now() > until) return;
+    }
+  }
+
+  private build(shown: Shown): void {
+    const { cell } = shown;
+    const rows = this.table.order.subarray(cell.first, cell.deep);
+    shown.built = new PackCell(cell, rows, this.table, this.far!, this.light!, this.materials!);
+    for (const mesh of shown.built.meshes) {
+      mesh.visible = false;
+      this.group.add(mesh);
+    }
+  }
+
+  private forget(byDistance: readonly Shown[], budget: number): void {
+    let room = Math.max(budget, this.stillBudget) * kept;
+    for (const shown of byDistance) {
+      if (!shown.built) continue;
+      room -= shown.triangles;
+      if (room >= 0 || shown.built.meshes[0]?.visible) continue;
+      this.group.remove(...shown.built.meshes);
+      shown.built.dispose();
+      shown.built = undefined;
+    }
+  }
+
+  private wantLabels(seen: readonly Shown[], eye: Vector3): void {
+    if (!this.sheets) return;
+    const nearest = new Map<number, number>();
+    const { position, order, sku } = this.table;
+    for (const shown of seen) {
+      if (shown.distance > labelsWithin) break;
+      for (let i = shown.cell.first; i < shown.cell.deep; i++) {
+        const row = order[i]!;
+        const away = Math.hypot(position[row * 3]! - eye.x, position[row * 3 + 1]! - eye.y, position[row * 3 + 2]! + 0.1 - eye.z);
+        if (away > labelsWithin) continue;
+        if (away < (nearest.get(sku[row]!) ?? Infinity)) nearest.set(sku[row]!, away);
+      }
+    }
+    const near: Near[] = [...nearest].map(([row, distance]) => ({ sku: row, distance }));
+    this.sheets.want(near.sort((a, b) => a.distance - b.distance));
+  }
+
+  // Frames that take long get fewer meshes.
+  adapt(milliseconds: number, goal: number): void {
+    if (milliseconds > goal * 1.2) this.budget = Math.max(this.budget * 0.92, budgets.least);
+    else if (milliseconds < goal * 0.75) this.budget = Math.min(this.budget * 1.04, budgets.most);
+  }
+}

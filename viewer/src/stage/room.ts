@@ -1,0 +1,153 @@
+// Floor, walls, ceiling, fixtures, signs and price tags: a draw call for each picture they wear. What is in view, and how finely it
+// is drawn, is chosen part by part.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Group,
+  Mesh,
+  type RawShaderMaterial,
+  type Texture,
+} from "three";
+import type { RoomHead } from "../store/contract";
+import type { Packed } from "../store/packed";
+import { divideRoom, type Batch, type Part, type RoomParts } from "./room_parts";
+import { roomMaterial, type Shared } from "./shading";
+import type { Sight } from "./sight";
+
+export interface RoomArrays {
+  readonly position: Float32Array;
+  readonly index: Uint32Array;
+  readonly owner: Uint16Array; // fixture row, joint row; 65535: none
+}
+
+const fineWithin = { moving: 2.5, still: 6 }; // metres; rough from three times as far
+const layers = ["solid", "glass", "ceiling"] as const;
+type Layer = (typeof layers)[number];
+
+interface Surface {
+  readonly layer: Layer;
+  readonly texture: number;
+  readonly mesh: Mesh;
+  shown: Uint32Array;
+  filled: number;
+}
+
+export class Room {
+  readonly group = new Group();
+  readonly arrays: RoomArrays;
+  private readonly surfaces: Surface[] = [];
+  private readonly layerOf: Uint8Array; // by triangle
+  private readonly materials = new Map<string, RawShaderMaterial>();
+  private divided: RoomParts | undefined;
+  private ceilingShown = true;
+
+  private constructor(
+    private readonly packed: Packed<RoomHead>,
+    private readonly shared: Shared,
+  ) {
+    this.arrays = { position: packed.f32("position", 3), index: packed.u32("index", 1), owner: packed.u16("owner", 2) };
+    this.layerOf = new Uint8Array(this.arrays.index.length / 3);
+  }
+
+  static async create(packed: Packed<RoomHead>, shared: Shared): Promise<Room> {
+    const room = new Room(packed, shared);
+    await room.divide();
+    return room;
+  }
+
+  textures(): number[] {
+    return [...new Set(this.surfaces.map(({ texture }) => texture).filter((row) => row >= 0))];
+  }
+
+  setTexture(row: number, texture: Texture): void {
+    for (const surface of this.surfaces) {
+      if (surface.texture === row) surface.mesh.material = this.materialOf(row, texture, surface.layer);
+    }
+  }
+
+  showCeiling(show: boolean): void {
+    this.ceilingShown = show;
+  }
+
+  // Whether a ray passes a triangle: through glass, and through a ceiling that is not shown. `index`: its first.
+  isPassed(index: number): boolean {
+    const layer = layers[this.layerOf[index / 3]!];
+    return layer === "glass" || (layer === "ceiling" && !this.ceilingShown);
+  }
+
+  update(sight: Sight, still: boolean): void {
+    const { parts, indices } = this.divided!;
+    for (const surface of this.surfaces) surface.filled = 0;
+    for (const part of parts) {
+      const surface = this.surfaces[part.surface]!;
+      if (surface.layer === "ceiling" && !this.ceilingShown) continue;
+      if (!sight.sees(part.low, part.high, part.fixture)) continue;
+      const level = this.fineness(part, sight, still ? fineWithin.still : fineWithin.moving);
+      const run = part.runs[level]!;
+      surface.shown.set(indices[level]!.subarray(run.start, run.end), surface.filled);
+      surface.filled += run.end - run.start;
+    }
+    for (const surface of this.surfaces) hand(surface);
+  }
+
+  private fineness(part: Part, sight: Sight, fine: number): 0 | 1 | 2 {
+    const away = sight.distance(part.low, part.high);
+    return away < fine ? 0 : away < fine * 3 ? 1 : 2;
+  }
+
+  private async divide(): Promise<void> {
+    const { packed } = this;
+    const { batches, textures } = packed.head;
+    const attributes = {
+      position: new BufferAttribute(this.arrays.position, 3),
+      normal: new BufferAttribute(packed.i8("normal", 4), 4, true),
+      uv: new BufferAttribute(packed.f32("uv", 2), 2),
+      color: new BufferAttribute(packed.u8("color", 4), 4, true),
+      light: new BufferAttribute(packed.u8("light", 4), 4, true),
+      finish: new BufferAttribute(packed.u8("finish", 4), 4, true),
+    };
+    const plan = batches.map((batch): Batch => {
+      this.layerOf.fill(layers.indexOf(batch.layer), batch.first_index / 3, (batch.first_index + batch.index_count) / 3);
+      const exact = batch.texture >= 0 && !(textures[batch.texture]?.repeat ?? false);
+      return { first: batch.first_index, count: batch.index_count, surface: this.surfaceOf(batch.layer, batch.texture, attributes), exact };
+    });
+    const source = { ...this.arrays, normal: packed.i8("normal", 4), color: packed.u8("color", 4) };
+    this.divided = await divideRoom(source, plan);
+    this.surfaces.forEach((surface, i) => {
+      surface.shown = new Uint32Array(this.divided!.surfaces[i] ?? 0);
+      const index = new BufferAttribute(surface.shown, 1);
+      index.setUsage(DynamicDrawUsage);
+      surface.mesh.geometry.setIndex(index);
+    });
+  }
+
+  private surfaceOf(layer: Layer, texture: number, attributes: Record<string, BufferAttribute>): number {
+    const known = this.surfaces.findIndex((surface) => surface.layer === layer && surface.texture === texture);
+    if (known >= 0) return known;
+    const geometry = new BufferGeometry();
+    for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
+    const mesh = new Mesh(geometry, this.materialOf(-1, null, layer));
+    mesh.matrixAutoUpdate = false;
+    mesh.frustumCulled = false;
+    if (layer === "glass") mesh.renderOrder = 500;
+    this.group.add(mesh);
+    return this.surfaces.push({ layer, texture, mesh, shown: new Uint32Array(0), filled: 0 }) - 1;
+  }
+
+  private materialOf(row: number, texture: Texture | null, layer: Layer): RawShaderMaterial {
+    const key = `${row} ${layer === "glass"}`;
+    let material = this.materials.get(key);
+    if (!material) this.materials.set(key, (material = roomMaterial(this.shared, texture, layer === "glass")));
+    return material;
+  }
+}
+
+function hand({ mesh, filled }: Surface): void {
+  const index = mesh.geometry.index!;
+  mesh.visible = filled > 0;
+  mesh.geometry.setDrawRange(0, filled);
+  index.clearUpdateRanges();
+  index.addUpdateRange(0, filled);
+  index.needsUpdate = true;
+}

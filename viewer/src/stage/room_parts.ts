@@ -1,0 +1,134 @@
+// The room's triangles by what they belong to (a fixture, or a piece of the shell), in three finenesses: far off, what is smaller
+// than a few pixels is drawn together. Runs of indices, to be copied into what is drawn.
+export interface RoomSource {
+  readonly position: Float32Array;
+  readonly normal: Int8Array; // 4 a vertex
+  readonly color: Uint8Array; // 4 a vertex
+  readonly index: Uint32Array;
+  readonly owner: Uint16Array; // fixture, joint
+}
+
+export interface Run {
+  readonly start: number;
+  readonly end: number;
+}
+
+export interface Part {
+  readonly surface: number; // which of the batches' materials
+  readonly fixture: number; // -1: the shell
+  readonly low: [number, number, number];
+  readonly high: [number, number, number];
+  readonly runs: readonly [Run, Run, Run]; // in `indices` of each fineness
+}
+
+export const grains = [0, 0.01, 0.03] as const; // metres that are one point
+const shellPiece = 4; // metres
+const none = 65535;
+
+export interface Batch {
+  readonly first: number;
+  readonly count: number;
+  readonly surface: number;
+  readonly exact: boolean; // print: points keep their place on the picture
+}
+
+function pieceOf(source: RoomSource, vertex: number): number {
+  const fixture = source.owner[vertex * 2]!;
+  if (fixture !== none) return fixture;
+  const column = (k: number): number => Math.floor(source.position[vertex * 3 + k]! / shellPiece) + 128;
+  return 65536 + column(0) * 256 + column(1);
+}
+
+// Stands for all points of a grain that face one way in one colour.
+class Grain {
+  private readonly first = new Map<number, number>();
+
+  constructor(
+    private readonly source: RoomSource,
+    private readonly low: readonly number[],
+    private readonly size: number,
+  ) {}
+
+  cell(vertex: number): number {
+    const { position } = this.source;
+    const at = (k: number): number => Math.floor((position[vertex * 3 + k]! - this.low[k]!) / this.size);
+    return at(0) + 2048 * (at(1) + 2048 * at(2));
+  }
+
+  standIn(vertex: number): number {
+    const { normal, color } = this.source;
+    const [x, y, z] = [normal[vertex * 4]!, normal[vertex * 4 + 1]!, normal[vertex * 4 + 2]!];
+    const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
+    const way = ax >= ay && ax >= az ? (x > 0 ? 0 : 1) : ay >= az ? (y > 0 ? 2 : 3) : z > 0 ? 4 : 5;
+    const tone = ((color[vertex * 4]! >> 5) << 6) | ((color[vertex * 4 + 1]! >> 5) << 3) | (color[vertex * 4 + 2]! >> 5);
+    const key = (this.cell(vertex) * 6 + way) * 512 + tone;
+    const found = this.first.get(key);
+    if (found !== undefined) return found;
+    this.first.set(key, vertex);
+    return vertex;
+  }
+}
+
+function coarse(source: RoomSource, triangles: Uint32Array, low: readonly number[], size: number, exact: boolean): number[] {
+  const grain = new Grain(source, low, size);
+  const kept: number[] = [];
+  for (let i = 0; i < triangles.length; i += 3) {
+    const corner = [triangles[i]!, triangles[i + 1]!, triangles[i + 2]!];
+    const [a, b, c] = corner.map((vertex) => grain.cell(vertex));
+    if (a === b || b === c || a === c) continue;
+    for (const vertex of corner) kept.push(exact ? vertex : grain.standIn(vertex));
+  }
+  return kept;
+}
+
+export interface RoomParts {
+  readonly parts: readonly Part[];
+  readonly indices: readonly [Uint32Array, Uint32Array, Uint32Array];
+  readonly surfaces: readonly number[]; // how many indices at most each surface shows
+}
+
+// Groups in turn: between two of them the page lives on.
+export async function divideRoom(source: RoomSource, batches: readonly Batch[]): Promise<RoomParts> {
+  const groups = new Map<number, { batch: Batch; piece: number; triangles: number[] }>();
+  for (const batch of batches) {
+    for (let i = batch.first; i < batch.first + batch.count; i += 3) {
+      const piece = pieceOf(source, source.index[i]!);
+      const key = batch.surface * 200_000 + piece;
+      let group = groups.get(key);
+      if (!group) groups.set(key, (group = { batch, piece, triangles: [] }));
+      group.triangles.push(source.index[i]!, source.index[i + 1]!, source.index[i + 2]!);
+    }
+  }
+  const levels: [number[], number[], number[]] = [[], [], []];
+  const parts: Part[] = [];
+  let worked = performance.now();
+  for (const { batch, piece, triangles } of groups.values()) {
+    parts.push(partOf(source, batch, piece, Uint32Array.from(triangles), levels));
+    if (performance.now() - worked < 12) continue;
+    await new Promise((done) => setTimeout(done));
+    worked = performance.now();
+  }
+  const surfaces: number[] = [];
+  for (const part of parts) surfaces[part.surface] = (surfaces[part.surface] ?? 0) + part.runs[0].end - part.runs[0].start;
+  const [fine, middle, rough] = levels.map((level) => Uint32Array.from(level)) as [Uint32Array, Uint32Array, Uint32Array];
+  return { parts, indices: [fine, middle, rough], surfaces };
+}
+
+function partOf(source: RoomSource, batch: Batch, piece: number, triangles: Uint32Array, levels: [number[], number[], number[]]): Part {
+  const low: [number, number, number] = [Infinity, Infinity, Infinity];
+  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  for (const vertex of triangles) {
+    for (let k = 0; k < 3; k++) {
+      low[k] = Math.min(low[k]!, source.position[vertex * 3 + k]!);
+      high[k] = Math.max(high[k]!, source.position[vertex * 3 + k]!);
+    }
+  }
+  const runs = grains.map((size, level): Run => {
+    const into = levels[level]!;
+    const start = into.length;
+    const kept = size === 0 ? triangles : coarse(source, triangles, low, size, batch.exact);
+    for (const vertex of kept) into.push(vertex);
+    return { start, end: into.length };
+  });
+  return { surface: batch.surface, fixture: piece < 65536 ? piece : -1, low, high, runs: runs as unknown as [Run, Run, Run] };
+}

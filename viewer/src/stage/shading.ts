@@ -1,0 +1,250 @@
+// How light becomes colour: base colour times stored light, then the renderer's tone curve. Colours stay sRGB-encoded all the way.
+//
+// The curve is render/tone.cpp's; its sigmoid, contrast and gain are one polynomial over the stops here, within 0.6 of a byte's step.
+// It is taken at the vertices, for three greys of the texture (0.3, 0.6 and 0.95 of white) in the light that is there. The points of
+// the picture take the cubic through these, and the curve's saturation of 1.1 as a whole: 3.5 bytes RMS from the exact curve over
+// random colours and light, at a tenth of its cost a point, which is what WebGL without a GPU is slow at.
+import { DoubleSide, GLSL3, RawShaderMaterial, type IUniform, type Texture } from "three";
+
+const atVertex = /* glsl */ `
+vec3 curveOf(vec3 stops) {
+  vec3 s = clamp((stops + 12.47393) / 16.499999, 0.0, 1.0);
+  vec3 p = vec3(22.5367677);
+  p = p * s - 50.4821160;
+  p = p * s + 25.7974081;
+  p = p * s + 8.54532424;
+  p = p * s - 6.58272356;
+  p = p * s + 1.35656810;
+  p = p * s - 0.0722485920;
+  return max(p * s + 0.00111551660, vec3(0.0));
+}
+// The cubic's coefficients (of x, x^2, x^3) in light so bright.
+vec3 responseIn(float light) {
+  vec3 seen = curveOf(log2(max(light, 1e-6)) + vec3(-4.12661804, -2.00663831, -0.52768284));
+  return mat3(9.74358974, -26.4957265, 17.09401709,
+             -4.52380952, 19.84126984, -15.87301587,
+              0.83285136, -4.1642568, 4.626952) * seen;
+}
+// Of the server's light bytes, whose square times four is the light: its colour as a factor of encoded colours, and its brightness.
+vec4 hueOf(vec3 byte) {
+  vec3 light = byte * byte;
+  float brightness = dot(light, vec3(0.2126, 0.7152, 0.0722));
+  return vec4(pow(light / max(brightness, 1e-5), vec3(1.0 / 2.2)), brightness * 4.0);
+}
+`;
+
+const atPoint = /* glsl */ `
+// With other goods searched for, what was not found steps back.
+vec3 shown(vec3 encoded, vec3 response, float dim) {
+  vec3 c = encoded * (response.x + encoded * (response.y + encoded * response.z));
+  float g = dot(c, vec3(0.2126, 0.7152, 0.0722));
+  c = g + (c - g) * 1.1;
+  if (dim > 0.0) c = mix(c, vec3(g * 0.55 + 0.22), dim);
+  return c;
+}
+`;
+
+const head = /* glsl */ `
+precision highp float;
+precision highp int;
+precision highp sampler2DArray;
+`;
+
+export interface Shared {
+  readonly uDim: IUniform<number>;
+}
+
+function material(vertex: string, fragment: string, uniforms: Record<string, IUniform>, defines: Record<string, string>): RawShaderMaterial {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: head + atVertex + vertex,
+    fragmentShader: head + atPoint + fragment,
+    uniforms,
+    defines,
+  });
+}
+
+const roomVertex = /* glsl */ `
+uniform mat4 viewMatrix, projectionMatrix;
+uniform vec3 cameraPosition;
+in vec3 position;
+in vec3 normal;
+in vec2 uv;
+in vec4 color;
+in vec4 light;
+in vec4 finish;
+out vec3 vBase, vResponse;
+out vec2 vUv;
+out float vSheen;
+void main() {
+  float graze = 1.0 - abs(dot(normalize(cameraPosition - position), normal));
+  vec4 hue = hueOf(light.rgb);
+  vBase = color.rgb * hue.rgb;
+  vResponse = responseIn(hue.a);
+  vUv = uv;
+  vSheen = pow(clamp(graze, 0.0, 1.0), 5.0) * (1.0 - finish.x) * 0.25 * min(hue.a, 1.0);
+  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+}
+`;
+const roomFragment = /* glsl */ `
+uniform sampler2D map;
+uniform float uDim;
+in vec3 vBase, vResponse;
+in vec2 vUv;
+in float vSheen;
+out vec4 outColor;
+void main() {
+  vec3 base = vBase;
+#ifdef TEXTURED
+  base *= texture(map, vUv).rgb;
+#endif
+  vec3 c = shown(base, vResponse, uDim) + vSheen;
+#ifdef GLASS
+  outColor = vec4(c, 0.12 + vSheen);
+#else
+  outColor = vec4(c, 1.0);
+#endif
+}
+`;
+
+export function roomMaterial(shared: Shared, map: Texture | null, glass: boolean): RawShaderMaterial {
+  const defines: Record<string, string> = {};
+  if (map) defines["TEXTURED"] = "1";
+  if (glass) defines["GLASS"] = "1";
+  const made = material(roomVertex, roomFragment, { ...shared, map: { value: map } }, defines);
+  if (glass) Object.assign(made, { transparent: true, depthWrite: false, side: DoubleSide });
+  return made;
+}
+
+// Packs near the eye: merged meshes in the store frame, with their light at the vertices. The SKU's row in `skus` says where its
+// label lies: (u0, v0, width, height) in page `page` of the atlas, and in which layer of the sheets, if any.
+const packVertex = /* glsl */ `
+uniform mat4 viewMatrix, projectionMatrix;
+uniform sampler2D skus;
+in vec3 position;
+in vec2 uv;
+in vec4 color;
+in vec4 light;
+in float sku;
+out vec3 vBase, vResponse;
+out vec2 vPlace;
+flat out ivec2 vWhere;
+void main() {
+  int row = int(sku);
+  vec4 tile = texelFetch(skus, ivec2((row % 512) * 2, row / 512), 0);
+  vec4 where = texelFetch(skus, ivec2((row % 512) * 2 + 1, row / 512), 0);
+  vec4 hue = hueOf(light.rgb);
+  vBase = color.rgb * hue.rgb;
+  vResponse = responseIn(hue.a);
+  vPlace = where.y >= 0.0 ? uv : tile.xy + uv * tile.zw;
+  vWhere = color.a > 0.5 ? ivec2(int(where.x), int(where.y)) : ivec2(-1);
+  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+}
+`;
+const packFragment = /* glsl */ `
+uniform sampler2DArray atlas;
+uniform sampler2DArray sheets;
+uniform float uDim;
+in vec3 vBase, vResponse;
+in vec2 vPlace;
+flat in ivec2 vWhere;
+out vec4 outColor;
+void main() {
+  vec3 base = vBase;
+  if (vWhere.y >= 0) base *= texture(sheets, vec3(vPlace, float(vWhere.y))).rgb;
+  else if (vWhere.x >= 0) base *= texture(atlas, vec3(vPlace, float(vWhere.x))).rgb;
+#ifdef CLEAR
+  outColor = vec4(shown(base, vResponse, uDim), 0.78);
+#else
+  outColor = vec4(shown(base, vResponse, uDim), 1.0);
+#endif
+}
+`;
+
+export function packMaterial(shared: Shared, uniforms: Record<string, IUniform>, clear: boolean): RawShaderMaterial {
+  const made = material(packVertex, packFragment, { ...shared, ...uniforms }, clear ? { CLEAR: "1" } : {});
+  if (clear) Object.assign(made, { transparent: true, depthWrite: false });
+  return made;
+}
+
+// Packs farther off: pictures of them on the sides of their box. What is round about an upright axis has a picture that turns with
+// the eye: its corners lie `across` metres aside.
+const standInVertex = /* glsl */ `
+uniform mat4 viewMatrix, projectionMatrix;
+uniform vec3 cameraPosition;
+in vec3 position;
+in vec2 uv;
+in vec4 color;
+in vec4 light;
+in float across;
+out vec3 vBase, vResponse;
+out vec2 vUv;
+void main() {
+  vec2 eye = cameraPosition.xy - position.xy;
+  vec3 at = position;
+  at.xy += vec2(-eye.y, eye.x) * (across / max(length(eye), 1e-3));
+  vec4 hue = hueOf(light.rgb);
+  vBase = color.rgb * hue.rgb;
+  vResponse = responseIn(hue.a);
+  vUv = uv;
+  gl_Position = projectionMatrix * viewMatrix * vec4(at, 1.0);
+}
+`;
+const standInFragment = /* glsl */ `
+uniform sampler2D pictures;
+uniform float uDim;
+in vec3 vBase, vResponse;
+in vec2 vUv;
+out vec4 outColor;
+void main() {
+  vec3 base = vBase;
+#ifdef PICTURES
+  vec4 picture = texture(pictures, vUv);
+#ifdef CUT
+  if (picture.a < 0.5) discard;
+#endif
+  base *= picture.rgb / max(picture.a, 0.01);
+#endif
+  outColor = vec4(shown(base, vResponse, uDim), 1.0);
+}
+`;
+
+// `wear`: nothing yet; pictures; pictures that are cut out.
+export function standInMaterial(shared: Shared, uniforms: Record<string, IUniform>, wear: readonly ("PICTURES" | "CUT")[]): RawShaderMaterial {
+  return material(standInVertex, standInFragment, { ...shared, ...uniforms }, Object.fromEntries(wear.map((name) => [name, "1"])));
+}
+
+// Draws the pictures of the stand-ins: vertices come in clip space already.
+const portraitVertex = /* glsl */ `
+in vec3 position;
+in vec2 uv;
+in vec4 color;
+in float page;
+out vec3 vBase;
+out vec2 vUv;
+flat out int vPage;
+void main() {
+  vBase = color.rgb;
+  vUv = uv;
+  vPage = int(page);
+  gl_Position = vec4(position, 1.0);
+}
+`;
+const portraitFragment = /* glsl */ `
+uniform sampler2DArray atlas;
+in vec3 vBase;
+in vec2 vUv;
+flat in int vPage;
+out vec4 outColor;
+void main() {
+  vec3 base = vBase;
+  if (vPage >= 0) base *= texture(atlas, vec3(vUv, float(vPage))).rgb;
+  outColor = vec4(base, 1.0);
+}
+`;
+
+export function portraitMaterial(uniforms: Record<string, IUniform>): RawShaderMaterial {
+  const made = material(portraitVertex, portraitFragment, uniforms, {});
+  made.side = DoubleSide;
+  return made;
+}

@@ -1,0 +1,244 @@
+// The picture: renderer, camera and what stands in it. Draws only when something has changed.
+import {
+  ColorManagement,
+  LinearSRGBColorSpace,
+  NoToneMapping,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { direction, type Pose } from "../camera/pose";
+import type { Vec3 } from "../camera/vector";
+import type { Goods, Limits } from "./goods";
+import type { Overlays } from "./overlays";
+import { pick, type Picked, type Ray } from "./pick";
+import type { Room } from "./room";
+import type { Shared } from "./shading";
+import { Sight } from "./sight";
+
+ColorManagement.enabled = false; // the shaders write what the screen shows
+
+const softwareGoal = 55; // milliseconds a frame without a GPU
+const hardwareGoal = 18;
+const soonMilliseconds = 350;
+const coarsenesses = [1, 0.75, 0.5] as const; // share of the pixels in each direction, while one moves
+const stillAfter = 200; // milliseconds without a move: the picture is drawn once more, finely
+
+export interface Figures {
+  frames: number;
+  frameMilliseconds: number; // of the last frames, smoothed
+  calls: number;
+  triangles: number;
+}
+
+// WebGL without a GPU: fewer extras.
+function isSoftware(gl: WebGL2RenderingContext): boolean {
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+function newCanvasContext(canvas: HTMLCanvasElement): { gl: WebGL2RenderingContext; software: boolean } | undefined {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  if (!probe) return undefined;
+  const software = isSoftware(probe);
+  probe.getExtension("WEBGL_lose_context")?.loseContext();
+  const gl = canvas.getContext("webgl2", {
+    antialias: !software,
+    alpha: false,
+    powerPreference: "high-performance",
+    preserveDrawingBuffer: false,
+  });
+  return gl ? { gl, software } : undefined;
+}
+
+export class Stage {
+  readonly camera = new PerspectiveCamera(55, 1, 0.03, 200);
+  readonly scene = new Scene();
+  readonly shared: Shared = { uDim: { value: 0 } };
+  readonly renderer: WebGLRenderer;
+  readonly software: boolean;
+  readonly figures: Figures = { frames: 0, frameMilliseconds: 0, calls: 0, triangles: 0 };
+  goods: Goods | undefined;
+  room: Room | undefined;
+  overlays: Overlays | undefined;
+  sight = new Sight([]);
+  ceilingHeight = 3;
+  private dirty = true;
+  private wasBusy = false;
+  private began = 0; // the last picture
+  private moved = -Infinity;
+  private still = false;
+  private coarseness: (typeof coarsenesses)[number] = 1;
+  private soon: number | undefined;
+
+  private constructor(
+    readonly canvas: HTMLCanvasElement,
+    gl: WebGL2RenderingContext,
+    software: boolean,
+  ) {
+    this.software = software;
+    this.renderer = new WebGLRenderer({ canvas, context: gl, antialias: !software });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.toneMapping = NoToneMapping;
+    this.renderer.info.autoReset = true;
+    this.camera.up.set(0, 0, 1);
+    this.scene.matrixAutoUpdate = false;
+  }
+
+  // Undefined: the browser has no WebGL 2.
+  static create(canvas: HTMLCanvasElement): Stage | undefined {
+    const context = newCanvasContext(canvas);
+    return context && new Stage(canvas, context.gl, context.software);
+  }
+
+  get limits(): Limits {
+    const small = Math.min(screen.width, screen.height) < 600;
+    return { sheetLayers: small ? 16 : 40, sharpness: this.software ? 1 : 8, quick: this.software };
+  }
+
+  setBackground(color: string): void {
+    this.renderer.setClearColor(color, 1);
+    this.redraw();
+  }
+
+  redraw(): void {
+    this.dirty = true;
+  }
+
+  // For what comes piece by piece: not a picture each.
+  readonly redrawSoon = (): void => {
+    this.soon ??= window.setTimeout(() => {
+      this.soon = undefined;
+      this.redraw();
+    }, soonMilliseconds);
+  };
+
+  resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(this.pixelRatio());
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.redraw();
+  }
+
+  // A machine that is too slow for moving pictures gets coarser ones until they stand still.
+  private pixelRatio(): number {
+    const full = this.software ? 1 : Math.min(devicePixelRatio, 2);
+    return this.still ? full : full * this.coarseness;
+  }
+
+  private adaptCoarseness(): void {
+    if (!this.software) return;
+    const { frameMilliseconds } = this.figures;
+    const steps = coarsenesses.indexOf(this.coarseness);
+    const next = frameMilliseconds > softwareGoal * 1.3 ? steps + 1 : frameMilliseconds < softwareGoal * 0.5 ? steps - 1 : steps;
+    this.coarseness = coarsenesses[Math.min(Math.max(next, 0), coarsenesses.length - 1)]!;
+  }
+
+  setPose(pose: Pose): void {
+    const [x, y, z] = direction(pose);
+    this.camera.position.set(...pose.eye);
+    this.camera.lookAt(pose.eye[0] + x, pose.eye[1] + y, pose.eye[2] + z);
+    this.roomChanged();
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    this.redraw();
+  }
+
+  // Degrees from the picture's top to its bottom. A narrow angle is for views from far above.
+  setLens(fov: number): void {
+    const far = fov < 30;
+    Object.assign(this.camera, { fov, near: far ? 1 : 0.03, far: far ? 4000 : 400 });
+    this.camera.updateProjectionMatrix();
+    this.redraw();
+  }
+
+  // From above the ceiling one looks into the room.
+  roomChanged(): void {
+    this.room?.showCeiling(this.camera.position.z < this.ceilingHeight - 0.1);
+    this.redraw();
+  }
+
+  // Draws if need be; true when it did. `moving`: frames follow one another, so that their time says how fast this machine is.
+  frame(moving: boolean): boolean {
+    const began = performance.now();
+    if (moving) this.moved = began;
+    const still = began - this.moved > stillAfter;
+    if (still !== this.still) {
+      this.still = still;
+      this.dirty ||= still;
+      if (still) this.adaptCoarseness();
+      if (this.renderer.getPixelRatio() !== this.pixelRatio()) this.renderer.setPixelRatio(this.pixelRatio());
+    }
+    if (!this.dirty) {
+      this.wasBusy = false;
+      return false;
+    }
+    this.dirty = false;
+    const done = this.draw(still);
+    this.count(began, moving && this.wasBusy);
+    this.wasBusy = moving;
+    if (!done) this.redraw();
+    return true;
+  }
+
+  // False: more is to come.
+  draw(still: boolean): boolean {
+    this.sight.look(this.camera);
+    const done = this.goods?.update(this.sight, still) ?? true;
+    this.room?.update(this.sight, still);
+    this.renderer.render(this.scene, this.camera);
+    return done;
+  }
+
+  // While one moves, pictures follow one another as fast as the machine draws them: that time is what is minded.
+  private count(began: number, following: boolean): void {
+    const { figures } = this;
+    figures.frames++;
+    figures.calls = this.renderer.info.render.calls;
+    figures.triangles = this.renderer.info.render.triangles;
+    if (following) {
+      figures.frameMilliseconds = figures.frameMilliseconds * 0.8 + (began - this.began) * 0.2;
+      this.goods?.adapt(figures.frameMilliseconds, this.software ? softwareGoal : hardwareGoal);
+    }
+    this.began = began;
+  }
+
+  // Of a point of the canvas, in CSS pixels from its upper left corner.
+  rayAt(x: number, y: number): Ray {
+    const { clientWidth, clientHeight } = this.canvas;
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2((x / clientWidth) * 2 - 1, 1 - (y / clientHeight) * 2), this.camera);
+    const { origin, direction: way } = caster.ray;
+    return { from: [origin.x, origin.y, origin.z], way: [way.x, way.y, way.z] };
+  }
+
+  pickAt(x: number, y: number): Picked | undefined {
+    const goods = this.goods;
+    if (!goods) return undefined;
+    return pick(this.rayAt(x, y), {
+      table: goods.table,
+      skus: goods.skus,
+      meshes: goods.farMeshes,
+      room: this.room?.arrays,
+      roomHidden: (index) => this.room?.isPassed(index) ?? false,
+    });
+  }
+
+  // Where a point of the store is on the canvas, or undefined when it is behind the eye.
+  project(point: Vec3): { x: number; y: number } | undefined {
+    const seen = new Vector3(...point).project(this.camera);
+    if (seen.z > 1) return undefined;
+    return { x: ((seen.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - seen.y) / 2) * this.canvas.clientHeight };
+  }
+
+  async picture(): Promise<Blob | null> {
+    while (!this.draw(true));
+    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+  }
+}

@@ -1,0 +1,283 @@
+// Packs that are not near enough for their mesh: boxes with pictures of the pack on them, or for round ones a picture that turns with
+// the eye. Two draws of still vertices (what is cut out costs more); what is in view is chosen by copying runs of indices, a cell's sides at a time.
+// (Not instanced: WebGL without a GPU takes 0.1 ms an instance.)
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, Mesh, Vector3, type RawShaderMaterial, type Texture } from "three";
+import type { Sku } from "../store/contract";
+import { faceLight, rotated, type GoodsLight } from "./goods_light";
+import { facesAnyway, fronts, rotationOf, type Cell, type GoodsTable, type Quaternion } from "./goods_table";
+import { standInMaterial, type Shared } from "./shading";
+
+export enum Form {
+  solid = 0, // fills its box
+  cut = 1, // does not: its pictures are cut out
+  round = 2, // about its upright axis
+}
+
+export interface Portraits {
+  readonly texture: Texture;
+  readonly cells: readonly [number, number]; // across and down
+  readonly cellTexels: readonly [number, number];
+  readonly forms: Uint8Array; // by SKU row
+}
+
+// Sides of a box, in the product frame: -1..1 across, 0..1 up.
+const sides = [
+  { corners: [[-1, -1, 0], [1, -1, 0], [1, -1, 1], [-1, -1, 1]], normal: [0, -1, 0], view: 0 }, // front
+  { corners: [[1, -1, 0], [1, 1, 0], [1, 1, 1], [1, -1, 1]], normal: [1, 0, 0], view: 1 }, // right
+  { corners: [[-1, 1, 0], [-1, -1, 0], [-1, -1, 1], [-1, 1, 1]], normal: [-1, 0, 0], view: 1 }, // left
+  { corners: [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], normal: [0, 0, 1], view: 2 }, // top
+  { corners: [[1, 1, 0], [-1, 1, 0], [-1, 1, 1], [1, 1, 1]], normal: [0, 1, 0], view: 0 }, // back
+] as const;
+enum Side {
+  front = 0,
+  right = 1,
+  left = 2,
+  top = 3,
+  back = 4,
+}
+const corners = sides.length * 4; // of a pack
+const picture = [
+  [0, 0],
+  [1, 0],
+  [1, 1],
+  [0, 1],
+] as const; // of a side's corners
+const seenRows = 2; // how many packs behind one another show their front
+const plainFrom = 6; // metres: farther off, sides between packs and packs behind packs are left out
+const topShare = 0.93; // of the height: where a round pack's picture from above lies
+const inset = 1.5; // texels about a picture that are not its own
+
+// The indices of one side of all packs in the table's order; a pack without that side has none.
+interface Run {
+  readonly indices: Uint32Array;
+  readonly starts: Uint32Array; // of each pack, and the end
+}
+
+interface Box {
+  readonly turn: Quaternion;
+  readonly place: readonly [number, number, number];
+  readonly size: readonly [number, number, number];
+  readonly round: boolean;
+}
+
+interface Draw {
+  readonly mesh: Mesh;
+  readonly shown: Uint32Array;
+  filled: number;
+}
+
+function drawOf(attributes: Record<string, BufferAttribute>, packs: number, material: RawShaderMaterial, order: number): Draw {
+  const geometry = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
+  const shown = new Uint32Array(Math.max(packs, 1) * sides.length * 6);
+  const index = new BufferAttribute(shown, 1);
+  index.setUsage(DynamicDrawUsage);
+  geometry.setIndex(index);
+  const mesh = new Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
+  mesh.renderOrder = order;
+  return { mesh, shown, filled: 0 };
+}
+
+export class StandIns {
+  readonly group = new Group();
+  private readonly position: Float32Array;
+  private readonly across: Float32Array;
+  private readonly uv: Uint16Array;
+  private readonly color: Uint8Array;
+  private readonly light: Uint8Array;
+  private runs: readonly (readonly [Run, Run])[] = []; // by side: solid, cut out
+  private readonly draws: readonly [Draw, Draw];
+  private readonly uniforms = { pictures: { value: null as Texture | null } };
+  private readonly seen: Uint32Array; // by cell: rows that show their front
+
+  constructor(
+    private readonly table: GoodsTable,
+    private readonly skus: readonly Sku[],
+    private readonly shared: Shared,
+  ) {
+    const vertices = table.count * corners;
+    this.position = new Float32Array(vertices * 3);
+    this.across = new Float32Array(vertices);
+    this.uv = new Uint16Array(vertices * 2);
+    this.color = new Uint8Array(vertices * 4);
+    this.light = new Uint8Array(vertices * 4);
+    this.seen = Uint32Array.from(table.cells, (cell) => this.rowsSeen(cell));
+    this.writeShapes(undefined);
+    this.writeLight(undefined);
+    const attributes = this.attributes();
+    const plain = standInMaterial(shared, this.uniforms, []);
+    this.draws = [drawOf(attributes, table.count, plain, -500), drawOf(attributes, table.count, plain, -400)];
+    this.group.add(...this.draws.map(({ mesh }) => mesh));
+  }
+
+  get triangles(): number {
+    return (this.draws[0].filled + this.draws[1].filled) / 3;
+  }
+
+  begin(): void {
+    for (const draw of this.draws) draw.filled = 0;
+  }
+
+  // What of a cell is seen from the eye, so far off; its packs before `first` are shown otherwise.
+  add(number: number, first: number, eye: Vector3, distance: number): void {
+    const cell = this.table.cells[number]!;
+    const { low, high, end } = cell;
+    const frontEnd = Math.max(first, this.seen[number]!);
+    const above = eye.z - high[2] > 0.5 * distance; // one looks down on it
+    const few = distance > plainFrom && !above;
+    if (cell.facing === facesAnyway) {
+      const all = [Side.front, Side.right, Side.left, Side.back] as const;
+      for (const side of all) this.copy(side, first, end);
+    } else {
+      const [x, y] = fronts[cell.facing]!;
+      const [rx, ry] = [-y, x]; // the pack's right
+      const along = eye.x * rx + eye.y * ry;
+      const leftmost = Math.min(low[0] * rx, high[0] * rx) + Math.min(low[1] * ry, high[1] * ry);
+      const rightmost = Math.max(low[0] * rx, high[0] * rx) + Math.max(low[1] * ry, high[1] * ry);
+      // From beyond an end of the shelf all its rows are seen, else the first ones.
+      const beyond = along > rightmost || along < leftmost;
+      const seenEnd = beyond && !few ? end : frontEnd;
+      this.copy(Side.front, first, seenEnd);
+      if (along > leftmost && (beyond || !few)) this.copy(Side.right, first, seenEnd);
+      if (along < rightmost && (beyond || !few)) this.copy(Side.left, first, seenEnd);
+    }
+    if (eye.z > low[2]) this.copy(Side.top, first, few ? frontEnd : end);
+  }
+
+  finish(): void {
+    for (const { mesh, filled } of this.draws) {
+      mesh.geometry.setDrawRange(0, filled);
+      mesh.visible = filled > 0;
+      const index = mesh.geometry.index!;
+      index.clearUpdateRanges();
+      index.addUpdateRange(0, filled);
+      index.needsUpdate = true;
+    }
+  }
+
+  setPortraits(portraits: Portraits): void {
+    this.uniforms.pictures.value = portraits.texture;
+    this.writeShapes(portraits);
+    const [solid, cut] = this.draws;
+    (solid.mesh.material as RawShaderMaterial).dispose();
+    solid.mesh.material = standInMaterial(this.shared, this.uniforms, ["PICTURES"]);
+    cut.mesh.material = standInMaterial(this.shared, this.uniforms, ["PICTURES", "CUT"]);
+    for (const name of ["position", "across", "uv", "color"]) solid.mesh.geometry.getAttribute(name).needsUpdate = true;
+  }
+
+  setLight(light: GoodsLight): void {
+    this.writeLight(light);
+    this.draws[0].mesh.geometry.getAttribute("light").needsUpdate = true;
+  }
+
+  private rowsSeen(cell: Cell): number {
+    let end = cell.first;
+    while (end < cell.end && this.table.rank[this.table.order[end]!]! < seenRows) end++;
+    return end;
+  }
+
+  private copy(side: Side, first: number, end: number): void {
+    if (end <= first) return;
+    this.runs[side]!.forEach(({ indices, starts }, i) => {
+      const draw = this.draws[i]!;
+      draw.shown.set(indices.subarray(starts[first]!, starts[end]!), draw.filled);
+      draw.filled += starts[end]! - starts[first]!;
+    });
+  }
+
+  private attributes(): Record<string, BufferAttribute> {
+    return {
+      position: new BufferAttribute(this.position, 3),
+      across: new BufferAttribute(this.across, 1),
+      uv: new BufferAttribute(this.uv, 2, true),
+      color: new BufferAttribute(this.color, 4, true),
+      light: new BufferAttribute(this.light, 4, true),
+    };
+  }
+
+  private runOf(side: Side, has: (pack: number) => boolean): Run {
+    const { count } = this.table;
+    const starts = new Uint32Array(count + 1);
+    const indices = new Uint32Array(count * 6);
+    let filled = 0;
+    for (let i = 0; i < count; i++) {
+      starts[i] = filled;
+      if (!has(i)) continue;
+      const v = i * corners + side * 4;
+      indices.set([v, v + 1, v + 2, v, v + 2, v + 3], filled);
+      filled += 6;
+    }
+    starts[count] = filled;
+    return { indices: indices.slice(0, filled), starts };
+  }
+
+  private writeShapes(portraits: Portraits | undefined): void {
+    const { order, sku, position, tint } = this.table;
+    const forms = new Uint8Array(this.table.count);
+    const colors = this.skus.map(({ color }) => (portraits ? 0xffffff : Number.parseInt(color.slice(1), 16)));
+    order.forEach((row, i) => {
+      const type = sku[row]!;
+      const turn = rotationOf(this.table, row);
+      const upright = turn[0] ** 2 + turn[1] ** 2 < 0.02;
+      const box: Box = {
+        turn,
+        place: [position[row * 3]!, position[row * 3 + 1]!, position[row * 3 + 2]!],
+        size: this.skus[type]!.size_m,
+        round: upright && portraits?.forms[type] === Form.round,
+      };
+      const form = portraits?.forms[type] ?? Form.solid;
+      forms[i] = form === Form.round && !box.round ? Form.cut : form;
+      const color = colors[type]!;
+      const painted = [16, 8, 0].map((shift, k) => Math.min((((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545), 255));
+      for (let side = 0; side < sides.length; side++) this.writeSide(i * corners + side * 4, side, box);
+      for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([painted[0]!, painted[1]!, painted[2]!, 255], v * 4);
+      if (portraits) this.writePictures(i, type, portraits);
+    });
+    const turns = [Side.front, Side.top]; // what a round pack has
+    this.runs = sides.map((_, side) => [
+      this.runOf(side, (pack) => forms[pack] === Form.solid),
+      this.runOf(side, (pack) => forms[pack] === Form.cut || (forms[pack] === Form.round && turns.includes(side))),
+    ]);
+  }
+
+  private writeSide(vertex: number, side: Side, { turn, place, size, round }: Box): void {
+    sides[side]!.corners.forEach(([x, y, z], k) => {
+      const v = vertex + k;
+      let local: [number, number, number] = [(x * size[0]) / 2, (y * size[1]) / 2, z * size[2]];
+      this.across[v] = 0;
+      if (round && side === Side.front) {
+        local = [0, 0, z * size[2]];
+        this.across[v] = (x * Math.max(size[0], size[1])) / 2;
+      } else if (round && side === Side.top) local[2] = size[2] * topShare;
+      const at = rotated(turn, local);
+      for (let axis = 0; axis < 3; axis++) this.position[v * 3 + axis] = at[axis]! + place[axis]!;
+    });
+  }
+
+  private writePictures(pack: number, sku: number, { cells, cellTexels }: Portraits): void {
+    sides.forEach(({ view }, side) => {
+      const cell = sku * 3 + view;
+      const [column, line] = [cell % cells[0], Math.floor(cell / cells[0])];
+      picture.forEach(([u, v], k) => {
+        const o = (pack * corners + side * 4 + k) * 2;
+        const within = (share: number, texels: number): number => (inset + share * (texels - 2 * inset)) / texels;
+        this.uv[o] = ((column + within(u, cellTexels[0])) / cells[0]) * 65535;
+        this.uv[o + 1] = ((line + within(v, cellTexels[1])) / cells[1]) * 65535;
+      });
+    });
+  }
+
+  private writeLight(light: GoodsLight | undefined): void {
+    this.table.order.forEach((row, i) => {
+      const turn = rotationOf(this.table, row);
+      sides.forEach(({ normal }, side) => {
+        const word = light ? faceLight(light, row, turn, normal) : side === Side.top ? 0x747474 : 0x6a6a6a;
+        for (let k = 0; k < 4; k++) {
+          this.light.set([word & 255, (word >> 8) & 255, word >> 16, 255], (i * corners + side * 4 + k) * 4);
+        }
+      });
+    });
+  }
+}

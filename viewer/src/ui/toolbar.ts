@@ -1,0 +1,94 @@
+// The bar at the foot of the page: ways of moving, views, tools.
+import { modes, type Mode } from "../camera/modes";
+import type { StoreCamera } from "../store/contract";
+import type { TextKey } from "../text/strings";
+import { element, icon, type IconName } from "./dom";
+import { Menu } from "./menu";
+import type { Speech } from "./speech";
+
+export interface ToolbarActions {
+  mode(mode: Mode): void;
+  view(camera: StoreCamera): void;
+  measure(): void;
+  zones(): void;
+  picture(): void;
+  share(): void;
+  theme(): void;
+  help(): void;
+}
+
+const keys: Partial<Record<TextKey, string>> = { orbit: "1", walk: "2", fly: "3", top: "4", measure: "M", zones: "Z", screenshot: "P", help: "?" };
+
+export class Toolbar {
+  readonly bar: HTMLElement;
+  private readonly buttons = new Map<TextKey, HTMLButtonElement>();
+
+  constructor(
+    private readonly speech: Speech,
+    private readonly actions: ToolbarActions,
+    cameras: readonly StoreCamera[],
+    cameraName: (camera: StoreCamera) => string,
+  ) {
+    const ways = element("div", { class: "group", attributes: { role: "group" } });
+    for (const mode of modes) ways.append(this.button(mode, mode, () => actions.mode(mode)));
+    const views = new Menu(
+      this.button("views", "views"),
+      () => cameras.map((camera) => ({ text: cameraName(camera), choose: () => actions.view(camera) })),
+    );
+    const tools = element(
+      "div",
+      { class: "group" },
+      views.root,
+      this.button("measure", "measure", () => actions.measure()),
+      this.button("zones", "zones", () => actions.zones()),
+      this.more(),
+    );
+    this.bar = element("div", { class: "toolbar panel", attributes: { role: "toolbar" } }, ways, element("span", { class: "divider" }), tools);
+    this.bar.addEventListener("keydown", (event) => this.step(event));
+  }
+
+  show(state: { mode: Mode; measuring: boolean; zones: boolean }): void {
+    for (const mode of modes) this.press(mode, mode === state.mode);
+    this.press("measure", state.measuring);
+    this.press("zones", state.zones);
+  }
+
+  private more(): HTMLElement {
+    const { speech, actions } = this;
+    const entry = (key: TextKey, choose: () => void): { text: string; choose: () => void } => ({ text: speech.say(key), choose });
+    return new Menu(this.button("more", "more"), () => [
+      entry("screenshot", () => actions.picture()),
+      entry("share", () => actions.share()),
+      entry("theme", () => actions.theme()),
+      entry("language", () => speech.toggle()),
+      entry("help", () => actions.help()),
+    ]).root;
+  }
+
+  private button(key: TextKey, picture: IconName, press?: () => void): HTMLButtonElement {
+    const made = element("button", { class: "tool", attributes: { type: "button" } }, icon(picture));
+    if (press) made.addEventListener("click", press);
+    this.speech.bind(() => {
+      const text = this.speech.say(key);
+      made.setAttribute("aria-label", text);
+      made.title = keys[key] ? `${text} (${keys[key]})` : text;
+    });
+    this.buttons.set(key, made);
+    return made;
+  }
+
+  private press(key: TextKey, pressed: boolean): void {
+    this.buttons.get(key)?.setAttribute("aria-pressed", String(pressed));
+  }
+
+  // Left and right go from button to button, as in every toolbar.
+  private step(event: KeyboardEvent): void {
+    if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+    const all = [...this.bar.querySelectorAll<HTMLButtonElement>("button.tool")];
+    const now = all.indexOf(document.activeElement as HTMLButtonElement);
+    if (now < 0) return;
+    all[(now + (event.key === "ArrowRight" ? 1 : all.length - 1)) % all.length]!.focus();
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}
