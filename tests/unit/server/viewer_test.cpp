@@ -264,7 +264,9 @@ TEST_F(ViewedStore, HasAMeshAndALabelOfEverySku) {
       ASSERT_LT(indices[i], range[0] + range[1]);
     }
     EXPECT_LT(tiles[5 * sku], static_cast<float>(pages));
-    if (tiles[5 * sku] >= 0) EXPECT_LT(tiles[5 * sku + 1], tiles[5 * sku + 3]);
+    if (tiles[5 * sku] >= 0) {
+      EXPECT_LT(tiles[5 * sku + 1], tiles[5 * sku + 3]);
+    }
   }
   for (std::size_t p = 0; p < pages; ++p) {
     const auto image =
