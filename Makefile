@@ -2,7 +2,7 @@
 .PHONY: help setup build viewer demo gallery test sanitize fuzz bench format lint clean
 .DEFAULT_GOAL := help
 
-# WERROR=ON: warnings stop the release build, as in CI. TIDY: what `make test` gives to clang-tidy: CHANGED (five minutes at
+# WERROR=ON: warnings stop the release build, as in CI. TIDY: what `make test` gives to clang-tidy: CHANGED (150 s at
 # most, newest files first; what was found clean is kept), ALL or OFF.
 WERROR ?= OFF
 TIDY ?= CHANGED
