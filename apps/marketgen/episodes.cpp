@@ -20,6 +20,7 @@
 #include "io/gzip.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "named_flag.h"
 #include "number_flags.h"
 #include "say.h"
 #include "store/open_stores.h"
@@ -77,12 +78,9 @@ std::vector<catalog::Product> products_of(const std::vector<episodes::EpisodeSpe
       if (row != rows.end()) products.emplace(sku, *row);
     }
   };
-  for (const episodes::EpisodeSpec& spec : episodes) {
-    for (const episodes::EpisodeItem& item : spec.items)
-      add(item.sku);
-    for (const episodes::EpisodeGoal& goal : spec.goals)
-      add(goal.sku);
-  }
+  for (const episodes::EpisodeSpec& spec : episodes)
+    for (const std::string& sku : episodes::skus_of(spec))
+      add(sku);
   return rows_of(products);
 }
 
@@ -238,44 +236,24 @@ void print_shares(const episodes::DrawShares& shares) {
     say("  {} by {}\n", by.episodes, by.by);
 }
 
-Result<episodes::Split> split_named(const std::string& name) {
-  if (const auto split = value_named<episodes::Split>(name)) return *split;
-  return Error{"usage.bad_flag",
-               "--split",
-               fmt::format("there is no split \"{}\"; there are: {}",
-                           name,
-                           fmt::join(names_of(episodes::Split{}), ", "))};
-}
-
-Result<episodes::Instructions> instructions_named(const std::string& name) {
-  if (const auto instructions = value_named<episodes::Instructions>(name)) return *instructions;
-  return Error{"usage.bad_flag",
-               "--instructions",
-               fmt::format("there are no instructions in \"{}\"; there are: {}",
-                           name,
-                           fmt::join(names_of(episodes::Instructions{}), ", "))};
-}
-
 // Of a list like "products,looks".
 Result<std::vector<episodes::Unseen>> unseen_named(const std::string& list) {
   std::vector<episodes::Unseen> unseen;
   for (const std::string& name : split(list, ',')) {
-    const auto kind = value_named<episodes::Unseen>(name);
-    if (!kind)
-      return Error{"usage.bad_flag",
-                   "--unseen",
-                   fmt::format("there is no \"{}\"; there are: {}",
-                               name,
-                               fmt::join(names_of(episodes::Unseen{}), ", "))};
-    unseen.push_back(*kind);
+    MARKETGEN_TRY(const episodes::Unseen kind,
+                  value_of_flag<episodes::Unseen>("--unseen", "there is no", name));
+    unseen.push_back(kind);
   }
   return unseen;
 }
 
 Result<episodes::DrawRules> rules_of(const EpisodesFlags& flags) {
   episodes::DrawRules rules;
-  MARKETGEN_TRY(rules.split, split_named(flags.split));
-  MARKETGEN_TRY(rules.instructions, instructions_named(flags.instructions));
+  MARKETGEN_TRY(rules.split,
+                value_of_flag<episodes::Split>("--split", "there is no split", flags.split));
+  MARKETGEN_TRY(rules.instructions,
+                value_of_flag<episodes::Instructions>(
+                    "--instructions", "there are no instructions in", flags.instructions));
   MARKETGEN_TRY(std::vector<episodes::Unseen> unseen, unseen_named(flags.unseen));
   const std::vector<std::filesystem::path> files(flags.trained_on.begin(), flags.trained_on.end());
   MARKETGEN_TRY(rules.trained_on, episodes::TrainingSet::read(files, std::move(unseen)));
@@ -392,6 +370,39 @@ Result<void> write(const EpisodesFlags& flags) {
   return {};
 }
 
+// What decides which episodes are kept.
+void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
+  command
+      .add_option(
+          "--split",
+          flags.split,
+          "what every episode is shown to be: planned (a way through it), certified (done "
+          "in physics, in ten perturbed worlds, too: minutes an episode), paper (a way to the "
+          "place, front row), all (nothing)")
+      ->capture_default_str();
+  command
+      .add_option("--instructions",
+                  flags.instructions,
+                  "how goals are told: words (a text that fits one product on offer) or ids (SKUs, "
+                  "too)")
+      ->capture_default_str();
+  CLI::Option* trained_on =
+      command
+          .add_option("--trained-on",
+                      flags.trained_on,
+                      "a file of episodes that a policy was trained on: what is drawn it has not "
+                      "seen; may be given again")
+          ->allow_extra_args(false);
+  command
+      .add_option("--unseen",
+                  flags.unseen,
+                  "with --trained-on, what is to be new, with commas: products (no goal is one of "
+                  "those files' products, or easily taken for one), layouts and looks (a store "
+                  "with one of theirs is refused)")
+      ->needs(trained_on)
+      ->capture_default_str();
+}
+
 }  // namespace
 
 Run add_episodes(CLI::App& app) {
@@ -407,36 +418,7 @@ Run add_episodes(CLI::App& app) {
   command->add_option("--tools",
                       flags->tools,
                       "what the robot takes goods with: gripper or suction; gripper by itself");
-  command
-      ->add_option(
-          "--split",
-          flags->split,
-          "what every episode is shown to be: planned (a way through it), certified (done "
-          "in physics, in ten perturbed worlds, too: minutes an episode), paper (a way to the "
-          "place, front row), all (nothing)")
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--instructions",
-          flags->instructions,
-          "how goals are told: words (a text that fits one product on offer) or ids (SKUs, "
-          "too)")
-      ->capture_default_str();
-  CLI::Option* trained_on =
-      command
-          ->add_option("--trained-on",
-                       flags->trained_on,
-                       "a file of episodes that a policy was trained on: what is drawn it has not "
-                       "seen; may be given again")
-          ->allow_extra_args(false);
-  command
-      ->add_option("--unseen",
-                   flags->unseen,
-                   "with --trained-on, what is to be new, with commas: products (no goal is one of "
-                   "those files' products, or easily taken for one), layouts and looks (a store "
-                   "with one of theirs is refused)")
-      ->needs(trained_on)
-      ->capture_default_str();
+  add_rule_flags(*command, *flags);
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(whole_number(1, 100000))
       ->capture_default_str();

@@ -22,16 +22,21 @@ std::string line_of(const std::string& source, std::size_t line) {
 
 }  // namespace
 
+std::set<std::string> skus_of(const EpisodeSpec& spec) {
+  std::set<std::string> skus;
+  for (const EpisodeItem& item : spec.items)
+    skus.insert(item.sku);
+  for (const EpisodeGoal& goal : spec.goals)
+    skus.insert(goal.sku);
+  return skus;
+}
+
 std::string plan_hash(const plan::Plan& plan) {
   return io::sha256_hex(io::write_json(plan));
 }
 
 std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec) {
-  std::set<std::string_view> used;
-  for (const EpisodeItem& item : spec.items)
-    used.insert(item.sku);
-  for (const EpisodeGoal& goal : spec.goals)
-    used.insert(goal.sku);
+  const std::set<std::string> used = skus_of(spec);
   Hasher hasher;
   hasher.add(io::write_json_line(spec));
   for (const catalog::Product& product : header.products)

@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -242,6 +243,9 @@ struct EpisodeFile {
 
 // Of all that their certificates say.
 DrawShares draw_shares(const std::vector<EpisodeSpec>& episodes);
+
+// Of what lies in its basket and of what it asks for, each once.
+std::set<std::string> skus_of(const EpisodeSpec& spec);
 
 std::string plan_hash(const plan::Plan& plan);  // SHA-256 of its JSON
 // 32 hex digits over all that decides what becomes of the episode: itself and the rows of its

@@ -1,6 +1,7 @@
 #include "episodes/training_set.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -40,19 +41,11 @@ TrainingSet TrainingSet::of(const std::vector<EpisodeFile>& files, std::vector<U
   set.unseen_ = std::move(unseen);
   set.any_ = !files.empty();
   for (const EpisodeFile& file : files) {
-    std::map<std::string, const catalog::Product*> rows;
+    std::set<std::string> shown;
+    for (const EpisodeSpec& spec : file.episodes)
+      shown.merge(skus_of(spec));
     for (const catalog::Product& row : file.header.products)
-      rows.emplace(row.sku, &row);
-    const auto add = [&](const std::string& sku) {
-      if (const auto row = rows.find(sku); row != rows.end())
-        set.products_.emplace(sku, *row->second);
-    };
-    for (const EpisodeSpec& spec : file.episodes) {
-      for (const EpisodeGoal& goal : spec.goals)
-        add(goal.sku);
-      for (const EpisodeItem& item : spec.items)
-        add(item.sku);
-    }
+      if (shown.contains(row.sku)) set.products_.emplace(row.sku, row);
     for (const EpisodeStore& store : file.header.stores) {
       set.layouts_.emplace(layout_of(store.plan), store.name);
       set.looks_.emplace(look_of(store.plan), store.name);

@@ -104,7 +104,7 @@ TEST(TrainingSet, BasketsAskForNothingOfItButMayHoldIt) {
                 stock, [&](const auto& product) { return !rules.trained_on.has(product); }),
             2);
   int seen_others = 0;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const auto spec = episodes::sample_checkout(data_rows(),
                                                 stock,
                                                 committed_catalog().frictions,

@@ -22,6 +22,17 @@ constexpr double max_overlap_m = 0.002;
 constexpr double max_filled = 0.6;
 
 using Goods = std::vector<const catalog::Product*>;
+
+// What a task may ask for.
+Goods targets_of(const std::vector<catalog::Product>& stock,
+                 const CheckoutHand& hand,
+                 const TrainingSet& trained_on) {
+  Goods targets;
+  for (const catalog::Product& product : stock)
+    if (hand.takes(product) && !trained_on.has(product)) targets.push_back(&product);
+  return targets;
+}
+
 using Shapes = std::map<std::string, Goods>;
 
 double volume_m3(const catalog::Product& product) {
@@ -56,14 +67,20 @@ class CheckoutSampler {
                   const CheckoutCertifier& certify,
                   const EpisodeProver& prove,
                   const CheckoutHand& hand,
+                  const Goods& targets,
                   const TrainingSet& trained_on,
                   Seed seed)
-      : stock_(stock), world_(world), certify_(certify), judge_(prove), hand_(hand), seed_(seed) {
-    for (const catalog::Product& product : stock_) {
+      : stock_(stock),
+        world_(world),
+        certify_(certify),
+        judge_(prove),
+        hand_(hand),
+        trained_on_(trained_on),
+        seed_(seed) {
+    for (const catalog::Product& product : stock_)
       shapes_[product.archetype].push_back(&product);
-      if (hand_.takes(product) && !trained_on.has(product))
-        target_shapes_[product.archetype].push_back(&product);
-    }
+    for (const catalog::Product* target : targets)
+      target_shapes_[target->archetype].push_back(target);
   }
 
   const CandidateJudge& judge() const { return judge_; }
@@ -76,6 +93,7 @@ class CheckoutSampler {
     if (static_cast<int>(spec.items.size()) < drawn.targets + std::min(drawn.others, min_others))
       return refused("spilled");
     ask_for(drawn.targets, spec);
+    if (spec.goals.empty()) return refused("spilled");
     if (!tell_goals(Offer(rows_of(spec)),
                     InstructionVerb::unload,
                     seed_.child("words", static_cast<std::uint64_t>(number)),
@@ -146,12 +164,12 @@ class CheckoutSampler {
     basket.goods.insert(at, *at);
   }
 
-  // For the first kinds of what lies there.
+  // For the first kinds of what lies there: others follow where targets spilled.
   void ask_for(int kinds, EpisodeSpec& spec) const {
     for (const EpisodeItem& item : spec.items) {
       if (!spec.goals.empty() && spec.goals.back().sku == item.sku)
         ++spec.goals.back().count;
-      else if (static_cast<int>(spec.goals.size()) < kinds)
+      else if (static_cast<int>(spec.goals.size()) < kinds && !trained_on_.has(row_of(item.sku)))
         spec.goals.push_back({item.sku, 1});
     }
     const std::vector<catalog::Product> rows = rows_of(spec);
@@ -168,8 +186,12 @@ class CheckoutSampler {
     std::vector<catalog::Product> rows;
     for (const EpisodeItem& item : spec.items)
       if (std::ranges::find(rows, item.sku, &catalog::Product::sku) == rows.end())
-        rows.push_back(*std::ranges::find(stock_, item.sku, &catalog::Product::sku));
+        rows.push_back(row_of(item.sku));
     return rows;
+  }
+
+  const catalog::Product& row_of(const std::string& sku) const {
+    return *std::ranges::find(stock_, sku, &catalog::Product::sku);
   }
 
   // Until there are so many, or nothing that is drawn leaves room for itself.
@@ -261,6 +283,7 @@ class CheckoutSampler {
   const CheckoutCertifier& certify_;
   CandidateJudge judge_;
   const CheckoutHand& hand_;
+  const TrainingSet& trained_on_;
   Seed seed_;
   Shapes shapes_, target_shapes_;
 };
@@ -304,17 +327,14 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                                     const EpisodeProver& prove,
                                     const DrawRules& rules,
                                     const CheckoutHand& hand) {
-  const auto may_ask_for = [&](const catalog::Product& product) {
-    return hand.takes(product) && !rules.trained_on.has(product);
-  };
-  if (const auto targets = std::ranges::count_if(stock, may_ask_for);
-      targets < static_cast<std::ptrdiff_t>(min_stock))
+  const Goods targets = targets_of(stock, hand, rules.trained_on);
+  if (targets.size() < min_stock)
     return Error{"episode.impossible",
                  origin.store,
                  fmt::format("of what the store offers, a task may ask for {} products out of a "
                              "basket; at least {} are needed: give it more kinds of boxes, cans or "
                              "bottles",
-                             targets,
+                             targets.size(),
                              min_stock)};
   MARKETGEN_TRY(CheckoutWorld world,
                 CheckoutWorld::create(data, frictions, checkout_station, hand.tools));
@@ -326,7 +346,7 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   spec.instructions = rules.instructions;
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
-  CheckoutSampler sampler(stock, world, certify, prove, hand, rules.trained_on, own);
+  CheckoutSampler sampler(stock, world, certify, prove, hand, targets, rules.trained_on, own);
   const bool cup = world.robot().tools.front().kind == robots::ToolKind::suction;
   const int max_drawn = cup ? max_cup_baskets : max_baskets;
   for (int number = 0; number < max_drawn; ++number) {
