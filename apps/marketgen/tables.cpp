@@ -12,6 +12,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "named_flag.h"
 #include "store/open_stores.h"
 
 namespace marketgen::app {
@@ -25,20 +26,12 @@ struct TablesFlags {
 
 using Action = std::function<Result<std::string>(const TablesFlags&)>;
 
-Result<evaluation::TableFormat> format_named(const std::string& name) {
-  using evaluation::TableFormat;
-  if (const auto format = value_named<TableFormat>(name)) return *format;
-  return Error{"usage.bad_flag",
-               "--format",
-               fmt::format("there is no format \"{}\"; there are: {}",
-                           name,
-                           fmt::join(names_of(TableFormat{}), ", "))};
-}
-
 template <class Table>
 Result<std::string> text_of(const Table& table, const TablesFlags& flags) {
   if (flags.common.json) return io::write_json(table);
-  MARKETGEN_TRY(const evaluation::TableFormat format, format_named(flags.format));
+  MARKETGEN_TRY(
+      const evaluation::TableFormat format,
+      value_of_flag<evaluation::TableFormat>("--format", "there is no format", flags.format));
   return evaluation::written(evaluation::text_of(table), format);
 }
 
@@ -92,7 +85,8 @@ Result<std::string> shapes(const TablesFlags& flags) {
 Result<void> print_or_put(const TablesFlags& flags, const Action& action) {
   io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
-  MARKETGEN_CHECK(format_named(flags.format));
+  MARKETGEN_CHECK(
+      value_of_flag<evaluation::TableFormat>("--format", "there is no format", flags.format));
   MARKETGEN_TRY(const std::string text, action(flags));
   if (flags.output.empty()) {
     fmt::print("{}", text);

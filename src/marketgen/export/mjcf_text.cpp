@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/srgb.h"
+
 namespace marketgen::exporters {
 
 double srgb_from_linear(float linear) {
   const double l = std::clamp(static_cast<double>(linear), 0.0, 1.0);
-  const double encoded = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
-  return std::round(encoded * 1000) / 1000;
+  return std::round(srgb_encoded(l) * 1000) / 1000;
 }
 
 std::string mjcf_vector(const Vec3& v) {

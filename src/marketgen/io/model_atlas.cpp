@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "geometry/srgb.h"
 #include "io/model_glb.h"
 
 namespace marketgen::io {
@@ -17,8 +18,7 @@ double linear_of(std::uint8_t channel) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 std::uint8_t encoded(double linear) {
-  const double c = linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.0, 1.0)));
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(srgb_encoded(linear), 0.0, 1.0)));
 }
 
 // One picture under one factor.

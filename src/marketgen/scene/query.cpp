@@ -8,6 +8,7 @@
 
 #include "base/safe_line.h"
 #include "base/text.h"
+#include "catalog/unit_price.h"
 #include "io/csv.h"
 #include "io/json.h"
 #include "scene/placements.h"
@@ -179,7 +180,7 @@ std::vector<PriceQueryRow> price_rows(const Scene& scene) {
                     full_name(p),
                     p.net,
                     p.price,
-                    rounded(p.price / p.unit_amount, 0.01),
+                    rounded(catalog::unit_price(p), 0.01),
                     p.unit_of_measure,
                     false,
                     0,

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "catalog/unit_price.h"
 #include "io/file.h"
 #include "scene/placements.h"
 
@@ -41,7 +42,7 @@ void add_row(ProductCard& card, const catalog::Product& p) {
   card.subcategory = p.subcategory;
   card.net = p.net;
   card.price = p.price;
-  card.unit_price = p.price / std::max(1e-6, p.unit_amount);
+  card.unit_price = catalog::unit_price(p);
   card.unit_of_measure = p.unit_of_measure;
   card.size_mm = p.size_mm;
   card.mass_kg = p.mass_kg;

@@ -135,11 +135,8 @@ Result<std::vector<ViewFile>> label_pages(const std::vector<MadeSku>& made,
                                           const std::vector<PictureSize>& sizes) {
   std::vector<ViewFile> files;
   for (std::size_t p = 0; p < layout.pages.size(); ++p) {
-    Image page(layout.pages[p].width, layout.pages[p].height);
-    parallel_for(made.size(), [&](std::size_t i) {
-      if (layout.places[i].page == static_cast<int>(p))
-        paste(page, picture_of(made[i].label, sizes[i]), layout.places[i]);
-    });
+    const Image page = painted_page(
+        layout, p, sizes, [&](std::size_t i) -> const Texture& { return made[i].label; });
     MARKETGEN_TRY(std::string bytes, io::encode_jpeg(page));
     files.push_back({fmt::format("goods-{}.jpg", p), "image/jpeg", std::move(bytes)});
   }

@@ -5,20 +5,23 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
+#include "geometry/srgb.h"
+
 namespace marketgen::server {
 namespace {
 
 // sRGB bytes by linear light, fine enough that none is off by more than one.
 constexpr int srgb_steps = 4096;
 
-// IEC 61966-2-1, at the middle of each step.
+// At the middle of each step.
 std::array<std::uint8_t, srgb_steps> make_srgb_table() {
   std::array<std::uint8_t, srgb_steps> table{};
   for (int i = 0; i < srgb_steps; ++i) {
     // Steps lie evenly over the square root: dark tones need the most.
     const double root = (i + 0.5) / srgb_steps, l = root * root;
-    const double encoded = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
-    table[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(encoded * 255));
+    table[static_cast<std::size_t>(i)] =
+        static_cast<std::uint8_t>(std::lround(srgb_encoded(l) * 255));
   }
   return table;
 }
@@ -27,6 +30,16 @@ std::array<std::uint8_t, srgb_steps> make_srgb_table() {
 struct Row {
   int y = 0, height = 0, x = 0;
 };
+
+void paste(Image& page, const Image& picture, const PagePlace& place) {
+  for (int y = -gutter_px; y < picture.height + gutter_px; ++y) {
+    for (int x = -gutter_px; x < picture.width + gutter_px; ++x) {
+      const std::uint8_t* from =
+          picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1));
+      std::copy_n(from, 3, page.at(place.x + x, place.y + y));
+    }
+  }
+}
 
 }  // namespace
 
@@ -95,14 +108,16 @@ Image picture_of(const render::raytrace::Texture& texture, PictureSize size) {
   return image;
 }
 
-void paste(Image& page, const Image& picture, const PagePlace& place) {
-  for (int y = -gutter_px; y < picture.height + gutter_px; ++y) {
-    for (int x = -gutter_px; x < picture.width + gutter_px; ++x) {
-      const std::uint8_t* from =
-          picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1));
-      std::copy_n(from, 3, page.at(place.x + x, place.y + y));
-    }
-  }
+Image painted_page(const PictureLayout& layout,
+                   std::size_t number,
+                   std::span<const PictureSize> sizes,
+                   const std::function<const render::raytrace::Texture&(std::size_t)>& texture) {
+  Image page(layout.pages[number].width, layout.pages[number].height);
+  parallel_for(sizes.size(), [&](std::size_t i) {
+    if (layout.places[i].page == static_cast<int>(number))
+      paste(page, picture_of(texture(i), sizes[i]), layout.places[i]);
+  });
+  return page;
 }
 
 }  // namespace marketgen::server

@@ -1,5 +1,6 @@
 // Many small pictures on few large ones.
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,8 +35,12 @@ std::array<float, 4> tile_of(const PictureLayout& layout,
 
 // A texture of the renderer as an sRGB picture of this size.
 Image picture_of(const render::raytrace::Texture& texture, PictureSize size);
-// Pastes it there, its border repeated into the gutter.
-void paste(Image& page, const Image& picture, const PagePlace& place);
+// A page with all pictures that lie on it, each with its border repeated into the gutter.
+// `texture`: that of a picture.
+Image painted_page(const PictureLayout& layout,
+                   std::size_t number,
+                   std::span<const PictureSize> sizes,
+                   const std::function<const render::raytrace::Texture&(std::size_t)>& texture);
 
 std::uint8_t srgb_byte(float linear);
 

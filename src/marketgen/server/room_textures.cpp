@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/parallel.h"
 #include "io/jpeg.h"
 
 namespace marketgen::server {
@@ -107,11 +106,10 @@ Result<std::vector<ViewFile>> RoomTextures::files() const {
     files.push_back(std::move(file));
   }
   for (std::size_t p = 0; p < pages_.pages.size(); ++p) {
-    Image page(pages_.pages[p].width, pages_.pages[p].height);
-    parallel_for(prints_.size(), [&](std::size_t t) {
-      if (pages_.places[t].page != static_cast<int>(p)) return;
-      paste(page, picture_of(world_.textures[t], prints_[t]), pages_.places[t]);
-    });
+    const Image page =
+        painted_page(pages_, p, prints_, [&](std::size_t t) -> const render::raytrace::Texture& {
+          return world_.textures[t];
+        });
     MARKETGEN_TRY(ViewFile file, jpeg_file(files.size(), page));
     files.push_back(std::move(file));
   }

@@ -4,6 +4,7 @@
 
 #include "render/cameras/camera.h"
 #include "render/stage/room.h"
+#include "scene/articulation.h"
 
 namespace marketgen::server {
 namespace {
@@ -63,19 +64,15 @@ std::vector<ViewJoint> joints_of(const scene::Scene& scene) {
   std::vector<ViewJoint> rows;
   for (std::uint32_t i = 0; i < scene.joints.size(); ++i) {
     const scene::SceneJoint& joint = scene.joints[i];
-    const Pose world = scene::world_from_fixture(scene, joint.fixture);
-    const Quaternion turn{joint.rotation_wxyz[0],
-                          joint.rotation_wxyz[1],
-                          joint.rotation_wxyz[2],
-                          joint.rotation_wxyz[3]};
-    const Vec3 origin = world * Vec3{joint.position_m[0], joint.position_m[1], joint.position_m[2]};
+    const Pose world_from_joint =
+        scene::world_from_fixture(scene, joint.fixture) * scene::fixture_from_joint(joint);
     rows.push_back({i,
                     joint.fixture,
                     joint.name,
                     joint.kind,
                     joint.parent,
-                    numbers(origin),
-                    numbers(rotate(world.rotation * turn, {0, 0, 1})),
+                    numbers(world_from_joint.position),
+                    numbers(rotate(world_from_joint.rotation, {0, 0, 1})),
                     joint.lower,
                     joint.upper,
                     joint.states});

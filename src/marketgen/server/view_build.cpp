@@ -15,7 +15,6 @@
 #include "base/interrupt.h"
 #include "io/cache_entry.h"
 #include "io/file.h"
-#include "server/view_files.h"
 #include "server/view_fingerprint.h"
 
 namespace marketgen::server {
@@ -111,6 +110,11 @@ void ViewBuild::add(const std::string& name, const Body& body) {
   changed_.notify_all();
 }
 
+void ViewBuild::add_all(std::vector<ViewFile> files) {
+  for (ViewFile& file : files)
+    add(file.name, make_body(file.type, std::move(file.bytes)));
+}
+
 Result<void> ViewBuild::make_room() {
   MARKETGEN_TRY(
       const std::unique_ptr<render::raytrace::LitWorld> lit,
@@ -122,15 +126,13 @@ Result<void> ViewBuild::make_room() {
   reports_->begin("room", 1);
   MARKETGEN_TRY(std::vector<ViewFile> files, room_files(*lit, store_->scene));
   files.push_back(goods_light(*lit, store_->scene));
-  for (ViewFile& file : files)
-    add(file.name, make_body(file.type, std::move(file.bytes)));
+  add_all(std::move(files));
   return {};
 }
 
 Result<void> ViewBuild::make_goods() {
   MARKETGEN_TRY(std::vector<ViewFile> files, goods_meshes(store_->scene, *reports_));
-  for (ViewFile& file : files)
-    add(file.name, make_body(file.type, std::move(file.bytes)));
+  add_all(std::move(files));
   return {};
 }
 

@@ -12,11 +12,13 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "base/fields.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "server/http_message.h"
+#include "server/view_files.h"
 #include "store/store.h"
 
 namespace marketgen::server {
@@ -58,6 +60,7 @@ class ViewBuild {
   Result<void> build();
   bool take_kept();
   void add(const std::string& name, const Body& body);
+  void add_all(std::vector<ViewFile> files);
   Result<void> make_room();
   Result<void> make_goods();
   void keep() const;

@@ -204,9 +204,9 @@ Result<HttpReply> Viewer::search(const Opened& store, const HttpAsk& ask) {
   const auto words = ask.query.find("q");
   if (words == ask.query.end() || words->second.empty())
     return Error{"server.bad_request", "q", "say what to look for: search?q=oat milk"};
-  MARKETGEN_TRY(const std::uint64_t most, number_in(ask, "max", usual_hits, 1, max_hits));
+  MARKETGEN_TRY(const std::uint64_t hits, number_in(ask, "max", usual_hits, 1, max_hits));
   MARKETGEN_TRY(const SearchAnswer answer,
-                search_->find(store.store->scene, words->second, static_cast<std::size_t>(most)));
+                search_->find(store.store->scene, words->second, static_cast<std::size_t>(hits)));
   return json_reply(io::write_json_line(answer));
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "geometry/srgb.h"
 #include "geometry/weld.h"
 
 namespace marketgen::assets {
@@ -22,8 +23,7 @@ constexpr std::size_t max_in_a_spot = 2000;  // vertices within 16 micrometres: 
 
 std::uint8_t encoded(float linear) {
   const double c = std::clamp<double>(linear, 0, 1);
-  const double s = c <= 0.0031308 ? c * 12.92 : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * s));
+  return static_cast<std::uint8_t>(std::lround(255 * srgb_encoded(c)));
 }
 
 // Colours gathered in cells of the sRGB cube, each with its mean.

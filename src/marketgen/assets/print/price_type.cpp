@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "assets/print/lettering.h"
+#include "catalog/unit_price.h"
 
 namespace marketgen::assets {
 
 std::string unit_price_text(const catalog::Product& product) {
-  const double unit_price = product.price / std::max(1e-6, product.unit_amount);
-  return fmt::format("\u20ac {:.2f} / {}", unit_price, product.unit_of_measure);
+  return fmt::format("\u20ac {:.2f} / {}", catalog::unit_price(product), product.unit_of_measure);
 }
 
 void draw_price(Canvas& canvas, double price, const Area& area, const Color& color) {

@@ -7,16 +7,15 @@
 #include "assets/print/color.h"
 #include "base/parallel.h"
 #include "base/seed.h"
+#include "geometry/srgb.h"
 #include "render/cameras/view.h"
 
 namespace marketgen::render {
 namespace {
 
-// IEC 61966-2-1.
 std::uint8_t srgb_code(double linear) {
   const double l = std::clamp(linear, 0.0, 1.0);
-  const double encoded = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(encoded * 255 + 0.5);
+  return static_cast<std::uint8_t>(srgb_encoded(l) * 255 + 0.5);
 }
 
 std::array<double, 256> linear_of_codes() {
