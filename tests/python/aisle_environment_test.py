@@ -192,6 +192,7 @@ def test_stepping_before_a_reset_is_said(store):
 
 def test_a_cup_instead_of_the_right_gripper(store, aisle_episode):
     env, seen, _ = make(store, aisle_episode | {"tools": "suction"}, tools="suction")
+    assert seen["agent"]["external_force"].shape == (2,)
     assert seen["agent"]["sealed"].shape == (2,) and not seen["agent"]["sealed"].any()
     cup = JOINTS + 1  # its opening
     sucks = env.step(still(env, seen, right_tool_opening=-1))[0]["agent"]

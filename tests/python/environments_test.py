@@ -45,6 +45,18 @@ def test_the_checker_has_no_complaint(store, options):
         check_env(env.unwrapped, skip_render_check=False)
 
 
+def test_what_presses_on_the_arm_is_told(store):
+    env = make(store)
+    seen, _ = env.reset(options={"episode": short_episode(store, 60)})
+    assert seen["agent"]["external_force"].shape == (1,) and not seen["agent"]["external_force"].any()
+    forces = []
+    for joint, steps in ((0, 25), (1, 100)):  # aside, then down until it leans on the counter
+        action = still(env)
+        action[joint] = -1 if joint == 0 else 1
+        forces += [env.step(action)[0]["agent"]["external_force"][0] for _ in range(steps)]
+    assert max(forces) > 5
+
+
 def test_a_cup_instead_of_the_gripper(store):
     episode = short_episode(store, 60) | {"tools": "suction"}
     env = make(store, tools="suction")

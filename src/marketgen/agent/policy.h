@@ -19,6 +19,9 @@ struct Observation {
   std::vector<double> position, velocity;
   std::vector<double> openings_m;    // between the pads, one a tool; of a cup 0 or cup_off_m
   std::vector<std::uint8_t> sealed;  // one a tool: 1 when a cup has sealed, by its vacuum sensor
+  // What presses on each arm that feels contacts (robots::Robot::contact_limits), by the torques of
+  // its joints: all contacts of its links with anything else, added as vectors, mean over 10 ms.
+  std::vector<double> external_force_n;
   robots::BasePlace base;  // as its wheels' encoders reckon it; zeros of a robot without wheels
   bool stopped = false;    // a protective stop: it takes no command yet
 };

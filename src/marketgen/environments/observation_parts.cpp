@@ -16,6 +16,7 @@ constexpr double velocity_margin = 2;     // a push may turn a joint faster than
 constexpr double reach_m = 3;             // farther than any arm of ours, on its lift
 constexpr double fastest_thing_m_s = 10;  // what falls from a shelf meets the floor at 6
 constexpr double largest_thing_m = 3;
+constexpr double max_external_force_n = 1000;        // ten times what stops a robot
 constexpr std::uint64_t instruction_ids = 1U << 24;  // a float32 holds each of them exactly
 
 class PartBuilder {
@@ -111,6 +112,10 @@ std::vector<ObservationPart> robot_parts(const robots::Robot& robot,
   const double far = bounds.ground_m, half = std::numbers::pi;
   extra.add("base_pose", {3}, {-far, -far, -half}, {far, far, half});
   if (has_cup(robot)) signals.add_flags("sealed", tools);
+  signals.add("external_force",
+              {static_cast<int>(robot.contact_limits.size())},
+              {0},
+              {max_external_force_n});
   signals.add_flags("stopped", 1);
   std::vector<ObservationPart> parts = agent.take();
   for (PartBuilder* more : {&extra, &signals})
@@ -151,6 +156,8 @@ void add_robot_numbers(const robots::Robot& robot,
   into.insert(into.end(),
               {seen.now.base.x_m, seen.now.base.y_m, half_turn_within(seen.now.base.heading)});
   if (has_cup(robot)) add_all(seen.now.sealed);
+  for (const double force : seen.now.external_force_n)
+    into.push_back(std::min(force, max_external_force_n));
   into.push_back(seen.now.stopped ? 1 : 0);
 }
 

@@ -49,7 +49,8 @@ struct ObservationBounds {
 // agent.qpos (joints, then openings), agent.qvel, extra.tcp_pose (a row a tool), extra.base_pose
 // (x, y, heading within half a turn, as the robot believes: in the store's frame, at a counter in
 // its own, where it is 0), of a robot with a cup agent.sealed (1 for each tool that has sealed),
-// agent.stopped (1 while a protective stop lets it take no command).
+// agent.external_force (N, for each arm that feels contacts, what presses on it), agent.stopped (1
+// while a protective stop lets it take no command).
 std::vector<ObservationPart> robot_parts(const robots::Robot& robot,
                                          const ObservationBounds& bounds);
 

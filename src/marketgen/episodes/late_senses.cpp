@@ -35,6 +35,7 @@ agent::Observation LateSenses::told(agent::Observation now) const {
     now.position = read.position;
     now.velocity = read.velocity;
     now.openings_m = read.openings_m;
+    now.external_force_n = read.external_force_n;
   }
   if (vacuum_.is_late()) now.sealed = vacuum_.told();
   return now;

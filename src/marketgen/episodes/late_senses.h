@@ -101,11 +101,12 @@ class LateSenses {
     explicit Readings(agent::Observation now)
         : position(std::move(now.position)),
           velocity(std::move(now.velocity)),
-          openings_m(std::move(now.openings_m)) {}
-    std::vector<double> position, velocity, openings_m;
+          openings_m(std::move(now.openings_m)),
+          external_force_n(std::move(now.external_force_n)) {}
+    std::vector<double> position, velocity, openings_m, external_force_n;
     template <class Archive, class Self>
     static void bytes(Archive& archive, Self& self) {
-      archive(self.position, self.velocity, self.openings_m);
+      archive(self.position, self.velocity, self.openings_m, self.external_force_n);
     }
   };
 

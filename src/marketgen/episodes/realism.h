@@ -100,7 +100,7 @@ struct CalibrationDials {
 
 // What the robot reads of its own joints, each control step anew.
 struct JointDials {
-  double turn_deg = 0, turn_deg_s = 0, slide_m = 0, slide_m_s = 0;
+  double turn_deg = 0, turn_deg_s = 0, slide_m = 0, slide_m_s = 0, external_force_n = 0;
   static constexpr auto fields = field_list(
       field("turn_deg",
             &JointDials::turn_deg,
@@ -118,7 +118,12 @@ struct JointDials {
       field("slide_m_s",
             &JointDials::slide_m_s,
             "metres a second, one sigma, of their speeds; assumed",
-            range(0, 1)));
+            range(0, 1)),
+      field("external_force_n",
+            &JointDials::external_force_n,
+            "newton, one sigma, of what presses on an arm by the torques of its joints; assumed: "
+            "what noise and friction in the joints leave of it",
+            range(0, 100)));
 };
 
 // How late something is. Drawn evenly once an episode: a bus or a camera with a fixed cycle.

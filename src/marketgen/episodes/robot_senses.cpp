@@ -99,6 +99,10 @@ agent::Observation RobotSenses::told(agent::Observation now, int step) const {
   for (std::size_t t = 0; opening_m_ > 0 && t < now.openings_m.size(); ++t)
     if (grips_[t])
       now.openings_m[t] = std::max(0.0, now.openings_m[t] + opening_m_ * of_tools.normal());
+  Stream of_force = seed_.child("external_force", static_cast<std::uint64_t>(step)).stream();
+  for (double& force : now.external_force_n)
+    if (joints_.external_force_n > 0)
+      force = std::max(0.0, force + joints_.external_force_n * of_force.normal());
   if (localises_) now.base = place_.told();
   return now;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "episodes/track_world.h"
+#include "geometry/rotation_axes.h"
 #include "io/file.h"
 
 namespace marketgen::evaluation {
@@ -25,15 +26,12 @@ std::array<Number, episodes::pose_numbers> numbers_of(const Pose& pose) {
           static_cast<Number>(q.z)};
 }
 
-// Between the last that is written and the next. A quaternion and its negative are one turn.
+// Between the last that is written and the next.
 bool has_moved(const float* before, const PoseNumbers& now) {
-  double apart = 0, along = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    apart += std::pow(static_cast<double>(before[i]) - now[i], 2);
-  for (std::size_t i = 3; i < now.size(); ++i)
-    along += static_cast<double>(before[i]) * now[i];
-  const double turned = 2 * std::acos(std::min(1.0, std::abs(along)));
-  return std::sqrt(apart) > episodes::moved_m || turned > episodes::turned_rad;
+  const Vec3 apart{before[0] - now[0], before[1] - now[1], before[2] - now[2]};
+  const double turned =
+      turn_between({before[3], before[4], before[5], before[6]}, {now[3], now[4], now[5], now[6]});
+  return length(apart) > episodes::moved_m || turned > episodes::turned_rad;
 }
 
 }  // namespace

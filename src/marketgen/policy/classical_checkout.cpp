@@ -6,9 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "base/gravity.h"
 #include "base/progress.h"
 #include "geometry/rotation_axes.h"
+#include "policy/basket_others.h"
 #include "policy/checkout_sight.h"
+#include "policy/felt_contacts.h"
 #include "policy/sought_goals.h"
 #include "skills/basket_moves.h"
 #include "skills/hand_reach.h"
@@ -24,16 +27,20 @@ constexpr double calming_s = 0.25, opening_s = 0.35;
 constexpr double wider_m = 0.014;  // than what was held, when it is let go
 constexpr double min_left_s = 8;   // no new grasp with less time left
 constexpr int max_cleared = 8;
-constexpr std::size_t others_tried = 4, likenesses_tried = 8;
-constexpr double min_other_score = 0.25;
 constexpr double measured_within_m = 0.004;  // of a point of the cameras: noise and their grid
 constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
+// An open hand may push so hard past what lies about a grasp, and what is held, beside its weight,
+// where it is put down. So near to either it is where it was to go.
+constexpr double push_n = 35, put_n = 20, near_grasp_m = 0.015, near_place_m = 0.02;
+constexpr double raised_m = 0.08;  // off what it met there
+// At grasps of a product since anything was taken out: what lies by it comes first then; enough.
+constexpr int some_contacts = 2, max_contacts = 5;
 // From where the wrist camera looks into the basket: tip over its middle, fingers down.
 constexpr double look_back_m = 0.06, look_height_m = 0.40;
 
 const std::vector<std::string> station_cameras{"scene_camera", "wrist_camera"};
 
-enum class Step { go_to_look, look, closed, lifted };
+enum class Step { go_to_look, look, closed, lifted, lowered, put_back };
 
 class ClassicalCheckout : public agent::Policy {
  public:
@@ -76,8 +83,12 @@ class ClassicalCheckout : public agent::Policy {
   Result<void> recover() {
     note("Collision");
     const bool holds = arm_.presses() && holds_it();
-    step_ = Step::go_to_look;
-    if (!holds)
+    if (step_ == Step::closed && !holds) felt_.note_grasp(grasp_tip_, *held_look_);
+    if (step_ == Step::lowered) felt_.note_place(place_tip_.position);
+    const Step was = std::exchange(step_, Step::go_to_look);
+    if (was == Step::put_back)
+      let_go("Collision");
+    else if (!holds)
       go_to_look();
     else if (hand_at(arm_.tip()) == skills::HandAt::basket)
       lift();
@@ -86,8 +97,44 @@ class ClassicalCheckout : public agent::Policy {
     return {};
   }
 
+  // The hand met something where it was to come upon nothing.
+  void feel_contact() {
+    if (step_ == Step::closed) return feel_at_grasp();
+    if (step_ == Step::lowered) return feel_at_place();
+    let_go(failure_);
+  }
+
+  // Near the grasp the open hand shuts where it is; else there is no room, whatever pictures
+  // showed.
+  void feel_at_grasp() {
+    if (length(arm_.tip().position - grasp_tip_.position) < near_grasp_m) {
+      tip_from_product_ = inverse(arm_.tip()) * (grasp_tip_ * tip_from_product_);
+      return skills::close_hand(arm_, force_n_);
+    }
+    note("Collision");
+    felt_.note_grasp(grasp_tip_, *held_look_);
+    step_back(setup_.tool.opening_m);
+    step_ = Step::go_to_look;
+  }
+
+  // What is held stands on something: here, if it is nearly where it was to go.
+  void feel_at_place() {
+    if (length(arm_.tip().position - place_tip_.position) < near_place_m) return release();
+    note("Collision");
+    felt_.note_place(place_tip_.position);
+    Pose up = arm_.tip();
+    up.position.z += raised_m;
+    say_failed("raise what it holds",
+               arm_.straight(around(others_, skills::HandAt::counter), up, 0, force_n_));
+    step_ = Step::lifted;
+  }
+
   Result<void> decide() {
     if (arm_.take_stop()) return recover();
+    if (arm_.take_touch()) {
+      feel_contact();
+      return {};
+    }
     switch (step_) {
       case Step::go_to_look:
         go_to_look();
@@ -95,10 +142,17 @@ class ClassicalCheckout : public agent::Policy {
       case Step::look:
         return look();
       case Step::closed:
+        count_try();
         lift();
         return {};
       case Step::lifted:
         put_down();
+        return {};
+      case Step::lowered:
+        release();
+        return {};
+      case Step::put_back:
+        let_go(failure_);
         return {};
     }
     return {};
@@ -167,16 +221,17 @@ class ClassicalCheckout : public agent::Policy {
       return {};
     }
     if (targets.empty() && failure_ == "None") note("NotFound");
-    if (!may_find_more()) {
+    if (!goals_.may_find_more(sight_, setup_.place.unloading)) {
       stop("NotFound");
       return {};
     }
-    for (const double borne : {tight_m, tightest_m}) {
-      MARKETGEN_TRY(const bool begun, take_one_of(targets, borne));
+    for (const auto& [borne, contacts] :
+         {std::pair{tight_m, some_contacts}, {tightest_m, max_contacts}}) {
+      MARKETGEN_TRY(const bool begun, take_one_of(targets, borne, contacts));
       if (begun) return {};
       if (cleared_ >= max_cleared) continue;
       std::vector<Choice> others = others_near(targets);
-      MARKETGEN_TRY(const bool clears, take_one_of(others, borne));
+      MARKETGEN_TRY(const bool clears, take_one_of(others, borne, contacts));
       if (clears) return {};
     }
     done_ = true;
@@ -187,7 +242,7 @@ class ClassicalCheckout : public agent::Policy {
   bool due_targets(std::vector<Choice>& targets) const {
     bool all_there = true;
     for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
-      if (is_there(goal)) continue;
+      if (goals_.is_there(sight_, goal, setup_.place.unloading)) continue;
       all_there = false;
       if (goals_.tries(goal) >= tries_an_item * goals_.count(goal)) continue;
       for (const perception::FoundProduct* found : goals_.found_of(sight_, goal))
@@ -204,19 +259,10 @@ class ClassicalCheckout : public agent::Policy {
     return all_there;
   }
 
-  bool is_there(std::size_t goal) const {
-    return goals_.there_of(sight_, goal, setup_.place.unloading) >= goals_.count(goal);
-  }
-
-  // Something is missing of which it is known what it is.
-  bool may_find_more() const {
-    for (std::size_t goal = 0; goal < goals_.size(); ++goal)
-      if (goals_.is_read(goal) && !is_there(goal)) return true;
-    return false;
-  }
-
-  Result<bool> take_one_of(std::vector<Choice>& choices, double borne_m) {
+  // Those that the hand came upon something at as often are passed over.
+  Result<bool> take_one_of(std::vector<Choice>& choices, double borne_m, int contacts) {
     for (Choice& choice : choices) {
+      if (felt_.count(*choice.look) >= contacts) continue;
       if (choice.known == nullptr) MARKETGEN_CHECK(find_grasps(choice));
       if (take(choice, borne_m)) return true;
     }
@@ -239,55 +285,19 @@ class ClassicalCheckout : public agent::Policy {
   // Goods in the basket that are not asked for: nearest to the first target, or highest when none
   // was found.
   std::vector<Choice> others_near(const std::vector<Choice>& targets) const {
-    const perception::MaskedView& masked = sight_.masked.back();
-    const perception::ViewCloud& cloud = sight_.views[masked.view];
-    std::vector<std::pair<double, perception::SurfacePatch>> ranked;
-    for (const perception::Mask& mask : masked.masks) {
-      perception::SurfacePatch patch = perception::patch_of(cloud, mask, sight_patch_points);
-      const Vec3 at = inverse(setup_.place.base_from_basket) * to_double(patch.middle);
-      const Vec3 half = setup_.place.inner_half;
-      if (std::abs(at.x) > half.x || std::abs(at.y) > half.y || is_of_target(patch)) continue;
-      const double rank = targets.empty()
-                              ? -at.z
-                              : length(to_double(patch.middle) -
-                                       middle_of(*targets[0].look, targets[0].base_from_product));
-      ranked.emplace_back(rank, std::move(patch));
-    }
-    std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
+    std::optional<Vec3> near;
+    if (!targets.empty()) near = middle_of(*targets[0].look, targets[0].base_from_product);
     std::vector<Choice> others;
-    for (std::size_t i = 0; i < std::min(others_tried, ranked.size()); ++i) {
-      if (auto choice = recognised(ranked[i].second)) others.push_back(std::move(*choice));
-    }
+    for (const RecognisedProduct& other :
+         others_in_basket(sight_, goals_, setup_.place, {catalogue_, *modules_.poses}, near))
+      others.push_back({other.look,
+                        {},
+                        other.pose.base_from_product,
+                        other.pose.evidence.seen,
+                        nullptr,
+                        {},
+                        {}});
     return others;
-  }
-
-  bool is_of_target(const perception::SurfacePatch& patch) const {
-    return std::ranges::any_of(sight_.found, [&](const perception::FoundProduct& found) {
-      const auto left = perception::other_points(
-          patch.points, goals_.look_of(found), found.pose.base_from_product);
-      return left.size() < patch.points.size() * 7 / 10;
-    });
-  }
-
-  // What of the whole catalogue explains the patch best.
-  std::optional<Choice> recognised(const perception::SurfacePatch& patch) const {
-    std::vector<std::pair<double, const perception::ProductLook*>> alike;
-    for (const perception::ProductLook* look : catalogue_)
-      if (is_of_size(patch, *look))
-        alike.emplace_back(perception::color_likeness(patch.colors, *look), look);
-    std::ranges::stable_sort(
-        alike, std::greater<>{}, [](const auto& entry) { return entry.first; });
-    std::optional<Choice> best;
-    double best_score = min_other_score;
-    for (std::size_t i = 0; i < std::min(likenesses_tried, alike.size()); ++i) {
-      const perception::FittedPose pose =
-          modules_.poses->pose(*alike[i].second, patch, sight_.views);
-      if (pose.evidence.score < best_score) continue;
-      best_score = pose.evidence.score;
-      best =
-          Choice{alike[i].second, {}, pose.base_from_product, pose.evidence.seen, nullptr, {}, {}};
-    }
-    return best;
   }
 
   Result<void> learn_catalogue() {
@@ -325,6 +335,8 @@ class ClassicalCheckout : public agent::Policy {
       for (const Pose& tip : skills::either_way_round(arm_, grasp.base_from_tip)) {
         skills::ReachRequest request = skills::reach_over_rim(tip, rim_z_m(), grasp.opening_m);
         request.force_n = skills::touch_n;
+        request.max_force_n = push_n;
+        if (felt_.has_grasp(tip)) continue;
         if (!skills::is_reached(arm_, request, hand, walls)) {
           note("NoIK");
           continue;
@@ -350,10 +362,7 @@ class ClassicalCheckout : public agent::Policy {
     width_m_ = grasp.width_m;
     force_n_ = grasp.force_n;
     others_ = choice.others;
-    if (goal_)
-      goals_.note_taken(*goal_, *choice.look);
-    else
-      ++cleared_;
+    grasp_tip_ = arm_.tip();
     step_ = Step::closed;
   }
 
@@ -368,6 +377,13 @@ class ClassicalCheckout : public agent::Policy {
     return lowest;
   }
 
+  void count_try() {
+    if (goal_)
+      goals_.note_taken(*goal_, *held_look_);
+    else
+      ++cleared_;
+  }
+
   void lift() {
     if (!holds_it()) return let_go("Missed");
     const Vec3 middle = setup_.place.base_from_basket.position;
@@ -380,7 +396,7 @@ class ClassicalCheckout : public agent::Policy {
   // Opens where it is, and goes back the way it came.
   void let_go(const std::string& why) {
     note(why);
-    const double opening = std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
+    const double opening = opening_to_let_go();
     arm_.wait(opening_s, opening, force_n_);
     step_back(opening);
     step_ = Step::go_to_look;
@@ -398,7 +414,7 @@ class ClassicalCheckout : public agent::Policy {
 
   void put_down() {
     if (!holds_it()) return let_go("Slipped");
-    const double opening = std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
+    const double opening = opening_to_let_go();
     const agent::Workplace& at = setup_.place;
     skills::PlaceQuestion question;
     question.area = at.unloading;
@@ -419,7 +435,9 @@ class ClassicalCheckout : public agent::Policy {
     if (places.empty()) note("NoIK");
     for (const bool attached : {true, false}) {
       for (const skills::FreePlace& place : places) {
+        if (felt_.has_place(place.base_from_tip.position)) continue;
         skills::ReachRequest request{place.base_from_tip, place.approach, 0, force_n_};
+        request.max_force_n = put_force_n();
         if (attached)
           request.attached = {skills::held_spheres(*setup_.robot, known_->body, tip_from_product_)};
         if (!arm_.reach(seen, request, next_seed()).ok()) {
@@ -427,22 +445,36 @@ class ClassicalCheckout : public agent::Policy {
           continue;
         }
         arm_.wait(calming_s, 0, force_n_);
-        arm_.wait(opening_s, opening, force_n_);
-        step_back(opening);
-        if (goal_) goals_.note_put_down(*goal_);
-        step_ = Step::go_to_look;
+        place_tip_ = place.base_from_tip;
+        step_ = Step::lowered;
         return;
       }
     }
     put_back();
   }
 
+  double opening_to_let_go() const {
+    return std::min(setup_.tool.opening_m, now_.openings_m.front() + wider_m);
+  }
+
+  void release() {
+    const double opening = opening_to_let_go();
+    arm_.wait(opening_s, opening, force_n_);
+    step_back(opening);
+    if (goal_) goals_.note_put_down(*goal_);
+    felt_.forget();
+    step_ = Step::go_to_look;
+  }
+
   // Down again to where it was, as far as that goes.
   void put_back() {
-    say_failed("let it down to where it was",
-               arm_.let_down(around(others_, skills::HandAt::basket), force_n_));
-    let_go(failure_);
+    const auto down = arm_.let_down(around(others_, skills::HandAt::basket), force_n_);
+    say_failed("let it down to where it was", down);
+    if (down.ok()) arm_.guard(put_force_n());
+    step_ = Step::put_back;
   }
+
+  double put_force_n() const { return put_n + known_->product.mass_kg * standard_gravity; }
 
   void note(std::string_view why) { failure_ = why; }
   // Of a motion without which it goes on.
@@ -473,6 +505,9 @@ class ClassicalCheckout : public agent::Policy {
   int cleared_ = 0;
   const agent::KnownProduct* known_ = nullptr;  // that is held, and how
   Pose tip_from_product_;
+  Pose grasp_tip_;  // base_from_tip that it is taken by
+  FeltContacts felt_;
+  Pose place_tip_;                    // base_from_tip where it is put down
   double width_m_ = 0, force_n_ = 0;  // of the grasp
   std::vector<Vec3f> others_;         // what stood about when it was taken
   int moves_ = 0;

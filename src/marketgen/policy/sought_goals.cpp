@@ -119,6 +119,12 @@ int SoughtGoals::there_of(const Sight& sight,
   return seen_there + std::clamp(goals_[goal].put_down - seen_there, 0, unseen);
 }
 
+bool SoughtGoals::may_find_more(const Sight& sight, const agent::WorkArea& unloading) const {
+  for (std::size_t goal = 0; goal < goals_.size(); ++goal)
+    if (is_read(goal) && !is_there(sight, goal, unloading)) return true;
+  return false;
+}
+
 void SoughtGoals::note_taken(std::size_t goal, const perception::ProductLook& look) {
   ++goals_[goal].tries;
   goals_[goal].taken_as = &look;

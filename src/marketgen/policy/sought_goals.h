@@ -40,6 +40,11 @@ class SoughtGoals {
   bool is_unloaded(const perception::FoundProduct& found, const agent::WorkArea& unloading) const;
   // How many are there. What was put down counts until as many are seen elsewhere.
   int there_of(const Sight& sight, std::size_t goal, const agent::WorkArea& unloading) const;
+  bool is_there(const Sight& sight, std::size_t goal, const agent::WorkArea& unloading) const {
+    return there_of(sight, goal, unloading) >= count(goal);
+  }
+  // Something is missing of which it is known what it is.
+  bool may_find_more(const Sight& sight, const agent::WorkArea& unloading) const;
 
   void note_taken(std::size_t goal, const perception::ProductLook& look);
   void note_put_down(std::size_t goal) { ++goals_[goal].put_down; }

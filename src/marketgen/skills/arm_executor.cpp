@@ -10,6 +10,7 @@ namespace marketgen::skills {
 namespace {
 
 constexpr std::array let_down_m{0.10, 0.06, 0.03};
+constexpr int touch_back_steps = 2;  // of 0.05 s
 
 // What the last joint of the group moves.
 std::vector<int> hand_of(const robots::Robot& robot, const robots::JointGroup& group) {
@@ -34,7 +35,7 @@ Result<ArmExecutor> ArmExecutor::make(const robots::Robot& robot, const Executor
 void ArmExecutor::start(const agent::Observation& now) {
   queue_.clear();
   retrace_.start();
-  was_stopped_ = false;
+  was_stopped_ = was_touched_ = false;
   played_s_ = held_m_ = 0;
   now_ = end_ = now.position;
   opening_m_ = now.openings_m.front();
@@ -82,12 +83,12 @@ double ArmExecutor::opening_for(double asked_m) const {
 void ArmExecutor::queue(motion::JointTrajectory trajectory, double opening_m, double force_n) {
   const double duration = trajectory.duration_s();
   end_ = trajectory.at(duration).position;
-  was_stopped_ = false;
+  was_stopped_ = was_touched_ = false;
   queue_.push_back({std::move(trajectory), duration, opening_m, force_n});
 }
 
 void ArmExecutor::wait(double seconds, double opening_m, double force_n) {
-  was_stopped_ = false;
+  was_stopped_ = was_touched_ = false;
   queue_.push_back({{}, seconds, opening_m, force_n});
 }
 
@@ -112,12 +113,29 @@ Result<void> ArmExecutor::reach(const Surroundings& around,
       const motion::ReachPlan plan,
       motion::plan_reach(way, line, {end_, request.base_from_tip, request.approach}, seed, arm));
   MARKETGEN_TRY(const auto quick, limits(options_.speed));
-  MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
   MARKETGEN_TRY(motion::JointTrajectory trajectory, motion::timed_path(plan.way, quick));
-  MARKETGEN_TRY(const motion::JointTrajectory last, motion::timed_curve(plan.line, slow));
+  MARKETGEN_TRY(const motion::JointTrajectory last, timed_line(plan.line, request));
   if (!request.stops_before) trajectory.append(last);
   queue(std::move(trajectory), request.opening_m, request.force_n);
+  guard(request.max_force_n);
   return {};
+}
+
+Result<motion::JointTrajectory> ArmExecutor::timed_line(const motion::JointPath& line,
+                                                        const ReachRequest& request) const {
+  MARKETGEN_TRY(const auto slow, limits(options_.line_speed));
+  const double share = options_.felt_m / std::max(length(request.approach), options_.felt_m);
+  const auto felt =
+      static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(line.size() - 1)));
+  if (request.max_force_n <= 0 || felt == 0) return motion::timed_curve(line, slow);
+  MARKETGEN_TRY(const auto slowest, limits(options_.felt_speed));
+  const auto begins = line.end() - 1 - felt;
+  MARKETGEN_TRY(motion::JointTrajectory trajectory,
+                motion::timed_curve({line.begin(), begins + 1}, slow));
+  MARKETGEN_TRY(const motion::JointTrajectory last,
+                motion::timed_curve({begins, line.end()}, slowest));
+  trajectory.append(last);
+  return trajectory;
 }
 
 Result<void> ArmExecutor::straight(const Surroundings& around,
@@ -146,9 +164,12 @@ Result<void> ArmExecutor::let_down(const Surroundings& around, double force_n) {
 
 agent::Action ArmExecutor::next(const agent::Observation& now) {
   if (retrace_.begins(now)) {
-    queue_.clear();
-    played_s_ = 0;
+    break_off();
     was_stopped_ = true;
+  } else if (is_at_guard(now)) {
+    break_off();
+    retrace_.begin(touch_back_steps);
+    was_touched_ = true;
   }
   if (retrace_.goes_back() && !now.stopped) go_back();
   if (!queue_.empty() && !now.stopped) {
@@ -166,6 +187,17 @@ agent::Action ArmExecutor::next(const agent::Observation& now) {
     }
   }
   return {now_, {{opening_m_, force_n_}}};
+}
+
+bool ArmExecutor::is_at_guard(const agent::Observation& now) const {
+  if (queue_.empty() || now.stopped || now.external_force_n.empty()) return false;
+  const Motion& motion = queue_.front();
+  return motion.max_force_n > 0 && now.external_force_n.front() > motion.max_force_n;
+}
+
+void ArmExecutor::break_off() {
+  queue_.clear();
+  played_s_ = 0;
 }
 
 void ArmExecutor::go_back() {

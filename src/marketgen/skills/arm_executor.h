@@ -18,10 +18,11 @@
 namespace marketgen::skills {
 
 struct ExecutorOptions {
-  double step_s = 0.05;        // between two actions
-  double speed = 0.6;          // share of the joints' velocity limits on free ways
-  double line_speed = 0.25;    // on straight lines
-  double acceleration = 0.35;  // share of the joints' acceleration limits
+  double step_s = 0.05;                     // between two actions
+  double speed = 0.6;                       // share of the joints' velocity limits on free ways
+  double line_speed = 0.25;                 // on straight lines
+  double felt_speed = 0.05, felt_m = 0.10;  // at the end of one that is guarded
+  double acceleration = 0.35;               // share of the joints' acceleration limits
   double way_margin_m = 0.004, line_margin_m = 0.002;  // kept from obstacles
   int max_samples = 3000;                              // of one search
 };
@@ -39,6 +40,7 @@ struct ReachRequest {
   double force_n = 20;
   std::vector<motion::AttachedObject> attached = {};  // on the free way
   bool stops_before = false;  // where the straight line begins; that it can be gone is certain
+  double max_force_n = 0;     // as guard() has it; then the end of the straight line is gone slowly
 };
 
 class ArmExecutor {
@@ -59,6 +61,9 @@ class ArmExecutor {
   // The tip down, 10 cm or as far of that as goes.
   Result<void> let_down(const Surroundings& around, double force_n);
   void wait(double seconds, double opening_m, double force_n);
+  // What is queued last ends, and all behind it with it, where more than `max_force_n` presses on
+  // the arm; the arm goes back a tenth of a second of its way. 0: until it stops for its own sake.
+  void guard(double max_force_n) { queue_.back().max_force_n = max_force_n; }
 
   // How far apart the pads are while they press on something: fingers are looked at there.
   void hold(double opening_m) { held_m_ = opening_m; }
@@ -69,6 +74,8 @@ class ArmExecutor {
   agent::Action next(const agent::Observation& now);
   // Whether what was queued last was broken off so. Says it once.
   bool take_stop() { return std::exchange(was_stopped_, false); }
+  // Whether what was queued last ended at a guard. Says it once.
+  bool take_touch() { return std::exchange(was_touched_, false); }
   // Whether the gripper is told to press.
   bool presses() const { return opening_m_ <= 0; }
 
@@ -82,6 +89,7 @@ class ArmExecutor {
   struct Motion {
     motion::JointTrajectory trajectory;  // empty: stands still
     double duration_s = 0, opening_m = 0, force_n = 0;
+    double max_force_n = 0;
   };
   ArmExecutor() = default;
   std::vector<double> state(double opening_m) const;
@@ -90,7 +98,11 @@ class ArmExecutor {
                                           const motion::CollisionWorld& way,
                                           const motion::CollisionWorld& line) const;
   double opening_for(double asked_m) const;
+  Result<motion::JointTrajectory> timed_line(const motion::JointPath& line,
+                                             const ReachRequest& request) const;
   void queue(motion::JointTrajectory trajectory, double opening_m, double force_n);
+  bool is_at_guard(const agent::Observation& now) const;
+  void break_off();
   void go_back();
 
   const robots::Robot* robot_ = nullptr;
@@ -103,7 +115,7 @@ class ArmExecutor {
   double opening_m_ = 0, force_n_ = 0;
   double held_m_ = 0;
   Retrace retrace_;
-  bool was_stopped_ = false;
+  bool was_stopped_ = false, was_touched_ = false;
 };
 
 }  // namespace marketgen::skills

@@ -24,6 +24,12 @@ bool Retrace::begins(const agent::Observation& now) {
   return ended;
 }
 
+void Retrace::begin(int steps) {
+  while (told_.size() > static_cast<std::size_t>(steps))
+    told_.pop_front();
+  goes_back_ = true;
+}
+
 std::optional<ToldStep> Retrace::back() {
   if (told_.empty()) {
     goes_back_ = false;

@@ -1,5 +1,5 @@
-// Backing off after a protective stop: the last second of what a robot was told, backwards. What it
-// came past without touching it, it gets back past.
+// Backing off after a protective stop: the last second of what a robot was told, backwards; after a
+// contact that was waited for, less. What it came past without touching it, it gets back past.
 #pragma once
 #include <deque>
 #include <optional>
@@ -22,6 +22,7 @@ class Retrace {
   // Whether a stop has just ended: then begins to go back. While the robot is stopped, no motion
   // may be told.
   bool begins(const agent::Observation& now);
+  void begin(int steps);  // goes back so many from now on
   bool goes_back() const { return goes_back_; }
   // The next step back, its base the other way; empty when all is gone back.
   std::optional<ToldStep> back();

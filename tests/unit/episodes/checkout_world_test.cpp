@@ -256,11 +256,16 @@ TEST(CheckoutWorld, AnArmThatPressesTooHardIsStoppedAndGoesOnAfterThePause) {
   agent::Action lean = waiting(world);
   const std::vector<double> upright = lean.position;
   lean.position[0] -= 1;  // beside the basket
+  double told_n = 0;
   for (int i = 0; i < 400 && !world.observe().stopped; ++i) {
+    EXPECT_TRUE(i > 40 || world.observe().external_force_n.at(0) == 0) << "nothing is there";
     if (i > 40) lean.position[shoulder] += 0.02;
     ASSERT_TRUE(world.step(lean).ok());
+    told_n = std::max(told_n, world.observe().external_force_n.at(0));
   }
   ASSERT_TRUE(world.observe().stopped);
+  EXPECT_GT(told_n, 10);
+  EXPECT_LE(told_n, world.controller().max_force_n());
   EXPECT_EQ(world.controller().stops(), 1);
   EXPECT_GT(world.controller().max_force_n(), world.robot().contact_limits.at(0).force);
   const std::vector<double> at_stop = world.observe().position;

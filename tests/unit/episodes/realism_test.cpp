@@ -56,6 +56,8 @@ TEST(RealismRows, IdealIsNothingAndHardIsMoreThanStandard) {
   EXPECT_GT(hard.latency.readings.max_s, standard.latency.readings.max_s);
   EXPECT_GT(hard.light.stops, standard.light.stops);
   EXPECT_GT(hard.light.mired, standard.light.mired);
+  EXPECT_GT(hard.joints.external_force_n, standard.joints.external_force_n);
+  EXPECT_GT(standard.joints.external_force_n, 0);
   EXPECT_GT(hard.tools.opening_m, standard.tools.opening_m);
   EXPECT_GT(hard.tools.vacuum_s, standard.tools.vacuum_s);
   EXPECT_GT(hard.map.place_m, standard.map.place_m);
@@ -227,6 +229,29 @@ TEST(RobotSenses, OpeningsErrByTheirDial) {
   truth.openings_m = {0};
   for (int step = 0; step < 20; ++step)
     ASSERT_GE(senses.told(truth, step).openings_m[0], 0);
+}
+
+// And none is read that pulls the other way.
+TEST(RobotSenses, WhatPressesOnAnArmErrsByItsDial) {
+  const auto world = counter_at({});
+  episodes::Realism realism;
+  realism.joints.external_force_n = 2;
+  const episodes::RobotSenses senses(realism, episodes::realism_seed(3), world->robot(), {}, {});
+  agent::Observation truth = world->observe();
+  ASSERT_EQ(truth.external_force_n, std::vector<double>{0});
+  truth.external_force_n = {30};
+  std::vector<double> off;
+  for (int step = 0; step < 2000; ++step) {
+    const agent::Observation told = senses.told(truth, step);
+    ASSERT_EQ(told.external_force_n, senses.told(truth, step).external_force_n);
+    ASSERT_EQ(told.openings_m, truth.openings_m);
+    off.push_back(told.external_force_n[0] - 30);
+  }
+  EXPECT_NEAR(spread_of(off).sigma, 2, 0.1);
+  EXPECT_NEAR(spread_of(off).mean, 0, 0.2);
+  truth.external_force_n = {0};
+  for (int step = 0; step < 20; ++step)
+    ASSERT_GE(senses.told(truth, step).external_force_n[0], 0);
 }
 
 // It stands still: what it believes is off by the dial, and changes slowly.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "skills/arm_executor.h"
 #include "skills/body_executor.h"
 #include "support/committed_robot.h"
@@ -38,19 +40,82 @@ TEST(Retrace, GoesBackTheLastSecondWithItsBaseTheOtherWay) {
   EXPECT_FALSE(retrace.goes_back());
 }
 
-TEST(Retrace, AnArmThatWasStoppedGoesBackAndForgetsTheRest) {
-  const robots::Robot robot = committed_robot("panda");
-  skills::ArmExecutor arm = skills::ArmExecutor::make(robot).value();
+// An arm that has been told to go 6 cm up.
+class RisingArm : public ::testing::Test {
+ protected:
+  RisingArm() {
+    const std::vector<double> posture =
+        robots::with_posture(robot_.postures.front(), robots::neutral_state(robot_));
+    for (const int dof : robot_.find_group("arm")->dofs)
+      now.position.push_back(posture[static_cast<std::size_t>(dof)]);
+    now.openings_m = {0.04};
+    now.external_force_n = {0};
+    arm.start(now);
+    begin = arm.tip();
+    Pose up = begin;
+    up.position.z += 0.06;
+    EXPECT_TRUE(arm.straight({}, up, 0.04, 20).ok());
+  }
+
+  robots::Robot robot_ = committed_robot("panda");
+  skills::ArmExecutor arm = skills::ArmExecutor::make(robot_).value();
   agent::Observation now;
-  for (const int dof : robot.find_group("arm")->dofs)
-    now.position.push_back(robots::with_posture(
-        robot.postures.front(), robots::neutral_state(robot))[static_cast<std::size_t>(dof)]);
-  now.openings_m = {0.04};
-  arm.start(now);
-  const Pose begin = arm.tip();
+  Pose begin;
+};
+
+TEST_F(RisingArm, ThatMeetsSomethingAtItsGuardGoesBackATenthOfASecond) {
+  arm.guard(20);
+  arm.wait(1, 0, 20);
+  now.external_force_n = {19};
+  std::vector<std::vector<double>> told;
+  for (int i = 0; i < 8; ++i)
+    told.push_back(arm.next(now).position);
+  EXPECT_FALSE(arm.take_touch());
+  now.external_force_n = {21};
+  EXPECT_EQ(arm.next(now).position, told[7]);
+  EXPECT_EQ(arm.next(now).position, told[6]);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(arm.next(now).position, told[6]);
+  EXPECT_TRUE(arm.idle()) << "what was queued behind goes on";
+  EXPECT_FALSE(arm.take_stop());
+  EXPECT_TRUE(arm.take_touch());
+  EXPECT_FALSE(arm.take_touch()) << "it says so twice";
+  EXPECT_LT(arm.tip().position.z, begin.position.z + 0.05);
+}
+
+TEST_F(RisingArm, WithoutAGuardGoesOn) {
+  now.external_force_n = {99};
+  while (!arm.idle())
+    arm.next(now);
+  EXPECT_FALSE(arm.take_touch());
+  EXPECT_NEAR(arm.tip().position.z, begin.position.z + 0.06, 1e-3);
+}
+
+TEST_F(RisingArm, FeelsItsWayToWhatItReachesGuarded) {
   Pose up = begin;
   up.position.z += 0.06;
-  ASSERT_TRUE(arm.straight({}, up, 0.04, 20).ok());
+  skills::ReachRequest request{up, {0, 0, 0.04}, 0.04};
+  std::array<int, 2> steps{};
+  for (const bool guarded : {false, true}) {
+    arm.start(now);
+    request.max_force_n = guarded ? 20 : 0;
+    ASSERT_TRUE(arm.reach({}, request, Seed(1)).ok());
+    for (; !arm.idle(); arm.next(now))
+      ++steps[guarded ? 1 : 0];
+    EXPECT_FALSE(arm.take_touch());
+    EXPECT_LT(length(arm.tip().position - up.position), 1e-3);
+  }
+  EXPECT_GT(steps[1], steps[0] + 5) << "its last stretch is no slower";
+  arm.start(now);
+  ASSERT_TRUE(arm.reach({}, request, Seed(1)).ok());
+  arm.next(now);
+  now.external_force_n = {99};
+  while (!arm.idle())
+    arm.next(now);
+  EXPECT_TRUE(arm.take_touch());
+}
+
+TEST_F(RisingArm, ThatWasStoppedGoesBackAndForgetsTheRest) {
   for (int i = 0; i < 8; ++i)
     arm.next(now);
   ASSERT_FALSE(arm.idle());

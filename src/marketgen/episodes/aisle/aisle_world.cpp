@@ -174,6 +174,7 @@ agent::Observation AisleWorld::as_it_is() const {
   seen.openings_m = tool_openings_m(robot(), q);
   see_cups(cups_, *world_, robot(), seen);
   seen.base = controller_.wheels().reckoned();
+  seen.external_force_n = controller_.external_force_n();
   seen.stopped = controller_.stopped(time_s());
   return seen;
 }

@@ -225,6 +225,7 @@ agent::Observation CheckoutWorld::as_it_is() const {
   }
   seen.openings_m = tool_openings_m(*robot_, q);
   see_cups(cups_, *world_, *robot_, seen);
+  seen.external_force_n = controller_.external_force_n();
   seen.stopped = controller_.stopped(time_s());
   return seen;
 }

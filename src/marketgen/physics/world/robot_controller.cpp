@@ -195,6 +195,12 @@ void RobotController::give_way(const World& world) {
   }
 }
 
+std::vector<double> RobotController::external_force_n() const {
+  std::vector<double> forces(felt_.size());
+  std::ranges::transform(felt_, forces.begin(), [](const Vec3& felt) { return length(felt); });
+  return forces;
+}
+
 void RobotController::feel(const World& world) {
   const mjModel& model = world.model();
   const mjData& data = world.data();

@@ -56,6 +56,7 @@ class RobotController {
   bool stopped(double time_s) const { return time_s < goes_on_s_; }
   int stops() const { return stops_; }                 // so far
   double max_force_n() const { return max_force_n_; }  // that has pressed, as it feels it
+  std::vector<double> external_force_n() const;        // that presses now, one a contact limit
 
   // What changes; the rest it has from start().
   template <class Archive, class Self>
