@@ -14,7 +14,6 @@ export interface Watch {
 }
 
 const pollMilliseconds = 400;
-const softwareStillBudget = 110_000; // triangles of meshes where there is no GPU
 
 async function watchServer(client: Client, watch: Watch, until: () => boolean): Promise<void> {
   while (!until()) {
@@ -30,7 +29,6 @@ export function loadGoods(client: Client, stage: Stage, summary: Summary, watch:
   return client.packed<unknown>("/goods.bin").then((packed) => {
     const table = readGoods(packed, summary.skus);
     const goods = new Goods(table, summary.skus, stage.shared, () => stage.redraw(), stage.redrawSoon);
-    if (stage.software) goods.stillBudget = softwareStillBudget;
     stage.goods = goods;
     stage.overlays = new Overlays(table, summary.skus);
     stage.scene.add(goods.group, stage.overlays.group);

@@ -42,6 +42,7 @@ async function start(): Promise<void> {
     const goods = await loadGoods(client, stage, summary, watch);
     app.restore();
     await loadRest(client, stage, goods, watch);
+    stage.complete();
     times["complete"] = performance.now();
   } catch (error) {
     status.stop(error);

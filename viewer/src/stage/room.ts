@@ -11,7 +11,7 @@ import {
 } from "three";
 import type { RoomHead } from "../store/contract";
 import type { Packed } from "../store/packed";
-import { divideRoom, type Batch, type Part, type RoomParts } from "./room_parts";
+import { divideRoom, type Batch, type RoomParts } from "./room_parts";
 import { roomMaterial, type Shared } from "./shading";
 import type { Sight } from "./sight";
 
@@ -21,7 +21,7 @@ export interface RoomArrays {
   readonly owner: Uint16Array; // fixture row, joint row; 65535: none
 }
 
-const fineWithin = { moving: 2.5, still: 6 }; // metres; rough from three times as far
+const coarserFrom = [1, 3, 8] as const; // times as far as what is drawn finely: where each coarser fineness begins
 const layers = ["solid", "glass", "ceiling"] as const;
 type Layer = (typeof layers)[number];
 
@@ -76,24 +76,20 @@ export class Room {
     return layer === "glass" || (layer === "ceiling" && !this.ceilingShown);
   }
 
-  update(sight: Sight, still: boolean): void {
+  // `fineWithin`: metres in which everything is drawn as it is.
+  update(sight: Sight, fineWithin: number): void {
     const { parts, indices } = this.divided!;
     for (const surface of this.surfaces) surface.filled = 0;
     for (const part of parts) {
       const surface = this.surfaces[part.surface]!;
       if (surface.layer === "ceiling" && !this.ceilingShown) continue;
       if (!sight.sees(part.low, part.high, part.fixture)) continue;
-      const level = this.fineness(part, sight, still ? fineWithin.still : fineWithin.moving);
+      const level = fineness(sight.distance(part.low, part.high), fineWithin);
       const run = part.runs[level]!;
       surface.shown.set(indices[level]!.subarray(run.start, run.end), surface.filled);
       surface.filled += run.end - run.start;
     }
     for (const surface of this.surfaces) hand(surface);
-  }
-
-  private fineness(part: Part, sight: Sight, fine: number): 0 | 1 | 2 {
-    const away = sight.distance(part.low, part.high);
-    return away < fine ? 0 : away < fine * 3 ? 1 : 2;
   }
 
   private async divide(): Promise<void> {
@@ -141,6 +137,10 @@ export class Room {
     if (!material) this.materials.set(key, (material = roomMaterial(this.shared, texture, layer === "glass")));
     return material;
   }
+}
+
+function fineness(away: number, fineWithin: number): number {
+  return coarserFrom.filter((times) => away >= times * fineWithin).length;
 }
 
 function hand({ mesh, filled }: Surface): void {

@@ -1,4 +1,4 @@
-// The room's triangles by what they belong to (a fixture, or a piece of the shell), in three finenesses: far off, what is smaller
+// The room's triangles by what they belong to (a fixture, or a piece of the shell), in four finenesses: far off, what is smaller
 // than a few pixels is drawn together. Runs of indices, to be copied into what is drawn.
 export interface RoomSource {
   readonly position: Float32Array;
@@ -18,10 +18,10 @@ export interface Part {
   readonly fixture: number; // -1: the shell
   readonly low: [number, number, number];
   readonly high: [number, number, number];
-  readonly runs: readonly [Run, Run, Run]; // in `indices` of each fineness
+  readonly runs: readonly Run[]; // in `indices` of each fineness
 }
 
-export const grains = [0, 0.01, 0.03] as const; // metres that are one point
+export const grains = [0, 0.01, 0.03, 0.1] as const; // metres that are one point
 const shellPiece = 4; // metres
 const none = 65535;
 
@@ -83,7 +83,7 @@ function coarse(source: RoomSource, triangles: Uint32Array, low: readonly number
 
 export interface RoomParts {
   readonly parts: readonly Part[];
-  readonly indices: readonly [Uint32Array, Uint32Array, Uint32Array];
+  readonly indices: readonly Uint32Array[]; // by fineness
   readonly surfaces: readonly number[]; // how many indices at most each surface shows
 }
 
@@ -99,7 +99,7 @@ export async function divideRoom(source: RoomSource, batches: readonly Batch[]):
       group.triangles.push(source.index[i]!, source.index[i + 1]!, source.index[i + 2]!);
     }
   }
-  const levels: [number[], number[], number[]] = [[], [], []];
+  const levels: number[][] = grains.map(() => []);
   const parts: Part[] = [];
   let worked = performance.now();
   for (const { batch, piece, triangles } of groups.values()) {
@@ -109,12 +109,11 @@ export async function divideRoom(source: RoomSource, batches: readonly Batch[]):
     worked = performance.now();
   }
   const surfaces: number[] = [];
-  for (const part of parts) surfaces[part.surface] = (surfaces[part.surface] ?? 0) + part.runs[0].end - part.runs[0].start;
-  const [fine, middle, rough] = levels.map((level) => Uint32Array.from(level)) as [Uint32Array, Uint32Array, Uint32Array];
-  return { parts, indices: [fine, middle, rough], surfaces };
+  for (const { surface, runs } of parts) surfaces[surface] = (surfaces[surface] ?? 0) + runs[0]!.end - runs[0]!.start;
+  return { parts, indices: levels.map((level) => Uint32Array.from(level)), surfaces };
 }
 
-function partOf(source: RoomSource, batch: Batch, piece: number, triangles: Uint32Array, levels: [number[], number[], number[]]): Part {
+function partOf(source: RoomSource, batch: Batch, piece: number, triangles: Uint32Array, levels: readonly number[][]): Part {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
   for (const vertex of triangles) {
@@ -130,5 +129,5 @@ function partOf(source: RoomSource, batch: Batch, piece: number, triangles: Uint
     for (const vertex of kept) into.push(vertex);
     return { start, end: into.length };
   });
-  return { surface: batch.surface, fixture: piece < 65536 ? piece : -1, low, high, runs: runs as unknown as [Run, Run, Run] };
+  return { surface: batch.surface, fixture: piece < 65536 ? piece : -1, low, high, runs };
 }

@@ -43,7 +43,6 @@ const picture = [
   [0, 1],
 ] as const; // of a side's corners
 const seenRows = 2; // how many packs behind one another show their front
-const plainFrom = 6; // metres: farther off, sides between packs and packs behind packs are left out
 const topShare = 0.93; // of the height: where a round pack's picture from above lies
 const inset = 1.5; // texels about a picture that are not its own
 
@@ -90,6 +89,7 @@ export class StandIns {
   private runs: readonly (readonly [Run, Run])[] = []; // by side: solid, cut out
   private readonly draws: readonly [Draw, Draw];
   private readonly uniforms = { pictures: { value: null as Texture | null } };
+  private plainFrom = 0;
   private readonly seen: Uint32Array; // by cell: rows that show their front
 
   constructor(
@@ -116,7 +116,9 @@ export class StandIns {
     return (this.draws[0].filled + this.draws[1].filled) / 3;
   }
 
-  begin(): void {
+  // Farther off than `plainFrom` metres, sides between packs and packs behind packs are left out.
+  begin(plainFrom: number): void {
+    this.plainFrom = plainFrom;
     for (const draw of this.draws) draw.filled = 0;
   }
 
@@ -126,7 +128,7 @@ export class StandIns {
     const { low, high, end } = cell;
     const frontEnd = Math.max(first, this.seen[number]!);
     const above = eye.z - high[2] > 0.5 * distance; // one looks down on it
-    const few = distance > plainFrom && !above;
+    const few = distance > this.plainFrom && !above;
     if (cell.facing === facesAnyway) {
       const all = [Side.front, Side.right, Side.left, Side.back] as const;
       for (const side of all) this.copy(side, first, end);
