@@ -172,6 +172,38 @@ test("keys alone walk, select, show the zones and measure", async () => {
   await close();
 });
 
+test("a door of a fixture opens by its card, within its limits", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  const door = await page.evaluate(async () => {
+    const { joints } = await (await fetch("api/stores/0")).json();
+    const { moving } = window.marketgen.stage.room;
+    return joints.find(({ row, kind, states }) => kind === "hinge" && moving.canMove(row) && states.some(({ name }) => name === "open"));
+  });
+  assert.ok(door, "the store has a door");
+  await page.evaluate((fixture) => void (location.hash = `#fixture=${fixture}`), door.fixture);
+  const controls = page.locator(".joint").filter({ has: page.getByRole("slider", { name: door.name.replace(/[_-]+/g, " "), exact: false }) }).first();
+  await controls.waitFor({ timeout: patience });
+  const leaf = () =>
+    page.evaluate((row) => {
+      const { position, owner } = window.marketgen.stage.room.arrays;
+      let far = 0;
+      for (let v = 0; v * 2 < owner.length; v++) if (owner[v * 2 + 1] === row) far += position[v * 3] + 2 * position[v * 3 + 1];
+      return far;
+    }, door.row);
+  const closed = await leaf();
+  await controls.locator("[data-state=open]").click();
+  const open_ = await leaf();
+  assert.ok(Math.abs(open_ - closed) > 0.1, `the leaf's corners are at ${closed} and ${open_}`);
+  await take(page, "door");
+  await controls.getByRole("slider").focus();
+  await page.keyboard.press("Home");
+  const position = await page.evaluate((row) => window.marketgen.stage.room.moving.positions[row], door.row);
+  assert.equal(position, door.lower);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("an address shows the same view again", async () => {
   const { page, close } = await open("#mode=fly&eye=3.5,2.25,1.5&look=1.25,-0.125&around=2&zones=1");
   await complete(page);

@@ -14,6 +14,7 @@ import { CardPanel } from "./ui/cards";
 import { element } from "./ui/dom";
 import { Hands } from "./ui/hands";
 import { Help } from "./ui/help";
+import type { Movable } from "./ui/joint_controls";
 import { Marks } from "./ui/marks";
 import { SearchPanel, shownHits } from "./ui/search";
 import type { Speech } from "./ui/speech";
@@ -75,6 +76,7 @@ export class App {
       close: () => this.deselect(),
       goTo: () => this.product !== undefined && this.goToProduct(this.product),
       showAll: () => this.product !== undefined && this.showAllOf(this.product),
+      move: (joint, to) => this.moveJoint(joint, to),
     });
     this.help = new Help(speech);
     this.toolbar = this.makeToolbar();
@@ -239,9 +241,19 @@ export class App {
     this.stage.redraw();
     await this.fill(async () => {
       const card = await this.client.fixture(row, signal);
-      const joints = card.joints.map((joint) => this.summary.joints[joint]?.name ?? "").filter((name) => name);
-      this.card.show({ kind: "fixture", card, joints });
+      this.card.show({ kind: "fixture", card, joints: () => this.movable(card.joints) });
     }, signal);
+  }
+
+  private movable(joints: readonly number[]): Movable[] {
+    const moving = this.stage.room?.moving;
+    if (!moving) return [];
+    return joints.filter((row) => moving.canMove(row)).map((row) => ({ joint: this.summary.joints[row]!, position: moving.positions[row]! }));
+  }
+
+  private moveJoint(joint: number, to: number): void {
+    this.stage.room?.move(joint, to);
+    this.stage.redraw();
   }
 
   private beginChoice(): AbortSignal {

@@ -9,9 +9,10 @@ import {
   type RawShaderMaterial,
   type Texture,
 } from "three";
-import type { RoomHead } from "../store/contract";
+import type { Joint, RoomHead } from "../store/contract";
 import type { Packed } from "../store/packed";
-import { divideRoom, type Batch, type RoomParts } from "./room_parts";
+import { boundsOf, divideRoom, type Batch, type RoomParts } from "./room_parts";
+import { MovingParts } from "./moving_parts";
 import { roomMaterial, type Shared } from "./shading";
 import type { Sight } from "./sight";
 
@@ -36,6 +37,7 @@ interface Surface {
 export class Room {
   readonly group = new Group();
   readonly arrays: RoomArrays;
+  readonly moving: MovingParts;
   private readonly surfaces: Surface[] = [];
   private readonly layerOf: Uint8Array; // by triangle
   private readonly materials = new Map<string, RawShaderMaterial>();
@@ -44,14 +46,16 @@ export class Room {
 
   private constructor(
     private readonly packed: Packed<RoomHead>,
+    joints: readonly Joint[],
     private readonly shared: Shared,
   ) {
     this.arrays = { position: packed.f32("position", 3), index: packed.u32("index", 1), owner: packed.u16("owner", 2) };
+    this.moving = new MovingParts(joints, this.arrays.owner, this.arrays.position);
     this.layerOf = new Uint8Array(this.arrays.index.length / 3);
   }
 
-  static async create(packed: Packed<RoomHead>, shared: Shared): Promise<Room> {
-    const room = new Room(packed, shared);
+  static async create(packed: Packed<RoomHead>, joints: readonly Joint[], shared: Shared): Promise<Room> {
+    const room = new Room(packed, joints, shared);
     await room.divide();
     return room;
   }
@@ -64,6 +68,19 @@ export class Room {
     for (const surface of this.surfaces) {
       if (surface.texture === row) surface.mesh.material = this.materialOf(row, texture, surface.layer);
     }
+  }
+
+  // Moves a door, lid or drawer, and what it carries. The light on it stays that of its first place.
+  move(joint: number, to: number): void {
+    const moved = this.moving.move(joint, to);
+    const { parts, indices } = this.divided!;
+    for (const part of parts) {
+      if (!moved.includes(part.joint)) continue;
+      const { start, end } = part.runs[0]!;
+      Object.assign(part, boundsOf(this.arrays.position, indices[0]!.subarray(start, end)));
+    }
+    const [any] = this.surfaces; // all wear the same corners
+    if (any) any.mesh.geometry.getAttribute("position").needsUpdate = true;
   }
 
   showCeiling(show: boolean): void {

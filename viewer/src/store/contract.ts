@@ -14,7 +14,7 @@ export interface Summary {
   readonly cameras: readonly StoreCamera[];
   readonly zones: readonly Zone[];
   readonly fixtures: readonly Fixture[];
-  readonly joints: readonly { readonly row: number; readonly fixture: number; readonly name: string; readonly kind: string }[];
+  readonly joints: readonly Joint[];
   readonly skus: readonly Sku[];
 }
 
@@ -43,6 +43,20 @@ export interface Fixture {
   readonly yaw_deg: number;
   readonly size_m: Triple;
   readonly levels: number;
+}
+
+// Store frame; the axis as it is with all joints at position 0.
+export interface Joint {
+  readonly row: number;
+  readonly fixture: number;
+  readonly name: string;
+  readonly kind: "hinge" | "slide" | "belt";
+  readonly parent: number; // -1: none
+  readonly origin_m: Triple;
+  readonly axis: Triple;
+  readonly lower: number;
+  readonly upper: number;
+  readonly states: readonly { readonly name: string; readonly position: number }[];
 }
 
 export interface Sku {

@@ -22,6 +22,12 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+// "glass_door_cooler" as words.
+export function words(id: string): string {
+  const text = id.replace(/[_-]+/g, " ");
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
 // Icons: 16 x 16, drawn with lines.
 const paths = {
   orbit: "M8 2.2a5.8 5.8 0 1 0 0 11.6A5.8 5.8 0 0 0 8 2.2M2.2 8c0-1.4 2.6-2.6 5.8-2.6s5.8 1.2 5.8 2.6-2.6 2.6-5.8 2.6S2.2 9.400 2.200 8",
