@@ -176,9 +176,9 @@ test("a door of a fixture opens by its card, within its limits", async () => {
   const { page, faults, close } = await open();
   await complete(page);
   const door = await page.evaluate(async () => {
-    const { joints } = await (await fetch("api/stores/0")).json();
+    const { joints, fixtures } = await (await fetch("api/stores/0")).json();
     const { moving } = window.marketgen.stage.room;
-    return joints.find(({ row, kind, states }) => kind === "hinge" && moving.canMove(row) && states.some(({ name }) => name === "open"));
+    return joints.find((joint) => /^glass_door/.test(fixtures[joint.fixture].kind) && joint.kind === "hinge" && moving.canMove(joint.row));
   });
   assert.ok(door, "the store has a door");
   await page.evaluate((fixture) => void (location.hash = `#fixture=${fixture}`), door.fixture);
@@ -200,6 +200,33 @@ test("a door of a fixture opens by its card, within its limits", async () => {
   await page.keyboard.press("Home");
   const position = await page.evaluate((row) => window.marketgen.stage.room.moving.positions[row], door.row);
   assert.equal(position, door.lower);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("layers show aisles with their widths and broken rules with their words", async () => {
+  const broken = { code: "test", severity: "hard", where: "x", value: 1, limit: 2, message: "<b>too narrow</b>", at_mm: [6000, 4000] };
+  const { page, faults, close } = await open("#mode=top", {}, (page) =>
+    page.route("**/api/stores/0", async (route) => {
+      const answer = await (await route.fetch()).json();
+      await route.fulfill({ json: { ...answer, violations: [broken] } });
+    }),
+  );
+  await complete(page);
+  await page.locator("canvas").focus();
+  await page.keyboard.press("l");
+  await page.getByRole("checkbox", { name: /Aisles/ }).check();
+  await page.getByRole("checkbox", { name: "Broken rules (1)" }).press("Space");
+  const aisles = await page.evaluate(async () => (await (await fetch("api/stores/0")).json()).aisles);
+  assert.ok(aisles.length > 0);
+  const widths = await page.locator(".marks .aisle").allTextContents();
+  assert.deepEqual(widths.sort(), aisles.map(({ width_mm }) => `${(width_mm / 1000).toFixed(2)} m`).sort());
+  assert.equal(await page.locator(".marks .violation").textContent(), broken.message);
+  assert.equal(await page.locator(".messages li").textContent(), broken.message);
+  assert.match(await page.evaluate(() => (window.marketgen.app.writeAddress(), location.hash)), /layers=aisles,violations/);
+  await take(page, "layers");
+  await page.keyboard.press("Escape");
+  await page.locator(".layers").waitFor({ state: "hidden", timeout: patience });
   assert.deepEqual(faults, []);
   await close();
 });

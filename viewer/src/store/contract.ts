@@ -13,6 +13,8 @@ export interface Summary {
   readonly ceiling_m: number;
   readonly cameras: readonly StoreCamera[];
   readonly zones: readonly Zone[];
+  readonly aisles: readonly Aisle[];
+  readonly violations: readonly Violation[];
   readonly fixtures: readonly Fixture[];
   readonly joints: readonly Joint[];
   readonly skus: readonly Sku[];
@@ -32,6 +34,21 @@ export interface Zone {
   readonly label: string;
   readonly polygon_mm: readonly (readonly [number, number])[];
   readonly area_m2: number;
+}
+
+export interface Aisle {
+  readonly id: string;
+  readonly kind: string;
+  readonly polygon_mm: readonly (readonly [number, number])[];
+  readonly width_mm: number;
+}
+
+export interface Violation {
+  readonly code: string;
+  readonly severity: string;
+  readonly where: string;
+  readonly message: string;
+  readonly at_mm?: readonly [number, number];
 }
 
 export interface Fixture {
