@@ -204,9 +204,34 @@ test("a door of a fixture opens by its card, within its limits", async () => {
   await close();
 });
 
+test("a line of shelves is seen from the front, and a facing of it opens its product's card", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  const fixture = await page.evaluate(async () => {
+    const { fixtures } = await (await fetch("api/stores/0")).json();
+    return fixtures.find(({ kind, run }) => kind === "wall_unit" && run);
+  });
+  assert.ok(fixture, "the store has a wall unit");
+  await page.evaluate((row) => void (location.hash = `#fixture=${row}`), fixture.row);
+  await page.getByRole("button", { name: "Front view of the shelves" }).click({ timeout: patience });
+  const blocks = page.locator(".wall button");
+  await blocks.first().waitFor({ timeout: patience });
+  assert.ok((await blocks.count()) > 5);
+  const [, sku, facts] = (await blocks.first().getAttribute("title")).split("\n");
+  assert.match(facts, /^\d+ × € \d+\.\d\d$/);
+  await blocks.first().focus();
+  await page.keyboard.press("Enter");
+  await page.locator(".card dd", { hasText: sku }).waitFor({ timeout: patience });
+  await take(page, "elevation");
+  await page.keyboard.press("Escape");
+  await page.locator(".elevation").waitFor({ state: "hidden", timeout: patience });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("layers show aisles with their widths and broken rules with their words", async () => {
   const broken = { code: "test", severity: "hard", where: "x", value: 1, limit: 2, message: "<b>too narrow</b>", at_mm: [6000, 4000] };
-  const { page, faults, close } = await open("#mode=top", {}, (page) =>
+  const { page, faults, close } = await open("", {}, (page) =>
     page.route("**/api/stores/0", async (route) => {
       const answer = await (await route.fetch()).json();
       await route.fulfill({ json: { ...answer, violations: [broken] } });
@@ -214,6 +239,7 @@ test("layers show aisles with their widths and broken rules with their words", a
   );
   await complete(page);
   await page.locator("canvas").focus();
+  await page.keyboard.press("4");
   await page.keyboard.press("l");
   await page.getByRole("checkbox", { name: /Aisles/ }).check();
   await page.getByRole("checkbox", { name: "Broken rules (1)" }).press("Space");

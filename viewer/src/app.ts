@@ -8,11 +8,13 @@ import { readAddress, writeAddress, type ViewState } from "./state/address";
 import { layerNames, type LayerName } from "./state/layers";
 import type { Client } from "./store/client";
 import type { Hit, StoreCamera, Summary } from "./store/contract";
+import { elevationOf } from "./stage/elevation";
 import { fronts, facingOf, rotationOf } from "./stage/goods_table";
 import { screensOf, Sight } from "./stage/sight";
 import type { Stage } from "./stage/stage";
 import { CardPanel } from "./ui/cards";
 import { element } from "./ui/dom";
+import { ElevationPanel } from "./ui/elevation";
 import { Hands } from "./ui/hands";
 import { Help } from "./ui/help";
 import type { Movable } from "./ui/joint_controls";
@@ -53,6 +55,7 @@ export class App {
   private measuring = false;
   private readonly layers = new Set<LayerName>();
   private readonly layersPanel: LayersPanel;
+  private readonly elevation: ElevationPanel;
   private tape: Vec3[] = [];
   private product: number | undefined;
   private fixture: number | undefined;
@@ -79,14 +82,16 @@ export class App {
       close: () => this.deselect(),
       goTo: () => this.product !== undefined && this.goToProduct(this.product),
       showAll: () => this.product !== undefined && this.showAllOf(this.product),
+      elevation: (run) => this.elevation.open(run),
       move: (joint, to) => this.moveJoint(joint, to),
     });
+    this.elevation = this.makeElevation();
     this.help = new Help(speech);
     const layerActions = { toggle: (layer: LayerName) => this.toggleLayer(layer), close: () => this.openLayers(false) };
     this.layersPanel = new LayersPanel(speech, layerActions, summary.violations.map(({ message }) => message));
     this.toolbar = this.makeToolbar();
     this.hands = this.makeHands();
-    document.body.append(element("div", { class: "crosshair" }), this.marks.layer, this.search.panel, this.card.panel, this.layersPanel.panel, this.toolbar.bar, this.help.dialog);
+    document.body.append(element("div", { class: "crosshair" }), this.marks.layer, this.search.panel, this.card.panel, this.elevation.panel, this.layersPanel.panel, this.toolbar.bar, this.help.dialog);
     document.title = `${summary.name} · MarketGen`;
     speech.bind(() => {
       stage.canvas.setAttribute("aria-label", speech.say("view3d"));
@@ -141,6 +146,15 @@ export class App {
       },
       this.summary,
     );
+  }
+
+  private makeElevation(): ElevationPanel {
+    const { summary } = this;
+    return new ElevationPanel(this.speech, summary.skus, {
+      of: (run, side) => this.stage.goods && elevationOf(run, side, summary.fixtures, this.stage.goods.table, summary.skus),
+      choose: (product) => void this.selectProduct(product),
+      closed: () => this.stage.canvas.focus({ preventScroll: true }),
+    });
   }
 
   private makeToolbar(): Toolbar {

@@ -56,6 +56,7 @@ export interface Fixture {
   readonly id: string;
   readonly kind: string;
   readonly zone: string;
+  readonly run: string; // the line it stands in
   readonly position_m: Triple;
   readonly yaw_deg: number;
   readonly size_m: Triple;

@@ -9,6 +9,7 @@ export interface CardActions {
   close(): void;
   goTo(): void;
   showAll(): void;
+  elevation(run: string): void;
   move(joint: number, to: number): void;
 }
 
@@ -88,6 +89,7 @@ export class CardPanel {
     const moving = jointControls(speech, joints, (joint, to) => this.actions.move(joint, to));
     return [
       element("div", { class: "title" }, element("h2", { text: words(card.kind) }), element("p", { class: "muted", text: card.id })),
+      ...(card.run && card.levels > 0 ? [this.buttons(["elevation", "elevation", () => this.actions.elevation(card.run)])] : []),
       ...(moving ? [moving] : []),
       this.facts([
         ["zone", words(card.zone)],
