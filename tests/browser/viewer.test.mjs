@@ -13,7 +13,7 @@ const browserPath = process.env.MARKETGEN_CHROMIUM ?? "/usr/bin/chromium";
 const pictures = process.env.MARKETGEN_BROWSER_PICTURES;
 const patience = 120_000; // milliseconds for the store to be built and shown, on a busy machine
 
-let folder, server, address, browser;
+let folder, store, server, address, browser;
 
 async function addressOf(process) {
   let said = "";
@@ -27,7 +27,7 @@ async function addressOf(process) {
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "marketgen-browser-"));
-  const store = join(folder, "shop");
+  store = join(folder, "shop");
   execFileSync(program, ["generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", store]);
   server = spawn(program, ["view", store, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
   address = await addressOf(server);
@@ -44,14 +44,14 @@ after(async () => {
 });
 
 // A page of its own; `faults` gathers what the browser complains of.
-async function open(hash = "", options = {}, arrange = async () => {}) {
+async function open(hash = "", options = {}, arrange = async () => {}, at = address) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "en-GB", reducedMotion: "reduce", ...options });
   const page = await context.newPage();
   const faults = [];
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(message.text()));
   page.on("pageerror", (error) => faults.push(String(error)));
   await arrange(page);
-  await page.goto(address + hash);
+  await page.goto(at + hash);
   return { page, faults, close: () => context.close() };
 }
 
@@ -114,7 +114,7 @@ test("a click on a known point picks the product that is there", async () => {
   const { page, faults, close } = await open();
   await complete(page);
   const there = await beforeAProduct(page);
-  await page.evaluate((hash) => new Promise((done) => (window.addEventListener("hashchange", done, { once: true }), (location.hash = hash))).then(() => 0), there.hash);
+  await goTo(page, there.hash);
   await settled(page);
   await page.mouse.click(640, 360);
   await page.locator(".card dd", { hasText: there.sku }).waitFor({ timeout: patience });
@@ -255,6 +255,83 @@ test("layers show aisles with their widths and broken rules with their words", a
   await page.locator(".layers").waitFor({ state: "hidden", timeout: patience });
   assert.deepEqual(faults, []);
   await close();
+});
+
+const goTo = (page, hash) =>
+  page.evaluate((hash) => new Promise((done) => (window.addEventListener("hashchange", done, { once: true }), (location.hash = hash))).then(() => 0), hash);
+
+test("two clicks measure what lies between them", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  await goTo(page, (await beforeAProduct(page)).hash);
+  await settled(page);
+  await page.locator("canvas").focus();
+  await page.keyboard.press("m");
+  const clicks = [
+    [600, 360],
+    [760, 420],
+  ];
+  const points = await page.evaluate((clicks) => clicks.map(([x, y]) => window.marketgen.stage.pickAt(x, y).point), clicks);
+  for (const [x, y] of clicks) await page.mouse.click(x, y);
+  const metres = Math.hypot(...[0, 1, 2].map((k) => points[0][k] - points[1][k]));
+  assert.ok(metres > 0.02);
+  await page.locator(".marks .tape").waitFor({ state: "attached", timeout: patience });
+  assert.equal(await page.locator(".marks .tape").textContent(), `${metres.toFixed(3)} m`);
+  assert.equal(await page.locator(".card").isHidden(), true, "a click that measures selects nothing");
+  await take(page, "tape");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("fingers look around, come nearer and select", async () => {
+  const { page, faults, close } = await open("", { hasTouch: true });
+  await complete(page);
+  const there = await beforeAProduct(page);
+  await goTo(page, there.hash);
+  await settled(page);
+  await page.touchscreen.tap(640, 360);
+  await page.locator(".card dd", { hasText: there.sku }).waitFor({ timeout: patience });
+  const hand = await page.context().newCDPSession(page);
+  const touch = (type, ...fingers) => hand.send("Input.dispatchTouchEvent", { type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })) });
+  const pose = () => page.evaluate(() => window.marketgen.app.navigator.pose);
+  const before = await pose();
+  await touch("touchStart", [500, 300]);
+  await touch("touchMove", [560, 300]);
+  await touch("touchEnd");
+  const turned = await pose();
+  assert.ok(Math.abs(turned.yaw - before.yaw) > 0.1, `one finger turned by ${turned.yaw - before.yaw}`);
+  assert.deepEqual(turned.eye, before.eye);
+  await touch("touchStart", [500, 300], [600, 300]);
+  await touch("touchMove", [450, 300], [650, 300]);
+  await touch("touchEnd");
+  const nearer = await pose();
+  const way = [0, 1].map((k) => nearer.eye[k] - turned.eye[k]);
+  assert.ok(way[0] * Math.cos(turned.yaw) + way[1] * Math.sin(turned.yaw) > 0.5, `two fingers moved by ${way}`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("with a secret the page is shown to who has it, and to nobody else", async () => {
+  const secret = "a-secret-of-the-browser-tests";
+  const guarded = spawn(program, ["view", store, "--no-open", "--host", "127.0.0.2", "--token", secret], { stdio: ["ignore", "pipe", "inherit"] });
+  try {
+    const { origin } = new URL(await addressOf(guarded));
+    const known = await open("", {}, () => {}, `${origin}/?token=${secret}`);
+    await complete(known.page);
+    await known.page.keyboard.press("/");
+    await known.page.keyboard.type("milk");
+    await known.page.locator(".hits li").first().waitFor({ timeout: patience });
+    await known.page.keyboard.press("ArrowDown");
+    await known.page.keyboard.press("Enter");
+    await known.page.locator(".card .title h2").waitFor({ timeout: patience });
+    await known.page.waitForFunction(() => document.querySelector(".card .label")?.naturalWidth > 0, null, { timeout: patience });
+    assert.match(await known.page.evaluate(() => (window.marketgen.app.writeAddress(), location.search)), /token=/);
+    assert.deepEqual(known.faults, []);
+    await known.close();
+    assert.equal((await fetch(`${origin}/api/stores/0`)).status, 403);
+  } finally {
+    guarded.kill("SIGINT");
+  }
 });
 
 test("an address shows the same view again", async () => {
