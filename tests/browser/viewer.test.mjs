@@ -229,6 +229,25 @@ test("a line of shelves is seen from the front, and a facing of it opens its pro
   await close();
 });
 
+test("products are coloured by what they cost, with a legend, and are themselves again", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  const before = await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join());
+  await page.locator("canvas").focus();
+  await page.keyboard.press("l");
+  await page.getByLabel("Colour the products by").selectOption("price");
+  assert.match(await page.locator(".legend").textContent(), /^≤ € \d+\.\d\d≥ € \d+\.\d\d$/);
+  assert.equal(await page.evaluate(() => (window.marketgen.app.writeAddress(), /heat=price/.test(location.hash))), true);
+  await page.waitForTimeout(1500);
+  await take(page, "heat");
+  assert.notEqual(await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join()), before);
+  await page.getByLabel("Colour the products by").selectOption("");
+  assert.equal(await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join()), before);
+  assert.equal(await page.locator(".legend").isHidden(), true);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("layers show aisles with their widths and broken rules with their words", async () => {
   const broken = { code: "test", severity: "hard", where: "x", value: 1, limit: 2, message: "<b>too narrow</b>", at_mm: [6000, 4000] };
   const { page, faults, close } = await open("", {}, (page) =>
@@ -346,7 +365,7 @@ test("a phone in the dark reads Chinese, and nothing sticks out", async () => {
   const { page, faults, close } = await open("", { viewport: { width: 390, height: 780 }, colorScheme: "dark", locale: "zh-CN", hasTouch: true });
   await complete(page);
   await take(page, "phone");
-  assert.equal(await page.locator("input").getAttribute("placeholder"), "搜索商品");
+  assert.equal(await page.locator("input[type=search]").getAttribute("placeholder"), "搜索商品");
   for (const part of [".search", ".toolbar"]) {
     const box = await page.locator(part).boundingBox();
     assert.ok(box.x >= 0 && box.x + box.width <= 390, `${part} is at ${JSON.stringify(box)}`);

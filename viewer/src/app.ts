@@ -10,6 +10,7 @@ import type { Client } from "./store/client";
 import type { Hit, StoreCamera, Summary } from "./store/contract";
 import { elevationOf } from "./stage/elevation";
 import { fronts, facingOf, rotationOf } from "./stage/goods_table";
+import { heatOf, type HeatName } from "./stage/heat";
 import { screensOf, Sight } from "./stage/sight";
 import type { Stage } from "./stage/stage";
 import { CardPanel } from "./ui/cards";
@@ -54,6 +55,7 @@ export class App {
   private readonly theme: Theme;
   private measuring = false;
   private readonly layers = new Set<LayerName>();
+  private heat: HeatName | undefined;
   private readonly layersPanel: LayersPanel;
   private readonly elevation: ElevationPanel;
   private tape: Vec3[] = [];
@@ -87,7 +89,7 @@ export class App {
     });
     this.elevation = this.makeElevation();
     this.help = new Help(speech);
-    const layerActions = { toggle: (layer: LayerName) => this.toggleLayer(layer), close: () => this.openLayers(false) };
+    const layerActions = { toggle: (layer: LayerName) => this.toggleLayer(layer), heat: (name: HeatName | undefined) => this.setHeat(name), close: () => this.openLayers(false) };
     this.layersPanel = new LayersPanel(speech, layerActions, summary.violations.map(({ message }) => message));
     this.toolbar = this.makeToolbar();
     this.hands = this.makeHands();
@@ -96,6 +98,7 @@ export class App {
     speech.bind(() => {
       stage.canvas.setAttribute("aria-label", speech.say("view3d"));
       this.showLayers();
+      if (this.heat) this.showHeat();
       this.showTape();
     });
     window.addEventListener("hashchange", () => this.apply(readAddress(location.hash)));
@@ -107,6 +110,7 @@ export class App {
     const state = readAddress(location.hash);
     const { product, fixture, query } = state;
     this.setLayers(layersOf(state));
+    if (state.heat) this.setHeat(state.heat);
     if (query) void this.search.start(query);
     if (product !== undefined) void this.selectProduct(product);
     else if (fixture !== undefined) void this.selectFixture(fixture);
@@ -377,6 +381,19 @@ export class App {
     this.addressSoon();
   }
 
+  private setHeat(name: HeatName | undefined): void {
+    this.heat = name;
+    this.showHeat();
+    this.addressSoon();
+  }
+
+  private showHeat(): void {
+    const { goods } = this.stage;
+    const heat = this.heat && goods && heatOf(this.heat, goods.table, goods.skus);
+    goods?.showHeat(heat);
+    this.layersPanel.showHeat(this.heat, heat);
+  }
+
   private openLayers(open: boolean): void {
     this.layersPanel.open(open);
     if (!open) this.stage.canvas.focus({ preventScroll: true });
@@ -424,6 +441,7 @@ export class App {
     if (state.mode) this.navigator.mode = state.mode;
     if (state.pose) this.navigator.goTo(state.pose, state.distance ?? this.navigator.around, true);
     this.setLayers(layersOf(state));
+    if (state.heat !== this.heat) this.setHeat(state.heat);
     if ((state.query ?? "") !== this.search.query) void this.search.start(state.query ?? "");
     if (state.product !== this.product && state.product !== undefined) void this.selectProduct(state.product);
     else if (state.fixture !== this.fixture && state.fixture !== undefined) void this.selectFixture(state.fixture);
@@ -445,6 +463,7 @@ export class App {
       layers: layerNames.filter((name) => name !== "zones" && this.layers.has(name)),
       ...(this.product !== undefined && { product: this.product }),
       ...(this.fixture !== undefined && { fixture: this.fixture }),
+      ...(this.heat && { heat: this.heat }),
       ...(this.search.query && { query: this.search.query }),
     };
     history.replaceState(null, "", writeAddress(state));

@@ -6,6 +6,7 @@ import type { Packed } from "../store/packed";
 import type { Effort } from "./effort";
 import type { GoodsLight } from "./goods_light";
 import { facesAnyway, fronts, type Cell, type GoodsTable } from "./goods_table";
+import type { Heat } from "./heat";
 import { MeshSet } from "./mesh_set";
 import { PackCell } from "./pack_cell";
 import { PageArray } from "./page_array";
@@ -45,6 +46,7 @@ export class Goods {
   private sheets: Sheets | undefined;
   private materials: readonly [RawShaderMaterial, RawShaderMaterial] | undefined;
   private triangles = 0;
+  private heat: Heat | undefined;
 
   constructor(
     readonly table: GoodsTable,
@@ -76,6 +78,13 @@ export class Goods {
   }
   get farMeshes(): MeshSet | undefined {
     return this.far;
+  }
+
+  // Figures in colours; undefined: the goods as they are.
+  showHeat(heat: Heat | undefined): void {
+    this.heat = heat;
+    this.standIns.paint(heat?.colors);
+    this.changed();
   }
 
   setLight(light: GoodsLight): void {
@@ -121,7 +130,7 @@ export class Goods {
     this.hideMeshes();
     this.standIns.begin(plainFrom);
     const missing: Shown[] = [];
-    let left = this.far && this.light ? budget : -1;
+    let left = this.far && this.light && !this.heat ? budget : -1;
     let order = 0;
     for (const shown of seen) {
       const near = shown.distance < meshesWithin && shown.triangles <= left;
