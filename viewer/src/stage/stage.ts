@@ -186,11 +186,16 @@ export class Stage {
 
   // False: more is to come.
   draw(still: boolean): boolean {
+    const done = this.prepare(still);
+    this.renderer.render(this.scene, this.camera);
+    return done;
+  }
+
+  private prepare(still: boolean): boolean {
     this.sight.look(this.camera);
     const effort = this.effort(still);
     const done = this.goods?.update(this.sight, effort, this.pace.resting.meshes) ?? true;
     this.room?.update(this.sight, effort.fineWithin);
-    this.renderer.render(this.scene, this.camera);
     return done;
   }
 
@@ -233,7 +238,10 @@ export class Stage {
   }
 
   async picture(): Promise<Blob | null> {
-    while (!this.draw(true));
+    this.still = true;
+    this.renderer.setPixelRatio(this.pixelRatio());
+    while (!this.prepare(true)); // builds all before it draws once
+    this.draw(true);
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
 }
