@@ -13,7 +13,7 @@ const browserPath = process.env.MARKETGEN_CHROMIUM ?? "/usr/bin/chromium";
 const pictures = process.env.MARKETGEN_BROWSER_PICTURES;
 const patience = 120_000; // milliseconds for the store to be built and shown, on a busy machine
 
-let folder, server, address, browser;
+let folder, store, server, address, browser;
 
 async function addressOf(process) {
   let said = "";
@@ -27,7 +27,7 @@ async function addressOf(process) {
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "marketgen-browser-"));
-  const store = join(folder, "shop");
+  store = join(folder, "shop");
   execFileSync(program, ["generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", store]);
   server = spawn(program, ["view", store, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
   address = await addressOf(server);
@@ -44,14 +44,14 @@ after(async () => {
 });
 
 // A page of its own; `faults` gathers what the browser complains of.
-async function open(hash = "", options = {}, arrange = async () => {}) {
+async function open(hash = "", options = {}, arrange = async () => {}, at = address) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "en-GB", reducedMotion: "reduce", ...options });
   const page = await context.newPage();
   const faults = [];
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(message.text()));
   page.on("pageerror", (error) => faults.push(String(error)));
   await arrange(page);
-  await page.goto(address + hash);
+  await page.goto(at + hash);
   return { page, faults, close: () => context.close() };
 }
 
@@ -114,7 +114,7 @@ test("a click on a known point picks the product that is there", async () => {
   const { page, faults, close } = await open();
   await complete(page);
   const there = await beforeAProduct(page);
-  await page.evaluate((hash) => new Promise((done) => (window.addEventListener("hashchange", done, { once: true }), (location.hash = hash))).then(() => 0), there.hash);
+  await goTo(page, there.hash);
   await settled(page);
   await page.mouse.click(640, 360);
   await page.locator(".card dd", { hasText: there.sku }).waitFor({ timeout: patience });
@@ -172,6 +172,187 @@ test("keys alone walk, select, show the zones and measure", async () => {
   await close();
 });
 
+test("a door of a fixture opens by its card, within its limits", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  const door = await page.evaluate(async () => {
+    const { joints, fixtures } = await (await fetch("api/stores/0")).json();
+    const { moving } = window.marketgen.stage.room;
+    return joints.find((joint) => /^glass_door/.test(fixtures[joint.fixture].kind) && joint.kind === "hinge" && moving.canMove(joint.row));
+  });
+  assert.ok(door, "the store has a door");
+  await page.evaluate((fixture) => void (location.hash = `#fixture=${fixture}`), door.fixture);
+  const controls = page.locator(".joint").filter({ has: page.getByRole("slider", { name: door.name.replace(/[_-]+/g, " "), exact: false }) }).first();
+  await controls.waitFor({ timeout: patience });
+  const leaf = () =>
+    page.evaluate((row) => {
+      const { position, owner } = window.marketgen.stage.room.arrays;
+      let far = 0;
+      for (let v = 0; v * 2 < owner.length; v++) if (owner[v * 2 + 1] === row) far += position[v * 3] + 2 * position[v * 3 + 1];
+      return far;
+    }, door.row);
+  const closed = await leaf();
+  await controls.locator("[data-state=open]").click();
+  const open_ = await leaf();
+  assert.ok(Math.abs(open_ - closed) > 0.1, `the leaf's corners are at ${closed} and ${open_}`);
+  await take(page, "door");
+  await controls.getByRole("slider").focus();
+  await page.keyboard.press("Home");
+  const position = await page.evaluate((row) => window.marketgen.stage.room.moving.positions[row], door.row);
+  assert.equal(position, door.lower);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a line of shelves is seen from the front, and a facing of it opens its product's card", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  const fixture = await page.evaluate(async () => {
+    const { fixtures } = await (await fetch("api/stores/0")).json();
+    return fixtures.find(({ kind, run }) => kind === "wall_unit" && run);
+  });
+  assert.ok(fixture, "the store has a wall unit");
+  await page.evaluate((row) => void (location.hash = `#fixture=${row}`), fixture.row);
+  await page.getByRole("button", { name: "Front view of the shelves" }).click({ timeout: patience });
+  const blocks = page.locator(".wall button");
+  await blocks.first().waitFor({ timeout: patience });
+  assert.ok((await blocks.count()) > 5);
+  const [, sku, facts] = (await blocks.first().getAttribute("title")).split("\n");
+  assert.match(facts, /^\d+ × € \d+\.\d\d$/);
+  await blocks.first().focus();
+  await page.keyboard.press("Enter");
+  await page.locator(".card dd", { hasText: sku }).waitFor({ timeout: patience });
+  await take(page, "elevation");
+  await page.keyboard.press("Escape");
+  await page.locator(".elevation").waitFor({ state: "hidden", timeout: patience });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("products are coloured by what they cost, with a legend, and are themselves again", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  const before = await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join());
+  await page.locator("canvas").focus();
+  await page.keyboard.press("l");
+  await page.getByLabel("Colour the products by").selectOption("price");
+  assert.match(await page.locator(".legend").textContent(), /^≤ € \d+\.\d\d≥ € \d+\.\d\d$/);
+  assert.equal(await page.evaluate(() => (window.marketgen.app.writeAddress(), /heat=price/.test(location.hash))), true);
+  await page.waitForTimeout(1500);
+  await take(page, "heat");
+  assert.notEqual(await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join()), before);
+  await page.getByLabel("Colour the products by").selectOption("");
+  assert.equal(await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join()), before);
+  assert.equal(await page.locator(".legend").isHidden(), true);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("layers show aisles with their widths and broken rules with their words", async () => {
+  const broken = { code: "test", severity: "hard", where: "x", value: 1, limit: 2, message: "<b>too narrow</b>", at_mm: [6000, 4000] };
+  const { page, faults, close } = await open("", {}, (page) =>
+    page.route("**/api/stores/0", async (route) => {
+      const answer = await (await route.fetch()).json();
+      await route.fulfill({ json: { ...answer, violations: [broken] } });
+    }),
+  );
+  await complete(page);
+  await page.locator("canvas").focus();
+  await page.keyboard.press("4");
+  await page.keyboard.press("l");
+  await page.getByRole("checkbox", { name: /Aisles/ }).check();
+  await page.getByRole("checkbox", { name: "Broken rules (1)" }).press("Space");
+  const aisles = await page.evaluate(async () => (await (await fetch("api/stores/0")).json()).aisles);
+  assert.ok(aisles.length > 0);
+  const widths = await page.locator(".marks .aisle").allTextContents();
+  assert.deepEqual(widths.sort(), aisles.map(({ width_mm }) => `${(width_mm / 1000).toFixed(2)} m`).sort());
+  assert.equal(await page.locator(".marks .violation").textContent(), broken.message);
+  assert.equal(await page.locator(".messages li").textContent(), broken.message);
+  assert.match(await page.evaluate(() => (window.marketgen.app.writeAddress(), location.hash)), /layers=aisles,violations/);
+  await take(page, "layers");
+  await page.keyboard.press("Escape");
+  await page.locator(".layers").waitFor({ state: "hidden", timeout: patience });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+const goTo = (page, hash) =>
+  page.evaluate((hash) => new Promise((done) => (window.addEventListener("hashchange", done, { once: true }), (location.hash = hash))).then(() => 0), hash);
+
+test("two clicks measure what lies between them", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  await goTo(page, (await beforeAProduct(page)).hash);
+  await settled(page);
+  await page.locator("canvas").focus();
+  await page.keyboard.press("m");
+  const clicks = [
+    [600, 360],
+    [760, 420],
+  ];
+  const points = await page.evaluate((clicks) => clicks.map(([x, y]) => window.marketgen.stage.pickAt(x, y).point), clicks);
+  for (const [x, y] of clicks) await page.mouse.click(x, y);
+  const metres = Math.hypot(...[0, 1, 2].map((k) => points[0][k] - points[1][k]));
+  assert.ok(metres > 0.02);
+  await page.locator(".marks .tape").waitFor({ state: "attached", timeout: patience });
+  assert.equal(await page.locator(".marks .tape").textContent(), `${metres.toFixed(3)} m`);
+  assert.equal(await page.locator(".card").isHidden(), true, "a click that measures selects nothing");
+  await take(page, "tape");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("fingers look around, come nearer and select", async () => {
+  const { page, faults, close } = await open("", { hasTouch: true });
+  await complete(page);
+  const there = await beforeAProduct(page);
+  await goTo(page, there.hash);
+  await settled(page);
+  await page.touchscreen.tap(640, 360);
+  await page.locator(".card dd", { hasText: there.sku }).waitFor({ timeout: patience });
+  const hand = await page.context().newCDPSession(page);
+  const touch = (type, ...fingers) => hand.send("Input.dispatchTouchEvent", { type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })) });
+  const pose = () => page.evaluate(() => window.marketgen.app.navigator.pose);
+  const before = await pose();
+  await touch("touchStart", [500, 300]);
+  await touch("touchMove", [560, 300]);
+  await touch("touchEnd");
+  const turned = await pose();
+  assert.ok(Math.abs(turned.yaw - before.yaw) > 0.1, `one finger turned by ${turned.yaw - before.yaw}`);
+  assert.deepEqual(turned.eye, before.eye);
+  await touch("touchStart", [500, 300], [600, 300]);
+  await touch("touchMove", [450, 300], [650, 300]);
+  await touch("touchEnd");
+  const nearer = await pose();
+  const way = [0, 1].map((k) => nearer.eye[k] - turned.eye[k]);
+  assert.ok(way[0] * Math.cos(turned.yaw) + way[1] * Math.sin(turned.yaw) > 0.5, `two fingers moved by ${way}`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("with a secret the page is shown to who has it, and to nobody else", async () => {
+  const secret = "a-secret-of-the-browser-tests";
+  const guarded = spawn(program, ["view", store, "--no-open", "--host", "127.0.0.2", "--token", secret], { stdio: ["ignore", "pipe", "inherit"] });
+  try {
+    const { origin } = new URL(await addressOf(guarded));
+    const known = await open("", {}, () => {}, `${origin}/?token=${secret}`);
+    await complete(known.page);
+    await known.page.keyboard.press("/");
+    await known.page.keyboard.type("milk");
+    await known.page.locator(".hits li").first().waitFor({ timeout: patience });
+    await known.page.keyboard.press("ArrowDown");
+    await known.page.keyboard.press("Enter");
+    await known.page.locator(".card .title h2").waitFor({ timeout: patience });
+    await known.page.waitForFunction(() => document.querySelector(".card .label")?.naturalWidth > 0, null, { timeout: patience });
+    assert.match(await known.page.evaluate(() => (window.marketgen.app.writeAddress(), location.search)), /token=/);
+    assert.deepEqual(known.faults, []);
+    await known.close();
+    assert.equal((await fetch(`${origin}/api/stores/0`)).status, 403);
+  } finally {
+    guarded.kill("SIGINT");
+  }
+});
+
 test("an address shows the same view again", async () => {
   const { page, close } = await open("#mode=fly&eye=3.5,2.25,1.5&look=1.25,-0.125&around=2&zones=1");
   await complete(page);
@@ -184,7 +365,7 @@ test("a phone in the dark reads Chinese, and nothing sticks out", async () => {
   const { page, faults, close } = await open("", { viewport: { width: 390, height: 780 }, colorScheme: "dark", locale: "zh-CN", hasTouch: true });
   await complete(page);
   await take(page, "phone");
-  assert.equal(await page.locator("input").getAttribute("placeholder"), "搜索商品");
+  assert.equal(await page.locator("input[type=search]").getAttribute("placeholder"), "搜索商品");
   for (const part of [".search", ".toolbar"]) {
     const box = await page.locator(part).boundingBox();
     assert.ok(box.x >= 0 && box.x + box.width <= 390, `${part} is at ${JSON.stringify(box)}`);

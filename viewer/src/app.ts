@@ -5,15 +5,21 @@ import { modes } from "./camera/modes";
 import { lookingAt, type Pose } from "./camera/pose";
 import { add, distance, type Vec3 } from "./camera/vector";
 import { readAddress, writeAddress, type ViewState } from "./state/address";
+import { layerNames, type LayerName } from "./state/layers";
 import type { Client } from "./store/client";
 import type { Hit, StoreCamera, Summary } from "./store/contract";
+import { elevationOf } from "./stage/elevation";
 import { fronts, facingOf, rotationOf } from "./stage/goods_table";
+import { heatOf, type HeatName } from "./stage/heat";
 import { screensOf, Sight } from "./stage/sight";
 import type { Stage } from "./stage/stage";
 import { CardPanel } from "./ui/cards";
 import { element } from "./ui/dom";
+import { ElevationPanel } from "./ui/elevation";
 import { Hands } from "./ui/hands";
 import { Help } from "./ui/help";
+import type { Movable } from "./ui/joint_controls";
+import { LayersPanel } from "./ui/layers";
 import { Marks } from "./ui/marks";
 import { SearchPanel, shownHits } from "./ui/search";
 import type { Speech } from "./ui/speech";
@@ -48,7 +54,10 @@ export class App {
   private readonly marks = new Marks();
   private readonly theme: Theme;
   private measuring = false;
-  private zones = false;
+  private readonly layers = new Set<LayerName>();
+  private heat: HeatName | undefined;
+  private readonly layersPanel: LayersPanel;
+  private readonly elevation: ElevationPanel;
   private tape: Vec3[] = [];
   private product: number | undefined;
   private fixture: number | undefined;
@@ -75,15 +84,21 @@ export class App {
       close: () => this.deselect(),
       goTo: () => this.product !== undefined && this.goToProduct(this.product),
       showAll: () => this.product !== undefined && this.showAllOf(this.product),
+      elevation: (run) => this.elevation.open(run),
+      move: (joint, to) => this.moveJoint(joint, to),
     });
+    this.elevation = this.makeElevation();
     this.help = new Help(speech);
+    const layerActions = { toggle: (layer: LayerName) => this.toggleLayer(layer), heat: (name: HeatName | undefined) => this.setHeat(name), close: () => this.openLayers(false) };
+    this.layersPanel = new LayersPanel(speech, layerActions, summary.violations.map(({ message }) => message));
     this.toolbar = this.makeToolbar();
     this.hands = this.makeHands();
-    document.body.append(element("div", { class: "crosshair" }), this.marks.layer, this.search.panel, this.card.panel, this.toolbar.bar, this.help.dialog);
+    document.body.append(element("div", { class: "crosshair" }), this.marks.layer, this.search.panel, this.card.panel, this.elevation.panel, this.layersPanel.panel, this.toolbar.bar, this.help.dialog);
     document.title = `${summary.name} · MarketGen`;
     speech.bind(() => {
       stage.canvas.setAttribute("aria-label", speech.say("view3d"));
-      this.showZones();
+      this.showLayers();
+      if (this.heat) this.showHeat();
       this.showTape();
     });
     window.addEventListener("hashchange", () => this.apply(readAddress(location.hash)));
@@ -92,8 +107,10 @@ export class App {
 
   // Once the goods are there: what the address asks for beside the pose.
   restore(): void {
-    const { product, fixture, zones, query } = readAddress(location.hash);
-    if (zones) this.toggleZones();
+    const state = readAddress(location.hash);
+    const { product, fixture, query } = state;
+    this.setLayers(layersOf(state));
+    if (state.heat) this.setHeat(state.heat);
     if (query) void this.search.start(query);
     if (product !== undefined) void this.selectProduct(product);
     else if (fixture !== undefined) void this.selectFixture(fixture);
@@ -135,12 +152,22 @@ export class App {
     );
   }
 
+  private makeElevation(): ElevationPanel {
+    const { summary } = this;
+    return new ElevationPanel(this.speech, summary.skus, {
+      of: (run, side) => this.stage.goods && elevationOf(run, side, summary.fixtures, this.stage.goods.table, summary.skus),
+      choose: (product) => void this.selectProduct(product),
+      closed: () => this.stage.canvas.focus({ preventScroll: true }),
+    });
+  }
+
   private makeToolbar(): Toolbar {
     const actions = {
       mode: (mode: Mode) => this.enter(mode),
       view: (camera: StoreCamera) => this.goToCamera(camera),
       measure: () => this.toggleMeasure(),
-      zones: () => this.toggleZones(),
+      zones: () => this.toggleLayer("zones"),
+      layers: () => this.openLayers(!this.layersPanel.isOpen),
       picture: () => void this.savePicture(),
       share: () => void this.share(),
       theme: () => this.theme.toggle(),
@@ -167,7 +194,8 @@ export class App {
     else if (event.key === "/") this.search.focus();
     else if (event.key === "?") this.help.open();
     else if (event.key === "m" || event.key === "M") this.toggleMeasure();
-    else if (event.key === "z" || event.key === "Z") this.toggleZones();
+    else if (event.key === "z" || event.key === "Z") this.toggleLayer("zones");
+    else if (event.key === "l" || event.key === "L") this.openLayers(!this.layersPanel.isOpen);
     else if (event.key === "p" || event.key === "P") void this.savePicture();
     else if (event.key === "Escape") this.escape();
     else if (event.key === "Enter" && !onButton) this.click(this.stage.canvas.clientWidth / 2, this.stage.canvas.clientHeight / 2);
@@ -177,6 +205,7 @@ export class App {
 
   private escape(): void {
     if (this.measuring) this.toggleMeasure();
+    else if (this.layersPanel.isOpen) this.openLayers(false);
     else if (this.product !== undefined || this.fixture !== undefined) this.deselect();
     else this.search.clear();
   }
@@ -239,9 +268,19 @@ export class App {
     this.stage.redraw();
     await this.fill(async () => {
       const card = await this.client.fixture(row, signal);
-      const joints = card.joints.map((joint) => this.summary.joints[joint]?.name ?? "").filter((name) => name);
-      this.card.show({ kind: "fixture", card, joints });
+      this.card.show({ kind: "fixture", card, joints: () => this.movable(card.joints) });
     }, signal);
+  }
+
+  private movable(joints: readonly number[]): Movable[] {
+    const moving = this.stage.room?.moving;
+    if (!moving) return [];
+    return joints.filter((row) => moving.canMove(row)).map((row) => ({ joint: this.summary.joints[row]!, position: moving.positions[row]! }));
+  }
+
+  private moveJoint(joint: number, to: number): void {
+    this.stage.room?.move(joint, to);
+    this.stage.redraw();
   }
 
   private beginChoice(): AbortSignal {
@@ -329,17 +368,53 @@ export class App {
     this.stage.redraw();
   }
 
-  private toggleZones(): void {
-    this.zones = !this.zones;
-    this.showZones();
+  private toggleLayer(layer: LayerName): void {
+    if (!this.layers.delete(layer)) this.layers.add(layer);
+    this.setLayers([...this.layers]);
+  }
+
+  private setLayers(layers: readonly LayerName[]): void {
+    this.layers.clear();
+    for (const layer of layers) this.layers.add(layer);
+    this.showLayers();
     this.showTools();
     this.addressSoon();
   }
 
-  private showZones(): void {
-    const zones = this.zones ? this.summary.zones : [];
-    this.stage.overlays?.showZones(zones);
-    this.marks.set("zones", zones.map((zone) => ({ text: zone.label, at: middleOf(zone.polygon_mm), kind: "zone" as const })));
+  private setHeat(name: HeatName | undefined): void {
+    this.heat = name;
+    this.showHeat();
+    this.addressSoon();
+  }
+
+  private showHeat(): void {
+    const { goods } = this.stage;
+    const heat = this.heat && goods && heatOf(this.heat, goods.table, goods.skus);
+    goods?.showHeat(heat);
+    this.layersPanel.showHeat(this.heat, heat);
+  }
+
+  private openLayers(open: boolean): void {
+    this.layersPanel.open(open);
+    if (!open) this.stage.canvas.focus({ preventScroll: true });
+    this.showTools();
+  }
+
+  private showLayers(): void {
+    const shown = <T>(layer: LayerName, all: readonly T[]): readonly T[] => (this.layers.has(layer) ? all : []);
+    const { overlays } = this.stage;
+    const zones = shown("zones", this.summary.zones);
+    const aisles = shown("aisles", this.summary.aisles);
+    const violations = shown("violations", this.summary.violations);
+    overlays?.showZones(zones);
+    overlays?.showAisles(aisles);
+    overlays?.showViolations(violations);
+    const metres = (mm: number): string => this.speech.say("metres", { value: this.speech.number(mm / 1000, 2) });
+    this.marks.set("zones", zones.map((zone) => ({ text: zone.label, at: middleOf(zone.polygon_mm, 1.5), kind: "zone" })));
+    this.marks.set("aisles", aisles.map((aisle) => ({ text: metres(aisle.width_mm), at: middleOf(aisle.polygon_mm, 0.05), kind: "aisle" })));
+    const placed = violations.flatMap(({ message, at_mm }) => (at_mm ? [{ text: message, at: [at_mm[0] / 1000, at_mm[1] / 1000, 2.3] as const, kind: "violation" as const }] : []));
+    this.marks.set("violations", placed);
+    this.layersPanel.show(this.layers);
     this.stage.redraw();
   }
 
@@ -365,7 +440,8 @@ export class App {
   private apply(state: ViewState): void {
     if (state.mode) this.navigator.mode = state.mode;
     if (state.pose) this.navigator.goTo(state.pose, state.distance ?? this.navigator.around, true);
-    if ((state.zones ?? false) !== this.zones) this.toggleZones();
+    this.setLayers(layersOf(state));
+    if (state.heat !== this.heat) this.setHeat(state.heat);
     if ((state.query ?? "") !== this.search.query) void this.search.start(state.query ?? "");
     if (state.product !== this.product && state.product !== undefined) void this.selectProduct(state.product);
     else if (state.fixture !== this.fixture && state.fixture !== undefined) void this.selectFixture(state.fixture);
@@ -383,9 +459,11 @@ export class App {
       mode,
       pose,
       distance: around,
-      zones: this.zones,
+      zones: this.layers.has("zones"),
+      layers: layerNames.filter((name) => name !== "zones" && this.layers.has(name)),
       ...(this.product !== undefined && { product: this.product }),
       ...(this.fixture !== undefined && { fixture: this.fixture }),
+      ...(this.heat && { heat: this.heat }),
       ...(this.search.query && { query: this.search.query }),
     };
     history.replaceState(null, "", writeAddress(state));
@@ -394,7 +472,7 @@ export class App {
   private showTools(): void {
     if (this.navigator.mode === "top") this.stage.setLens(topFov);
     else if (this.stage.camera.fov === topFov) this.stage.setLens(this.usualFov());
-    this.toolbar.show({ mode: this.navigator.mode, measuring: this.measuring, zones: this.zones });
+    this.toolbar.show({ mode: this.navigator.mode, measuring: this.measuring, zones: this.layers.has("zones"), layers: this.layersPanel.isOpen });
   }
 }
 
@@ -402,8 +480,12 @@ function reduced(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
 
-function middleOf(polygon: readonly (readonly [number, number])[]): Vec3 {
+function layersOf({ zones, layers }: ViewState): LayerName[] {
+  return zones ? ["zones", ...(layers ?? [])] : [...(layers ?? [])];
+}
+
+function middleOf(polygon: readonly (readonly [number, number])[], height: number): Vec3 {
   const xs = polygon.map(([x]) => x / 1000);
   const ys = polygon.map(([, y]) => y / 1000);
-  return [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2, 1.5];
+  return [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2, height];
 }

@@ -14,7 +14,6 @@ export interface Watch {
 }
 
 const pollMilliseconds = 400;
-const softwareStillBudget = 110_000; // triangles of meshes where there is no GPU
 
 async function watchServer(client: Client, watch: Watch, until: () => boolean): Promise<void> {
   while (!until()) {
@@ -30,7 +29,6 @@ export function loadGoods(client: Client, stage: Stage, summary: Summary, watch:
   return client.packed<unknown>("/goods.bin").then((packed) => {
     const table = readGoods(packed, summary.skus);
     const goods = new Goods(table, summary.skus, stage.shared, () => stage.redraw(), stage.redrawSoon);
-    if (stage.software) goods.stillBudget = softwareStillBudget;
     stage.goods = goods;
     stage.overlays = new Overlays(table, summary.skus);
     stage.scene.add(goods.group, stage.overlays.group);
@@ -40,9 +38,9 @@ export function loadGoods(client: Client, stage: Stage, summary: Summary, watch:
   });
 }
 
-async function loadRoom(client: Client, stage: Stage, watch: Watch): Promise<void> {
+async function loadRoom(client: Client, stage: Stage, summary: Summary, watch: Watch): Promise<void> {
   const packed = await client.packed<RoomHead>("/room.bin");
-  const room = await Room.create(packed, stage.shared);
+  const room = await Room.create(packed, summary.joints, stage.shared);
   stage.room = room;
   stage.scene.add(room.group);
   stage.roomChanged();
@@ -65,11 +63,11 @@ async function loadTexture(client: Client, stage: Stage, room: Room, head: RoomH
 }
 
 // Resolves when the store is as it is meant, but for the labels of what is near.
-export async function loadRest(client: Client, stage: Stage, goods: Goods, watch: Watch): Promise<void> {
+export async function loadRest(client: Client, stage: Stage, goods: Goods, summary: Summary, watch: Watch): Promise<void> {
   let done = false;
   const watched = watchServer(client, watch, () => done).catch(() => undefined);
   const light = client.packed<unknown>("/goods-light.bin").then((packed) => goods.setLight({ cube: packed.u8("light", 18) }));
-  const room = loadRoom(client, stage, watch);
+  const room = loadRoom(client, stage, summary, watch);
   const meshes = client.packed<MeshesHead>("/meshes.bin").then((packed) => goods.setMeshes(packed, client, stage.renderer, stage.limits));
   try {
     await Promise.all([room, light, meshes]);

@@ -41,7 +41,8 @@ async function start(): Promise<void> {
     };
     const goods = await loadGoods(client, stage, summary, watch);
     app.restore();
-    await loadRest(client, stage, goods, watch);
+    await loadRest(client, stage, goods, summary, watch);
+    stage.complete();
     times["complete"] = performance.now();
   } catch (error) {
     status.stop(error);

@@ -8,13 +8,15 @@ test("what is written is read again", () => {
     distance: 2.5,
     product: 17,
     zones: true,
+    heat: "price",
+    layers: ["aisles", "violations"],
     query: "oat milk & \"燕麦\" #1",
   } as const;
   expect(readAddress(writeAddress(state))).toEqual(state);
 });
 
 test("what makes no sense is left out", () => {
-  expect(readAddress("#mode=swim&eye=1,2&look=0,0&product=-4&around=-1&fixture=1e9&zones=yes")).toEqual({});
+  expect(readAddress("#mode=swim&eye=1,2&look=0,0&product=-4&around=-1&fixture=1e9&zones=yes&layers=zones,walls&heat=love")).toEqual({});
   expect(readAddress("#eye=1,2,NaN&look=0,0")).toEqual({});
   expect(readAddress("")).toEqual({});
 });

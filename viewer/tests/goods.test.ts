@@ -16,10 +16,11 @@ function goods(places: number[][], turn = [0, 0, 0, 1], shelf = 0): Packed<unkno
     sku: new Uint16Array(count),
     fixture: new Uint16Array(count).fill(3),
     shelf: new Uint16Array(count).fill(shelf),
+    facing: new Uint32Array(count),
     tint: new Uint8Array(count * 3).fill(200),
   };
   const get = (name: string): never => sections[name] as never;
-  return { f32: get, i16: get, u16: get, u8: get } as unknown as Packed<unknown>;
+  return { f32: get, u32: get, i16: get, u16: get, u8: get } as unknown as Packed<unknown>;
 }
 
 test("a front of -Y turned about Z faces round the compass", () => {

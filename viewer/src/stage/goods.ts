@@ -3,8 +3,10 @@ import { Box3, Group, Vector3, type IUniform, type RawShaderMaterial, type WebGL
 import type { Client } from "../store/client";
 import type { MeshesHead, Sku } from "../store/contract";
 import type { Packed } from "../store/packed";
+import type { Effort } from "./effort";
 import type { GoodsLight } from "./goods_light";
 import { facesAnyway, fronts, type Cell, type GoodsTable } from "./goods_table";
+import type { Heat } from "./heat";
 import { MeshSet } from "./mesh_set";
 import { PackCell } from "./pack_cell";
 import { PageArray } from "./page_array";
@@ -32,21 +34,19 @@ interface Shown {
 
 const labelsWithin = 2.6; // metres
 const meshesWithin = 14;
-const kept = 1.5; // times as many triangles as are shown stay built
-const budgets = { least: 12_000, first: 60_000, most: 1_500_000 }; // triangles of meshes a frame
+const kept = 1.5; // times as many triangles as may be shown stay built
 const buildMilliseconds = 8; // a frame
 
 export class Goods {
   readonly group = new Group();
   readonly standIns: StandIns;
   readonly shown: readonly Shown[];
-  budget = budgets.first;
-  stillBudget = 350_000; // of a picture that stands still
   private far: MeshSet | undefined;
   private light: GoodsLight | undefined;
   private sheets: Sheets | undefined;
   private materials: readonly [RawShaderMaterial, RawShaderMaterial] | undefined;
   private triangles = 0;
+  private heat: Heat | undefined;
 
   constructor(
     readonly table: GoodsTable,
@@ -78,6 +78,13 @@ export class Goods {
   }
   get farMeshes(): MeshSet | undefined {
     return this.far;
+  }
+
+  // Figures in colours; undefined: the goods as they are.
+  showHeat(heat: Heat | undefined): void {
+    this.heat = heat;
+    this.standIns.paint(heat?.colors);
+    this.changed();
   }
 
   setLight(light: GoodsLight): void {
@@ -114,17 +121,16 @@ export class Goods {
     this.changed();
   }
 
-  // Chooses what is seen; a picture that stands still may take longer. False: more is to be built; call again in the next frame.
-  update(sight: Sight, still: boolean): boolean {
+  // Chooses what is seen; `spare`: for so many triangles, what is built is kept. False: more is to be built; call again in the next frame.
+  update(sight: Sight, { meshes: budget, plainFrom }: Effort, spare: number): boolean {
     const { eye } = sight;
     for (const shown of this.shown) shown.distance = sight.distance(shown.cell.low, shown.cell.high);
     const byDistance = [...this.shown].sort((a, b) => a.distance - b.distance);
     const seen = byDistance.filter((shown) => this.facesEye(shown, eye) && sight.sees(shown.cell.low, shown.cell.high, shown.cell.fixture));
     this.hideMeshes();
-    this.standIns.begin();
+    this.standIns.begin(plainFrom);
     const missing: Shown[] = [];
-    const budget = still ? Math.max(this.budget, this.stillBudget) : this.budget;
-    let left = this.far && this.light ? budget : -1;
+    let left = this.far && this.light && !this.heat ? budget : -1;
     let order = 0;
     for (const shown of seen) {
       const near = shown.distance < meshesWithin && shown.triangles <= left;
@@ -136,7 +142,7 @@ export class Goods {
     }
     this.standIns.finish();
     this.buildSome(missing);
-    this.forget(byDistance, budget);
+    this.forget(byDistance, Math.max(budget, spare) * kept);
     this.wantLabels(seen, eye);
     return missing.length === 0;
   }
@@ -189,8 +195,7 @@ export class Goods {
     }
   }
 
-  private forget(byDistance: readonly Shown[], budget: number): void {
-    let room = Math.max(budget, this.stillBudget) * kept;
+  private forget(byDistance: readonly Shown[], room: number): void {
     for (const shown of byDistance) {
       if (!shown.built) continue;
       room -= shown.triangles;
@@ -216,11 +221,5 @@ export class Goods {
     }
     const near: Near[] = [...nearest].map(([row, distance]) => ({ sku: row, distance }));
     this.sheets.want(near.sort((a, b) => a.distance - b.distance));
-  }
-
-  // Frames that take long get fewer meshes.
-  adapt(milliseconds: number, goal: number): void {
-    if (milliseconds > goal * 1.2) this.budget = Math.max(this.budget * 0.92, budgets.least);
-    else if (milliseconds < goal * 0.75) this.budget = Math.min(this.budget * 1.04, budgets.most);
   }
 }

@@ -22,6 +22,7 @@ export interface GoodsTable {
   readonly rotation: Int16Array; // x y z w, / 32767
   readonly sku: Uint16Array;
   readonly fixture: Uint16Array; // 65535: none
+  readonly facing: Uint32Array; // row; 4,294,967,295: none
   readonly tint: Uint8Array; // / 200
   readonly rank: Uint8Array; // how many stand before it on its shelf
   readonly order: Uint32Array; // product rows by cell
@@ -116,6 +117,7 @@ export function readGoods(packed: Packed<unknown>, skus: Summary["skus"]): Goods
     rotation: packed.i16("rotation", 4),
     sku: packed.u16("sku", 1),
     fixture: packed.u16("fixture", 1),
+    facing: packed.u32("facing", 1),
     tint: packed.u8("tint", 3),
     rank: new Uint8Array(count),
   };

@@ -21,10 +21,13 @@ import {
   type Object3D,
 } from "three";
 import type { Vec3 } from "../camera/vector";
-import type { Fixture, Sku, Zone } from "../store/contract";
+import type { Aisle, Fixture, Sku, Violation, Zone } from "../store/contract";
 import { rotationOf, type GoodsTable } from "./goods_table";
 
 export const accent = 0xff6a13;
+const aisleColor = new Color(0x2f6fde);
+const violationColor = new Color(0xd3122f);
+const stem = { width: 0.06, height: 2.2 }; // metres, of what points at a broken rule
 const swell = 0.004; // metres by which marks stand off from what they mark
 
 // One colour a type of zone, of equal lightness, by the order in which the types appear.
@@ -97,6 +100,28 @@ export class Overlays {
       floor.add(this.area(corners, color), this.border(corners, color));
     }
     this.put("zones", zones.length > 0 ? floor : undefined);
+  }
+
+  showAisles(aisles: readonly Aisle[]): void {
+    const floor = new Group();
+    for (const { polygon_mm } of aisles) {
+      const corners = polygon_mm.map(([x, y]) => new Vector2(x / 1000, y / 1000));
+      if (corners.length >= 3) floor.add(this.area(corners, aisleColor), this.border(corners, aisleColor));
+    }
+    this.put("aisles", aisles.length > 0 ? floor : undefined);
+  }
+
+  showViolations(violations: readonly Violation[]): void {
+    const stems = new Group();
+    for (const { at_mm } of violations) {
+      if (!at_mm) continue;
+      const material = new MeshBasicMaterial({ color: violationColor, transparent: true, opacity: 0.85 });
+      const mesh = new Mesh(new BoxGeometry(stem.width, stem.width, stem.height), material);
+      mesh.position.set(at_mm[0] / 1000, at_mm[1] / 1000, stem.height / 2);
+      mesh.renderOrder = 1502;
+      stems.add(mesh);
+    }
+    this.put("violations", stems.children.length > 0 ? stems : undefined);
   }
 
   showTape(points: readonly Vec3[]): void {

@@ -9,9 +9,10 @@ import {
   type RawShaderMaterial,
   type Texture,
 } from "three";
-import type { RoomHead } from "../store/contract";
+import type { Joint, RoomHead } from "../store/contract";
 import type { Packed } from "../store/packed";
-import { divideRoom, type Batch, type Part, type RoomParts } from "./room_parts";
+import { boundsOf, divideRoom, type Batch, type RoomParts } from "./room_parts";
+import { MovingParts } from "./moving_parts";
 import { roomMaterial, type Shared } from "./shading";
 import type { Sight } from "./sight";
 
@@ -21,7 +22,7 @@ export interface RoomArrays {
   readonly owner: Uint16Array; // fixture row, joint row; 65535: none
 }
 
-const fineWithin = { moving: 2.5, still: 6 }; // metres; rough from three times as far
+const coarserFrom = [1, 3, 8] as const; // times as far as what is drawn finely: where each coarser fineness begins
 const layers = ["solid", "glass", "ceiling"] as const;
 type Layer = (typeof layers)[number];
 
@@ -36,6 +37,7 @@ interface Surface {
 export class Room {
   readonly group = new Group();
   readonly arrays: RoomArrays;
+  readonly moving: MovingParts;
   private readonly surfaces: Surface[] = [];
   private readonly layerOf: Uint8Array; // by triangle
   private readonly materials = new Map<string, RawShaderMaterial>();
@@ -44,14 +46,16 @@ export class Room {
 
   private constructor(
     private readonly packed: Packed<RoomHead>,
+    joints: readonly Joint[],
     private readonly shared: Shared,
   ) {
     this.arrays = { position: packed.f32("position", 3), index: packed.u32("index", 1), owner: packed.u16("owner", 2) };
+    this.moving = new MovingParts(joints, this.arrays.owner, this.arrays.position);
     this.layerOf = new Uint8Array(this.arrays.index.length / 3);
   }
 
-  static async create(packed: Packed<RoomHead>, shared: Shared): Promise<Room> {
-    const room = new Room(packed, shared);
+  static async create(packed: Packed<RoomHead>, joints: readonly Joint[], shared: Shared): Promise<Room> {
+    const room = new Room(packed, joints, shared);
     await room.divide();
     return room;
   }
@@ -66,6 +70,19 @@ export class Room {
     }
   }
 
+  // Moves a door, lid or drawer, and what it carries. The light on it stays that of its first place.
+  move(joint: number, to: number): void {
+    const moved = this.moving.move(joint, to);
+    const { parts, indices } = this.divided!;
+    for (const part of parts) {
+      if (!moved.includes(part.joint)) continue;
+      const { start, end } = part.runs[0]!;
+      Object.assign(part, boundsOf(this.arrays.position, indices[0]!.subarray(start, end)));
+    }
+    const [any] = this.surfaces; // all wear the same corners
+    if (any) any.mesh.geometry.getAttribute("position").needsUpdate = true;
+  }
+
   showCeiling(show: boolean): void {
     this.ceilingShown = show;
   }
@@ -76,24 +93,20 @@ export class Room {
     return layer === "glass" || (layer === "ceiling" && !this.ceilingShown);
   }
 
-  update(sight: Sight, still: boolean): void {
+  // `fineWithin`: metres in which everything is drawn as it is.
+  update(sight: Sight, fineWithin: number): void {
     const { parts, indices } = this.divided!;
     for (const surface of this.surfaces) surface.filled = 0;
     for (const part of parts) {
       const surface = this.surfaces[part.surface]!;
       if (surface.layer === "ceiling" && !this.ceilingShown) continue;
       if (!sight.sees(part.low, part.high, part.fixture)) continue;
-      const level = this.fineness(part, sight, still ? fineWithin.still : fineWithin.moving);
+      const level = fineness(sight.distance(part.low, part.high), fineWithin);
       const run = part.runs[level]!;
       surface.shown.set(indices[level]!.subarray(run.start, run.end), surface.filled);
       surface.filled += run.end - run.start;
     }
     for (const surface of this.surfaces) hand(surface);
-  }
-
-  private fineness(part: Part, sight: Sight, fine: number): 0 | 1 | 2 {
-    const away = sight.distance(part.low, part.high);
-    return away < fine ? 0 : away < fine * 3 ? 1 : 2;
   }
 
   private async divide(): Promise<void> {
@@ -141,6 +154,10 @@ export class Room {
     if (!material) this.materials.set(key, (material = roomMaterial(this.shared, texture, layer === "glass")));
     return material;
   }
+}
+
+function fineness(away: number, fineWithin: number): number {
+  return coarserFrom.filter((times) => away >= times * fineWithin).length;
 }
 
 function hand({ mesh, filled }: Surface): void {

@@ -1,4 +1,4 @@
-// The room's triangles by what they belong to (a fixture, or a piece of the shell), in three finenesses: far off, what is smaller
+// The room's triangles by what they belong to (a fixture, or a piece of the shell), in four finenesses: far off, what is smaller
 // than a few pixels is drawn together. Runs of indices, to be copied into what is drawn.
 export interface RoomSource {
   readonly position: Float32Array;
@@ -13,15 +13,18 @@ export interface Run {
   readonly end: number;
 }
 
+type Corner = readonly [number, number, number];
+
 export interface Part {
   readonly surface: number; // which of the batches' materials
   readonly fixture: number; // -1: the shell
-  readonly low: [number, number, number];
-  readonly high: [number, number, number];
-  readonly runs: readonly [Run, Run, Run]; // in `indices` of each fineness
+  readonly joint: number; // that carries it; -1: none
+  low: Corner;
+  high: Corner;
+  readonly runs: readonly Run[]; // in `indices` of each fineness
 }
 
-export const grains = [0, 0.01, 0.03] as const; // metres that are one point
+export const grains = [0, 0.01, 0.03, 0.1] as const; // metres that are one point
 const shellPiece = 4; // metres
 const none = 65535;
 
@@ -33,7 +36,8 @@ export interface Batch {
 }
 
 function pieceOf(source: RoomSource, vertex: number): number {
-  const fixture = source.owner[vertex * 2]!;
+  const [fixture, joint] = [source.owner[vertex * 2]!, source.owner[vertex * 2 + 1]!];
+  if (joint !== none) return 131072 + joint; // a door moves without the frame: they share no corners
   if (fixture !== none) return fixture;
   const column = (k: number): number => Math.floor(source.position[vertex * 3 + k]! / shellPiece) + 128;
   return 65536 + column(0) * 256 + column(1);
@@ -83,46 +87,50 @@ function coarse(source: RoomSource, triangles: Uint32Array, low: readonly number
 
 export interface RoomParts {
   readonly parts: readonly Part[];
-  readonly indices: readonly [Uint32Array, Uint32Array, Uint32Array];
+  readonly indices: readonly Uint32Array[]; // by fineness
   readonly surfaces: readonly number[]; // how many indices at most each surface shows
 }
 
 // Groups in turn: between two of them the page lives on.
 export async function divideRoom(source: RoomSource, batches: readonly Batch[]): Promise<RoomParts> {
-  const groups = new Map<number, { batch: Batch; piece: number; triangles: number[] }>();
+  const groups = new Map<number, { batch: Batch; triangles: number[] }>();
   for (const batch of batches) {
     for (let i = batch.first; i < batch.first + batch.count; i += 3) {
       const piece = pieceOf(source, source.index[i]!);
-      const key = batch.surface * 200_000 + piece;
+      const key = batch.surface * 262_144 + piece;
       let group = groups.get(key);
-      if (!group) groups.set(key, (group = { batch, piece, triangles: [] }));
+      if (!group) groups.set(key, (group = { batch, triangles: [] }));
       group.triangles.push(source.index[i]!, source.index[i + 1]!, source.index[i + 2]!);
     }
   }
-  const levels: [number[], number[], number[]] = [[], [], []];
+  const levels: number[][] = grains.map(() => []);
   const parts: Part[] = [];
   let worked = performance.now();
-  for (const { batch, piece, triangles } of groups.values()) {
-    parts.push(partOf(source, batch, piece, Uint32Array.from(triangles), levels));
+  for (const { batch, triangles } of groups.values()) {
+    parts.push(partOf(source, batch, Uint32Array.from(triangles), levels));
     if (performance.now() - worked < 12) continue;
     await new Promise((done) => setTimeout(done));
     worked = performance.now();
   }
   const surfaces: number[] = [];
-  for (const part of parts) surfaces[part.surface] = (surfaces[part.surface] ?? 0) + part.runs[0].end - part.runs[0].start;
-  const [fine, middle, rough] = levels.map((level) => Uint32Array.from(level)) as [Uint32Array, Uint32Array, Uint32Array];
-  return { parts, indices: [fine, middle, rough], surfaces };
+  for (const { surface, runs } of parts) surfaces[surface] = (surfaces[surface] ?? 0) + runs[0]!.end - runs[0]!.start;
+  return { parts, indices: levels.map((level) => Uint32Array.from(level)), surfaces };
 }
 
-function partOf(source: RoomSource, batch: Batch, piece: number, triangles: Uint32Array, levels: [number[], number[], number[]]): Part {
+export function boundsOf(position: Float32Array, vertices: Uint32Array): { low: Corner; high: Corner } {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  for (const vertex of triangles) {
+  for (const vertex of vertices) {
     for (let k = 0; k < 3; k++) {
-      low[k] = Math.min(low[k]!, source.position[vertex * 3 + k]!);
-      high[k] = Math.max(high[k]!, source.position[vertex * 3 + k]!);
+      low[k] = Math.min(low[k]!, position[vertex * 3 + k]!);
+      high[k] = Math.max(high[k]!, position[vertex * 3 + k]!);
     }
   }
+  return { low, high };
+}
+
+function partOf(source: RoomSource, batch: Batch, triangles: Uint32Array, levels: readonly number[][]): Part {
+  const { low, high } = boundsOf(source.position, triangles);
   const runs = grains.map((size, level): Run => {
     const into = levels[level]!;
     const start = into.length;
@@ -130,5 +138,6 @@ function partOf(source: RoomSource, batch: Batch, piece: number, triangles: Uint
     for (const vertex of kept) into.push(vertex);
     return { start, end: into.length };
   });
-  return { surface: batch.surface, fixture: piece < 65536 ? piece : -1, low, high, runs: runs as unknown as [Run, Run, Run] };
+  const [fixture, joint] = [source.owner[triangles[0]! * 2]!, source.owner[triangles[0]! * 2 + 1]!].map((row) => (row === none ? -1 : row));
+  return { surface: batch.surface, fixture: fixture!, joint: joint!, low, high, runs };
 }

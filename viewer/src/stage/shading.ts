@@ -184,7 +184,11 @@ void main() {
   vec3 at = position;
   at.xy += vec2(-eye.y, eye.x) * (across / max(length(eye), 1e-3));
   vec4 hue = hueOf(light.rgb);
+#ifdef PLAIN
+  vBase = color.rgb * (0.85 + 0.15 * min(hue.a, 1.0)); // figures in colours: hardly touched by the light
+#else
   vBase = color.rgb * hue.rgb;
+#endif
   vResponse = responseIn(hue.a);
   vUv = uv;
   gl_Position = projectionMatrix * viewMatrix * vec4(at, 1.0);
@@ -198,6 +202,10 @@ in vec2 vUv;
 out vec4 outColor;
 void main() {
   vec3 base = vBase;
+#ifdef PLAIN
+  outColor = vec4(base, 1.0);
+  return;
+#endif
 #ifdef PICTURES
   vec4 picture = texture(pictures, vUv);
 #ifdef CUT
@@ -209,8 +217,8 @@ void main() {
 }
 `;
 
-// `wear`: nothing yet; pictures; pictures that are cut out.
-export function standInMaterial(shared: Shared, uniforms: Record<string, IUniform>, wear: readonly ("PICTURES" | "CUT")[]): RawShaderMaterial {
+// `wear`: nothing yet; pictures; pictures that are cut out; or the colours as they are.
+export function standInMaterial(shared: Shared, uniforms: Record<string, IUniform>, wear: readonly ("PICTURES" | "CUT" | "PLAIN")[]): RawShaderMaterial {
   return material(standInVertex, standInFragment, { ...shared, ...uniforms }, Object.fromEntries(wear.map((name) => [name, "1"])));
 }
 

@@ -12,6 +12,7 @@ import {
 } from "three";
 import { direction, type Pose } from "../camera/pose";
 import type { Vec3 } from "../camera/vector";
+import { Pace, type Effort } from "./effort";
 import type { Goods, Limits } from "./goods";
 import type { Overlays } from "./overlays";
 import { pick, type Picked, type Ray } from "./pick";
@@ -21,15 +22,11 @@ import { Sight } from "./sight";
 
 ColorManagement.enabled = false; // the shaders write what the screen shows
 
-const softwareGoal = 55; // milliseconds a frame without a GPU
-const hardwareGoal = 18;
 const soonMilliseconds = 350;
-const coarsenesses = [1, 0.75, 0.5] as const; // share of the pixels in each direction, while one moves
 const stillAfter = 200; // milliseconds without a move: the picture is drawn once more, finely
 
 export interface Figures {
   frames: number;
-  frameMilliseconds: number; // of the last frames, smoothed
   calls: number;
   triangles: number;
 }
@@ -61,18 +58,20 @@ export class Stage {
   readonly shared: Shared = { uDim: { value: 0 } };
   readonly renderer: WebGLRenderer;
   readonly software: boolean;
-  readonly figures: Figures = { frames: 0, frameMilliseconds: 0, calls: 0, triangles: 0 };
+  readonly figures: Figures = { frames: 0, calls: 0, triangles: 0 };
   goods: Goods | undefined;
   room: Room | undefined;
   overlays: Overlays | undefined;
   sight = new Sight([]);
   ceilingHeight = 3;
+  readonly pace: Pace;
   private dirty = true;
   private wasBusy = false;
   private began = 0; // the last picture
   private moved = -Infinity;
   private still = false;
-  private coarseness: (typeof coarsenesses)[number] = 1;
+  // While pieces are still coming a picture is soon out of date: none is drawn finely.
+  private coming = true;
   private soon: number | undefined;
 
   private constructor(
@@ -81,6 +80,7 @@ export class Stage {
     software: boolean,
   ) {
     this.software = software;
+    this.pace = new Pace(software);
     this.renderer = new WebGLRenderer({ canvas, context: gl, antialias: !software });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.toneMapping = NoToneMapping;
@@ -126,18 +126,18 @@ export class Stage {
     this.redraw();
   }
 
-  // A machine that is too slow for moving pictures gets coarser ones until they stand still.
-  private pixelRatio(): number {
-    const full = this.software ? 1 : Math.min(devicePixelRatio, 2);
-    return this.still ? full : full * this.coarseness;
+  private effort(still: boolean): Effort {
+    return still ? this.pace.resting : this.pace.moving;
   }
 
-  private adaptCoarseness(): void {
-    if (!this.software) return;
-    const { frameMilliseconds } = this.figures;
-    const steps = coarsenesses.indexOf(this.coarseness);
-    const next = frameMilliseconds > softwareGoal * 1.3 ? steps + 1 : frameMilliseconds < softwareGoal * 0.5 ? steps - 1 : steps;
-    this.coarseness = coarsenesses[Math.min(Math.max(next, 0), coarsenesses.length - 1)]!;
+  private pixelRatio(): number {
+    return (this.software ? 1 : Math.min(devicePixelRatio, 2)) * this.effort(this.still).pixels;
+  }
+
+  // Everything is there.
+  complete(): void {
+    this.coming = false;
+    this.redraw();
   }
 
   setPose(pose: Pose): void {
@@ -168,18 +168,15 @@ export class Stage {
   frame(moving: boolean): boolean {
     const began = performance.now();
     if (moving) this.moved = began;
-    const still = began - this.moved > stillAfter;
-    if (still !== this.still) {
-      this.still = still;
-      this.dirty ||= still;
-      if (still) this.adaptCoarseness();
-      if (this.renderer.getPixelRatio() !== this.pixelRatio()) this.renderer.setPixelRatio(this.pixelRatio());
-    }
+    const still = began - this.moved > stillAfter && !(this.coming && this.software);
+    this.dirty ||= still && !this.still;
+    this.still = still;
     if (!this.dirty) {
       this.wasBusy = false;
       return false;
     }
     this.dirty = false;
+    if (this.renderer.getPixelRatio() !== this.pixelRatio()) this.renderer.setPixelRatio(this.pixelRatio());
     const done = this.draw(still);
     this.count(began, moving && this.wasBusy);
     this.wasBusy = moving;
@@ -189,10 +186,16 @@ export class Stage {
 
   // False: more is to come.
   draw(still: boolean): boolean {
-    this.sight.look(this.camera);
-    const done = this.goods?.update(this.sight, still) ?? true;
-    this.room?.update(this.sight, still);
+    const done = this.prepare(still);
     this.renderer.render(this.scene, this.camera);
+    return done;
+  }
+
+  private prepare(still: boolean): boolean {
+    this.sight.look(this.camera);
+    const effort = this.effort(still);
+    const done = this.goods?.update(this.sight, effort, this.pace.resting.meshes) ?? true;
+    this.room?.update(this.sight, effort.fineWithin);
     return done;
   }
 
@@ -202,10 +205,7 @@ export class Stage {
     figures.frames++;
     figures.calls = this.renderer.info.render.calls;
     figures.triangles = this.renderer.info.render.triangles;
-    if (following) {
-      figures.frameMilliseconds = figures.frameMilliseconds * 0.8 + (began - this.began) * 0.2;
-      this.goods?.adapt(figures.frameMilliseconds, this.software ? softwareGoal : hardwareGoal);
-    }
+    if (following) this.pace.took(began - this.began);
     this.began = began;
   }
 
@@ -238,7 +238,10 @@ export class Stage {
   }
 
   async picture(): Promise<Blob | null> {
-    while (!this.draw(true));
+    this.still = true;
+    this.renderer.setPixelRatio(this.pixelRatio());
+    while (!this.prepare(true)); // builds all before it draws once
+    this.draw(true);
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
 }

@@ -43,7 +43,6 @@ const picture = [
   [0, 1],
 ] as const; // of a side's corners
 const seenRows = 2; // how many packs behind one another show their front
-const plainFrom = 6; // metres: farther off, sides between packs and packs behind packs are left out
 const topShare = 0.93; // of the height: where a round pack's picture from above lies
 const inset = 1.5; // texels about a picture that are not its own
 
@@ -90,6 +89,9 @@ export class StandIns {
   private runs: readonly (readonly [Run, Run])[] = []; // by side: solid, cut out
   private readonly draws: readonly [Draw, Draw];
   private readonly uniforms = { pictures: { value: null as Texture | null } };
+  private plainFrom = 0;
+  private portraits: Portraits | undefined;
+  private painted: Uint8Array | undefined; // RGB by product row
   private readonly seen: Uint32Array; // by cell: rows that show their front
 
   constructor(
@@ -116,7 +118,9 @@ export class StandIns {
     return (this.draws[0].filled + this.draws[1].filled) / 3;
   }
 
-  begin(): void {
+  // Farther off than `plainFrom` metres, sides between packs and packs behind packs are left out.
+  begin(plainFrom: number): void {
+    this.plainFrom = plainFrom;
     for (const draw of this.draws) draw.filled = 0;
   }
 
@@ -126,7 +130,7 @@ export class StandIns {
     const { low, high, end } = cell;
     const frontEnd = Math.max(first, this.seen[number]!);
     const above = eye.z - high[2] > 0.5 * distance; // one looks down on it
-    const few = distance > plainFrom && !above;
+    const few = distance > this.plainFrom && !above;
     if (cell.facing === facesAnyway) {
       const all = [Side.front, Side.right, Side.left, Side.back] as const;
       for (const side of all) this.copy(side, first, end);
@@ -159,12 +163,27 @@ export class StandIns {
 
   setPortraits(portraits: Portraits): void {
     this.uniforms.pictures.value = portraits.texture;
+    this.portraits = portraits;
     this.writeShapes(portraits);
-    const [solid, cut] = this.draws;
-    (solid.mesh.material as RawShaderMaterial).dispose();
-    solid.mesh.material = standInMaterial(this.shared, this.uniforms, ["PICTURES"]);
-    cut.mesh.material = standInMaterial(this.shared, this.uniforms, ["PICTURES", "CUT"]);
-    for (const name of ["position", "across", "uv", "color"]) solid.mesh.geometry.getAttribute(name).needsUpdate = true;
+    this.wear();
+    for (const name of ["position", "across", "uv"]) this.draws[0].mesh.geometry.getAttribute(name).needsUpdate = true;
+  }
+
+  // Colours of the products instead of what they wear; undefined: as they are again.
+  paint(colors: Uint8Array | undefined): void {
+    this.painted = colors;
+    this.writeColors();
+    this.wear();
+  }
+
+  private wear(): void {
+    const pictures = this.portraits && !this.painted ? (["PICTURES"] as const) : [];
+    const plain = this.painted ? (["PLAIN"] as const) : [];
+    this.draws.forEach(({ mesh }, i) => {
+      (mesh.material as RawShaderMaterial).dispose();
+      mesh.material = standInMaterial(this.shared, this.uniforms, [...pictures, ...plain, ...(pictures.length > 0 && i === 1 ? (["CUT"] as const) : [])]);
+    });
+    this.draws[0].mesh.geometry.getAttribute("color").needsUpdate = true;
   }
 
   setLight(light: GoodsLight): void {
@@ -214,9 +233,8 @@ export class StandIns {
   }
 
   private writeShapes(portraits: Portraits | undefined): void {
-    const { order, sku, position, tint } = this.table;
+    const { order, sku, position } = this.table;
     const forms = new Uint8Array(this.table.count);
-    const colors = this.skus.map(({ color }) => (portraits ? 0xffffff : Number.parseInt(color.slice(1), 16)));
     order.forEach((row, i) => {
       const type = sku[row]!;
       const turn = rotationOf(this.table, row);
@@ -229,17 +247,26 @@ export class StandIns {
       };
       const form = portraits?.forms[type] ?? Form.solid;
       forms[i] = form === Form.round && !box.round ? Form.cut : form;
-      const color = colors[type]!;
-      const painted = [16, 8, 0].map((shift, k) => Math.min((((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545), 255));
       for (let side = 0; side < sides.length; side++) this.writeSide(i * corners + side * 4, side, box);
-      for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([painted[0]!, painted[1]!, painted[2]!, 255], v * 4);
       if (portraits) this.writePictures(i, type, portraits);
     });
+    this.writeColors();
     const turns = [Side.front, Side.top]; // what a round pack has
     this.runs = sides.map((_, side) => [
       this.runOf(side, (pack) => forms[pack] === Form.solid),
       this.runOf(side, (pack) => forms[pack] === Form.cut || (forms[pack] === Form.round && turns.includes(side))),
     ]);
+  }
+
+  private writeColors(): void {
+    const { order, sku, tint } = this.table;
+    const colors = this.skus.map(({ color }) => (this.portraits ? 0xffffff : Number.parseInt(color.slice(1), 16)));
+    order.forEach((row, i) => {
+      const color = colors[sku[row]!]!;
+      const own = [16, 8, 0].map((shift, k) => Math.min(((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545, 255));
+      const [r, g, b] = this.painted ? this.painted.subarray(row * 3, row * 3 + 3) : own;
+      for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([r!, g!, b!, 255], v * 4);
+    });
   }
 
   private writeSide(vertex: number, side: Side, { turn, place, size, round }: Box): void {

@@ -2,6 +2,8 @@
 import type { Mode } from "../camera/modes";
 import { modes } from "../camera/modes";
 import type { Pose } from "../camera/pose";
+import { heatNames, type HeatName } from "../stage/heat";
+import { layerNames, type LayerName } from "./layers";
 
 export interface ViewState {
   readonly mode?: Mode;
@@ -9,6 +11,8 @@ export interface ViewState {
   readonly distance?: number; // from the eye to what orbit turns about
   readonly product?: number; // row of the selected product
   readonly fixture?: number; // row of the selected fixture
+  readonly layers?: readonly LayerName[]; // beside the zones
+  readonly heat?: HeatName;
   readonly zones?: boolean;
   readonly query?: string;
 }
@@ -32,6 +36,9 @@ export function readAddress(hash: string): ViewState {
   const mode = modes.find((name) => name === entries.get("mode"));
   const product = row(entries.get("product"));
   const fixture = row(entries.get("fixture"));
+  const named = entries.get("layers")?.split(",") ?? [];
+  const layers = layerNames.filter((name) => name !== "zones" && named.includes(name));
+  const heat = heatNames.find((name) => name === entries.get("heat"));
   const query = entries.get("q");
   return {
     ...(mode && { mode }),
@@ -40,6 +47,8 @@ export function readAddress(hash: string): ViewState {
     ...(product !== undefined && { product }),
     ...(fixture !== undefined && { fixture }),
     ...(entries.get("zones") === "1" && { zones: true }),
+    ...(layers.length > 0 && { layers }),
+    ...(heat && { heat }),
     ...(query && { query }),
   };
 }
@@ -58,6 +67,8 @@ export function writeAddress(state: ViewState): string {
   if (state.product !== undefined) put("product", String(state.product));
   if (state.fixture !== undefined) put("fixture", String(state.fixture));
   if (state.zones) put("zones", "1");
+  if (state.layers && state.layers.length > 0) put("layers", state.layers.join(","));
+  if (state.heat) put("heat", state.heat);
   if (state.query) put("q", encodeURIComponent(state.query));
   return entries.length > 0 ? `#${entries.join("&")}` : "";
 }

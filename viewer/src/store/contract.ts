@@ -13,8 +13,10 @@ export interface Summary {
   readonly ceiling_m: number;
   readonly cameras: readonly StoreCamera[];
   readonly zones: readonly Zone[];
+  readonly aisles: readonly Aisle[];
+  readonly violations: readonly Violation[];
   readonly fixtures: readonly Fixture[];
-  readonly joints: readonly { readonly row: number; readonly fixture: number; readonly name: string; readonly kind: string }[];
+  readonly joints: readonly Joint[];
   readonly skus: readonly Sku[];
 }
 
@@ -34,15 +36,45 @@ export interface Zone {
   readonly area_m2: number;
 }
 
+export interface Aisle {
+  readonly id: string;
+  readonly kind: string;
+  readonly polygon_mm: readonly (readonly [number, number])[];
+  readonly width_mm: number;
+}
+
+export interface Violation {
+  readonly code: string;
+  readonly severity: string;
+  readonly where: string;
+  readonly message: string;
+  readonly at_mm?: readonly [number, number];
+}
+
 export interface Fixture {
   readonly row: number;
   readonly id: string;
   readonly kind: string;
   readonly zone: string;
+  readonly run: string; // the line it stands in
   readonly position_m: Triple;
   readonly yaw_deg: number;
   readonly size_m: Triple;
   readonly levels: number;
+}
+
+// Store frame; the axis as it is with all joints at position 0.
+export interface Joint {
+  readonly row: number;
+  readonly fixture: number;
+  readonly name: string;
+  readonly kind: "hinge" | "slide" | "belt";
+  readonly parent: number; // -1: none
+  readonly origin_m: Triple;
+  readonly axis: Triple;
+  readonly lower: number;
+  readonly upper: number;
+  readonly states: readonly { readonly name: string; readonly position: number }[];
 }
 
 export interface Sku {

@@ -1,16 +1,19 @@
 // The panel at the right: what is known of the selected product or fixture.
 import type { FixtureCard, ProductCard } from "../store/contract";
 import type { TextKey } from "../text/strings";
-import { element, icon, type IconName } from "./dom";
+import { element, icon, words, type IconName } from "./dom";
+import { jointControls, type Movable } from "./joint_controls";
 import type { Speech } from "./speech";
 
 export interface CardActions {
   close(): void;
   goTo(): void;
   showAll(): void;
+  elevation(run: string): void;
+  move(joint: number, to: number): void;
 }
 
-type Shown = { kind: "product"; card: ProductCard; picture: string } | { kind: "fixture"; card: FixtureCard; joints: readonly string[] };
+type Shown = { kind: "product"; card: ProductCard; picture: string } | { kind: "fixture"; card: FixtureCard; joints: () => readonly Movable[] };
 
 export class CardPanel {
   readonly panel = element("aside", { class: "card panel" });
@@ -36,7 +39,7 @@ export class CardPanel {
     this.panel.setAttribute("aria-label", kind);
     const close = element("button", { class: "tool", attributes: { type: "button", "aria-label": this.speech.say("close") }, on: { click: () => this.actions.close() } }, icon("close"));
     const head = element("header", {}, element("span", { class: "muted", text: kind }), close);
-    const body = this.shown.kind === "product" ? this.product(this.shown.card, this.shown.picture) : this.fixture(this.shown.card, this.shown.joints);
+    const body = this.shown.kind === "product" ? this.product(this.shown.card, this.shown.picture) : this.fixture(this.shown.card, this.shown.joints());
     this.panel.replaceChildren(head, ...body);
   }
 
@@ -76,22 +79,24 @@ export class CardPanel {
     return card.grasps.filter(({ tries }) => tries > 0).map(({ tool, tries, held }) => [`${this.speech.say("grasp")}, ${words(tool)}`, `${held} / ${tries}`]);
   }
 
-  private fixture(card: FixtureCard, joints: readonly string[]): HTMLElement[] {
+  private fixture(card: FixtureCard, joints: readonly Movable[]): HTMLElement[] {
     const { speech } = this;
     const metres = card.size_m.map((x) => speech.number(x, 2)).join(" × ");
     const shelves = card.shelves.map((shelf): [string, string] => [
       `${speech.say("level")} ${shelf.level + 1}${shelf.side > 0 ? ` ${speech.say("back")}` : ""}`,
       `${speech.number(shelf.height_m, 2)} m · ${speech.say("pieces", { count: speech.number(shelf.products) })}`,
     ]);
+    const moving = jointControls(speech, joints, (joint, to) => this.actions.move(joint, to));
     return [
       element("div", { class: "title" }, element("h2", { text: words(card.kind) }), element("p", { class: "muted", text: card.id })),
+      ...(card.run && card.levels > 0 ? [this.buttons(["elevation", "elevation", () => this.actions.elevation(card.run)])] : []),
+      ...(moving ? [moving] : []),
       this.facts([
         ["zone", words(card.zone)],
         ["size", `${metres} m`],
         ["material", words(card.material)],
         ["stock", speech.say("products", { count: speech.number(card.products) })],
         ["levels", card.levels > 0 ? speech.number(card.levels) : ""],
-        ["joints", joints.map(words).join(", ")],
         ...shelves,
       ]),
     ];
@@ -119,11 +124,5 @@ export class CardPanel {
 
 const factKeys: Readonly<Partial<Record<TextKey, true>>> = {
   net: true, size: true, mass: true, friction: true, material: true, storage: true, shelfLife: true, category: true, facings: true,
-  inStore: true, gtin: true, sku: true, fixture: true, zone: true, stock: true, levels: true, joints: true,
+  inStore: true, gtin: true, sku: true, fixture: true, zone: true, stock: true, levels: true,
 };
-
-// "glass_door_cooler" as words.
-function words(id: string): string {
-  const text = id.replace(/[_-]+/g, " ");
-  return text.charAt(0).toUpperCase() + text.slice(1);
-}

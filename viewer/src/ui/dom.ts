@@ -22,6 +22,12 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+// "glass_door_cooler" as words.
+export function words(id: string): string {
+  const text = id.replace(/[_-]+/g, " ");
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
 // Icons: 16 x 16, drawn with lines.
 const paths = {
   orbit: "M8 2.2a5.8 5.8 0 1 0 0 11.6A5.8 5.8 0 0 0 8 2.2M2.2 8c0-1.4 2.6-2.6 5.8-2.6s5.8 1.2 5.8 2.6-2.6 2.6-5.8 2.6S2.2 9.400 2.200 8",
@@ -31,6 +37,8 @@ const paths = {
   views: "M2 5h2.500l1-1.500h5L11.500 5H14v8H2zM8 6.700a2.200 2.200 0 1 0 0 4.400 2.200 2.200 0 0 0 0-4.400",
   measure: "M1.800 10.800 10.800 1.800l3.400 3.400-9 9zM4.500 8.100l1.600 1.600M6.700 5.900 8.900 8.100M8.900 3.700l1.600 1.600",
   zones: "M2 4l4-1.500 4 1.500 4-1.500v9.500l-4 1.500-4-1.500-4 1.500zM6 2.500v9.500M10 4v9.500",
+  layers: "M8 2 14 5 8 8 2 5zM2 8l6 3 6-3M2 11l6 3 6-3",
+  elevation: "M2 2.500h12v11h-12zM2 6h12M2 9.800h12M6 2.500V6M10 6v3.800M5.500 9.800v3.700",
   more: "M2.5 8a1 1 0 1 0 2 0 1 1 0 1 0-2 0M7 8a1 1 0 1 0 2 0 1 1 0 1 0-2 0M11.500 8a1 1 0 1 0 2 0 1 1 0 1 0-2 0",
   search: "M7 2.500a4.500 4.500 0 1 0 0 9 4.500 4.500 0 0 0 0-9M10.300 10.300 13.700 13.700",
   close: "M4 4l8 8M12 4l-8 8",

@@ -16,6 +16,7 @@ const rows: readonly (readonly [string | TextKey, TextKey])[] = [
   ["Enter", "keysPick"],
   ["M", "keysMeasure"],
   ["Z", "keysZones"],
+  ["L", "layers"],
   ["P", "keysPicture"],
   ["Esc", "keysClose"],
 ];

@@ -1,11 +1,11 @@
-// Words that stand at points of the store: names of zones, lengths of the tape. Those nearer win where two would overlap.
+// Words that stand at points of the store: names of zones, widths of aisles, broken rules, lengths of the tape. Those nearer win where two would overlap.
 import type { Vec3 } from "../camera/vector";
 import { element } from "./dom";
 
 export interface Mark {
   readonly text: string;
   readonly at: Vec3;
-  readonly kind: "zone" | "tape";
+  readonly kind: "zone" | "aisle" | "violation" | "tape";
 }
 
 export class Marks {

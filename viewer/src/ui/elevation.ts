@@ -1,0 +1,101 @@
+// The planogram of a line of fixtures as it stands: each facing a button with its name, how many stand side by side, and the price.
+import { sides, type Elevation, type SideName } from "../stage/elevation";
+import type { Sku } from "../store/contract";
+import { element, icon } from "./dom";
+import type { Speech } from "./speech";
+
+export interface ElevationActions {
+  of(run: string, side: SideName): Elevation | undefined;
+  choose(product: number): void;
+  closed(): void;
+}
+
+// Black or white, whichever stands out more: at least 4.5 to 1 on any ground.
+export function inkOn(color: string): "#000" | "#fff" {
+  const word = Number.parseInt(color.slice(1), 16);
+  const [r, g, b] = [16, 8, 0].map((shift) => {
+    const share = ((word >> shift) & 255) / 255;
+    return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+  }) as [number, number, number];
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.179 ? "#000" : "#fff";
+}
+
+export class ElevationPanel {
+  readonly panel = element("section", { class: "elevation panel" });
+  private run = "";
+  private side: SideName = "front";
+
+  constructor(
+    private readonly speech: Speech,
+    private readonly skus: readonly Sku[],
+    private readonly actions: ElevationActions,
+  ) {
+    this.panel.hidden = true;
+    this.panel.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      this.close();
+      event.stopPropagation();
+    });
+    speech.bind(() => this.draw());
+  }
+
+  open(run: string): void {
+    this.run = run;
+    this.side = sides.find((side) => (this.actions.of(run, side)?.blocks.length ?? 0) > 0) ?? "front";
+    this.panel.hidden = false;
+    this.draw();
+    this.panel.querySelector("button")?.focus();
+  }
+
+  close(): void {
+    this.panel.hidden = true;
+    this.actions.closed();
+  }
+
+  private draw(): void {
+    if (this.panel.hidden) return;
+    const { speech } = this;
+    const shown = this.actions.of(this.run, this.side);
+    const close = element("button", { class: "tool", attributes: { type: "button", "aria-label": speech.say("close") }, on: { click: () => this.close() } }, icon("close"));
+    const heading = element("h2", { text: `${speech.say("elevation")} · ${this.run}` });
+    this.panel.setAttribute("aria-label", speech.say("elevation"));
+    this.panel.replaceChildren(element("header", {}, heading, ...this.sideButtons(), close));
+    if (shown) this.panel.append(element("div", { class: "scroll" }, this.wall(shown)));
+  }
+
+  private sideButtons(): HTMLElement[] {
+    const filled = sides.filter((side) => (this.actions.of(this.run, side)?.blocks.length ?? 0) > 0);
+    if (filled.length < 2) return [];
+    return filled.map((side) => {
+      const turn = (): void => {
+        this.side = side;
+        this.draw();
+      };
+      const text = this.speech.say(side === "front" ? "frontSide" : "backSide");
+      return element("button", { class: "side", text, attributes: { type: "button", "aria-pressed": String(side === this.side) }, on: { click: turn } });
+    });
+  }
+
+  private wall({ width, height, blocks }: Elevation): HTMLElement {
+    const wall = element("div", { class: "wall" });
+    wall.style.aspectRatio = `${width} / ${height}`;
+    const percent = (part: number, whole: number): string => `${((100 * part) / whole).toFixed(3)}%`;
+    for (const block of blocks) {
+      const sku = this.skus[block.sku]!;
+      const name = this.speech.language === "zh" && sku.name_zh ? sku.name_zh : sku.name;
+      const facts = `${block.columns} × € ${this.speech.number(sku.price, 2)}`;
+      const button = element("button", { attributes: { type: "button", title: `${name}\n${sku.sku}\n${facts}` }, on: { click: () => this.actions.choose(block.product) } });
+      button.append(element("span", { text: name }), element("span", { text: facts }));
+      Object.assign(button.style, {
+        left: percent(block.left, width),
+        width: percent(block.right - block.left, width),
+        bottom: percent(block.bottom, height),
+        height: percent(block.top - block.bottom, height),
+        backgroundColor: sku.color,
+        color: inkOn(sku.color),
+      });
+      wall.append(button);
+    }
+    return wall;
+  }
+}
