@@ -1,6 +1,7 @@
 // Who acts in a world of each track of episodes/tracks.inc: defined in the track's own folder.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "agent/policy.h"
 #include "base/seed.h"
@@ -18,6 +19,7 @@ class WrappedPolicy : public agent::Policy {
   }
   Result<agent::Action> act(const agent::Observation& now) override { return policy_->act(now); }
   std::string failure() const override { return policy_->failure(); }
+  std::optional<agent::ModelUse> model_use() const override { return policy_->model_use(); }
 
  protected:
   std::unique_ptr<agent::Policy> policy_;
