@@ -250,6 +250,8 @@ Result<void> eval(const EvalFlags& given) {
     return evaluation::serve_episodes(data, catalog, flags.policy, model_access(flags));
   if (flags.output.empty())
     return Error{"usage.bad_flag", "--output", "name a folder for the results"};
+  io::Outputs record;  // whether it has a place
+  if (!flags.model_record.empty()) MARKETGEN_CHECK(record.add_folder(flags.model_record));
   MARKETGEN_TRY(const evaluation::EvaluationOptions options, options_of(flags, data));
   MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
   MARKETGEN_TRY(std::vector<evaluation::FinishedRun> others, others_of(flags, file, options));
