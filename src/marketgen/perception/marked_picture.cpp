@@ -69,8 +69,9 @@ void draw_line(Image& picture, int x0, int y0, int x1, int y1, Rgb8 color) {
 }
 
 // Inside of every side of a pixel beyond which the mask does not go on.
-void draw_outline(Image& picture, const Mask& mask, int width, int scale, Rgb8 color) {
-  std::vector<std::uint8_t> in(static_cast<std::size_t>(picture.width / scale) *
+void draw_outline(Image& picture, const Mask& mask, int scale, Rgb8 color) {
+  const int width = picture.width / scale;
+  std::vector<std::uint8_t> in(static_cast<std::size_t>(width) *
                                static_cast<std::size_t>(picture.height / scale));
   for (const std::uint32_t pixel : mask.pixels)
     if (pixel < in.size()) in[pixel] = 1;
@@ -92,7 +93,7 @@ void draw_outline(Image& picture, const Mask& mask, int width, int scale, Rgb8 c
 }
 
 // The pixel of the mask that is nearest to its middle: an arc's middle is not on it.
-std::array<int, 2> middle_of(const Mask& mask, int width) {
+std::array<int, 2> middle_px(const Mask& mask, int width) {
   const auto column = [&](std::uint32_t pixel) { return static_cast<int>(pixel) % width; };
   const auto row = [&](std::uint32_t pixel) { return static_cast<int>(pixel) / width; };
   double x = 0, y = 0;
@@ -112,10 +113,10 @@ bool overlap(const Mark& a, const Mark& b) {
          std::abs(a.y_px - b.y_px) <= a.half_height_px + b.half_height_px;
 }
 
-Mark chip_of(std::size_t number, int x_px, int y_px) {
+// On the middle of what it is a mark of.
+Mark chip_of(std::size_t number, Mark mark, const std::array<int, 2>& middle) {
   const int letters = static_cast<int>(std::to_string(number).size());
-  Mark mark;
-  mark.x_px = x_px, mark.y_px = y_px;
+  mark.x_px = middle[0], mark.y_px = middle[1];
   mark.half_width_px = (letters * (digit_width + 1) - 1) * digit_px / 2 + chip_edge_px;
   mark.half_height_px = digit_height * digit_px / 2 + chip_edge_px;
   return mark;
@@ -183,8 +184,23 @@ std::vector<Mark> largest(const std::vector<ViewCloud>& views,
   return marks;
 }
 
-const Mask& mask_of(const std::vector<MaskedView>& masked, const Mark& mark) {
+const Mask& marked_mask(const std::vector<MaskedView>& masked, const Mark& mark) {
   return std::ranges::find(masked, mark.view, &MaskedView::view)->masks[mark.mask];
+}
+
+Rgb8 color_of(std::size_t number) {
+  return chip_colors[number % chip_colors.size()];
+}
+
+// Over all outlines: lines first, so that none crosses a number.
+void draw_numbers(const std::vector<std::array<int, 2>>& middles, MarkedPictures& made) {
+  for (std::size_t i = 0; i < made.marks.size(); ++i) {
+    const auto& [x, y] = middles[i];
+    const Mark& mark = made.marks[i];
+    draw_line(made.pictures[mark.view], x, y, mark.x_px, mark.y_px, color_of(i + 1));
+  }
+  for (std::size_t i = 0; i < made.marks.size(); ++i)
+    draw_chip(made.pictures[made.marks[i].view], made.marks[i], i + 1, color_of(i + 1));
 }
 
 }  // namespace
@@ -199,29 +215,19 @@ MarkedPictures marked_pictures(const std::vector<ViewCloud>& views,
   }
   std::vector<std::array<int, 2>> middles;
   for (const Mark& wish : largest(views, masked)) {
-    const Mask& mask = mask_of(masked, wish);
+    const Mask& mask = marked_mask(masked, wish);
+    Image& picture = made.pictures[wish.view];
     const int width = views[wish.view].width(), scale = scales[wish.view];
-    auto [x, y] = middle_of(mask, width);
-    x = x * scale + scale / 2, y = y * scale + scale / 2;
-    const std::size_t number = made.marks.size() + 1;
-    Mark chip = chip_of(number, x, y);
-    chip.view = wish.view, chip.mask = wish.mask;
-    const auto placed = with_room(chip, made.pictures[wish.view], made.marks);
+    const auto [column, row] = middle_px(mask, width);
+    const std::array middle{column * scale + scale / 2, row * scale + scale / 2};
+    const auto placed =
+        with_room(chip_of(made.marks.size() + 1, wish, middle), picture, made.marks);
     if (!placed) continue;  // a picture smaller than its chips
-    draw_outline(
-        made.pictures[wish.view], mask, width, scale, chip_colors[number % chip_colors.size()]);
+    draw_outline(picture, mask, scale, color_of(made.marks.size() + 1));
     made.marks.push_back(*placed);
-    middles.push_back({x, y});
+    middles.push_back(middle);
   }
-  // Over all outlines: lines first, so that none crosses a number.
-  const auto color_of = [](std::size_t i) { return chip_colors[(i + 1) % chip_colors.size()]; };
-  for (std::size_t i = 0; i < made.marks.size(); ++i) {
-    const Mark& mark = made.marks[i];
-    draw_line(
-        made.pictures[mark.view], middles[i][0], middles[i][1], mark.x_px, mark.y_px, color_of(i));
-  }
-  for (std::size_t i = 0; i < made.marks.size(); ++i)
-    draw_chip(made.pictures[made.marks[i].view], made.marks[i], i + 1, color_of(i));
+  draw_numbers(middles, made);
   return made;
 }
 

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace marketgen::perception {
 namespace {
 
-constexpr std::size_t patch_points = 160;
+constexpr std::size_t marked_patch_points = 160;
 // The model has said that it lies there. Only what fits in no way is refused: a wrong product of
 // another size or shape scores 0.
-constexpr double min_score = 0.1;
+constexpr double min_chosen_score = 0.1;
 
 // Masks of what was found are no marks of a further copy.
 void take_away(const ProductLook& look,
@@ -22,7 +23,7 @@ void take_away(const ProductLook& look,
     for (std::size_t m = 0; m < of_view.masks.size(); ++m) {
       Mask& mask = of_view.masks[m];
       if (mask.pixels.empty()) continue;
-      const SurfacePatch patch = patch_of(views[of_view.view], mask, patch_points);
+      const SurfacePatch patch = patch_of(views[of_view.view], mask, marked_patch_points);
       const bool is_it = of_view.view == found.view && m == found.mask;
       if (is_it || length(to_double(patch.middle) - middle) < within) mask.pixels.clear();
     }
@@ -52,9 +53,9 @@ std::optional<FoundProduct> ModelTargets::best_reading(const Goal& goal,
                                                        const std::vector<ViewCloud>& views,
                                                        const Mark& mark,
                                                        const Mask& mask) const {
-  const SurfacePatch patch = patch_of(views[mark.view], mask, patch_points);
+  const SurfacePatch patch = patch_of(views[mark.view], mask, marked_patch_points);
   std::optional<FoundProduct> best;
-  double best_score = min_score;
+  double best_score = min_chosen_score;
   for (const std::size_t number : goal.readings) {
     const FittedPose pose = poses_.pose(*wanted[number].look, patch, views);
     if (pose.evidence.score < best_score) continue;

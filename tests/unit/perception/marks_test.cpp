@@ -114,13 +114,13 @@ class ModelChoosesTarget : public ::testing::Test {
         {{{0.60, -0.06, 0}, rotation_about({0, 0, 1}, -0.7)}, {0.05, 0.16, 0.04}, plain(green)}};
     for (const Vec3 eye : {Vec3{0.5, 0.1, 0.6}, Vec3{0.35, -0.1, 0.7}}) {
       views_.emplace_back(drawn_view(goods, camera_over(eye), width, height, 530));
-      masked_.push_back({masked_.size(),
-                         perception::GeometricMasks().masks(
-                             views_.back(),
-                             perception::goods_over(views_.back(), {{0, -0.5}, {1, 0.5}}))});
+      masked_.push_back(
+          {masked_.size(),
+           perception::GeometricMasks().masks(
+               views_.back(), perception::goods_over(views_.back(), {{0, -0.5}, {1, 0.5}}))});
     }
-    auto made = perception::ProductLook::make(
-        "carton-sku", drawn_pictures({0.06, 0.09, 0.12}, plain(red)));
+    auto made =
+        perception::ProductLook::make("carton-sku", drawn_pictures({0.06, 0.09, 0.12}, plain(red)));
     carton_ = std::make_unique<perception::ProductLook>(std::move(made).value());
     wanted_ = {{carton_.get(), {}, 1, "a red carton of juice"}};
   }
@@ -268,7 +268,8 @@ class ModelChoosesSpot : public ::testing::Test {
     std::vector<DrawnBox> boxes{
         {board_pose() * Pose{{0, 0.2, -0.025}, {}}, {1.0, 0.4, 0.025}, plain(grey)},
         {board_pose() * Pose{{0, 0.41, -1}, {}}, {1.2, 0.02, 2.5}, plain(grey)}};
-    for (const auto& [x, color] : {std::pair{-0.2, red}, std::pair{0.1, red}, std::pair{0.3, green}})
+    for (const auto& [x, color] :
+         {std::pair{-0.2, red}, std::pair{0.1, red}, std::pair{0.3, green}})
       boxes.push_back({board_pose() * Pose{{x, 0.04, 0}, {}}, pack_size, plain(color)});
     const Vec3 ahead = normalized(Vec3{0.9, 0, -0.4});
     const Pose eye{{0.1, 0, 1.5}, rotation_with_axes(cross(ahead, {0, -1, 0}), ahead)};
@@ -290,8 +291,7 @@ class ModelChoosesSpot : public ::testing::Test {
   int mark_at(double x_m) const {
     const auto likely = perception::likely_spots(*look_, views_, boards_, spots_, 24);
     const auto marked = perception::marked_pictures(
-        views_,
-        perception::masks_of_spots(views_, boards_, likely, look_->high() - look_->low()));
+        views_, perception::masks_of_spots(views_, boards_, likely, look_->high() - look_->low()));
     for (std::size_t i = 0; i < marked.marks.size(); ++i)
       if (std::abs(likely[marked.marks[i].mask].x_m - x_m) < 0.03) return static_cast<int>(i) + 1;
     return -1;
