@@ -13,18 +13,18 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* secret = "e2e-test-key-789";
+constexpr const char* model_key = "e2e-test-key-789";
 constexpr double counter_limit_s = 6, aisle_limit_s = 75;  // a look or two
 
-json step_saying(const std::string& text) {
+json model_saying(const std::string& text) {
   return {{"expect", {{"path", "/chat/completions"}}},
           {"body",
            {{"choices", json::array({{{"message", {{"content", text}}}}})},
             {"usage", {{"prompt_tokens", 1000}, {"completion_tokens", 20}}}}}};
 }
 
-json mark(int number) {
-  return step_saying(json{{"seen", "a pack"}, {"mark", number}}.dump());
+json model_marking(int number) {
+  return model_saying(json{{"seen", "a pack"}, {"mark", number}}.dump());
 }
 
 // One episode of the small store with little time.
@@ -60,7 +60,7 @@ fs::path short_task(const std::string& track, double limit_s) {
 
 class ModelPolicy : public testing::Test {
  protected:
-  void SetUp() override { setenv("OPENAI_API_KEY", secret, 1); }
+  void SetUp() override { setenv("OPENAI_API_KEY", model_key, 1); }
   void TearDown() override { unsetenv("OPENAI_API_KEY"); }
 
   Ran eval(const fs::path& task, const std::string& folder, std::vector<std::string> more) const {
@@ -88,7 +88,7 @@ std::vector<std::string> seer_at(const std::string& url, std::vector<std::string
 
 TEST_F(ModelPolicy, AsksAtTheCounterRecordsAndReplays) {
   const fs::path task = short_task("checkout", counter_limit_s);
-  MockServer server(json::array({mark(1)}));
+  MockServer server(json::array({model_marking(1)}));
   const std::string url = server.url();
   const Ran live = eval(task, "live", seer_at(url, {"--model-record", "tape"}));
   ASSERT_EQ(live.status, 0) << live.err;
@@ -108,12 +108,12 @@ TEST_F(ModelPolicy, AsksAtTheCounterRecordsAndReplays) {
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(result_in("again")["state_hash"], result["state_hash"]);
   EXPECT_EQ(result_in("again")["model"], model);
-  EXPECT_EQ(all_text_in(scratch_.path()).find(secret), std::string::npos);
+  EXPECT_EQ(all_text_in(scratch_.path()).find(model_key), std::string::npos);
 }
 
 TEST_F(ModelPolicy, GarbageIsNoWorseThanNoModel) {
   const fs::path task = short_task("checkout", counter_limit_s);
-  const MockServer server(json::array({step_saying("{\"mark\": NaN, I think")}));
+  const MockServer server(json::array({model_saying("{\"mark\": NaN, I think")}));
   const Ran asked = eval(task, "asked", seer_at(server.url()));
   ASSERT_EQ(asked.status, 0) << asked.err;
   ASSERT_EQ(eval(task, "alone", {"--policy", "classical"}).status, 0);
@@ -126,7 +126,7 @@ TEST_F(ModelPolicy, GarbageIsNoWorseThanNoModel) {
 
 TEST_F(ModelPolicy, NotThereIsBelieved) {
   const fs::path task = short_task("checkout", counter_limit_s);
-  const MockServer server(json::array({mark(-1)}));
+  const MockServer server(json::array({model_marking(-1)}));
   ASSERT_EQ(eval(task, "none", seer_at(server.url())).status, 0);
   const json model = result_in("none")["model"];
   EXPECT_EQ(model["absent"], model["questions"]);
@@ -135,7 +135,7 @@ TEST_F(ModelPolicy, NotThereIsBelieved) {
 
 TEST_F(ModelPolicy, AsksInTheAisles) {
   const fs::path task = short_task("aisle", aisle_limit_s);
-  const MockServer server(json::array({mark(1)}));
+  const MockServer server(json::array({model_marking(1)}));
   const Ran ran = eval(task, "aisle", seer_at(server.url(), {"--truth", "language"}));
   ASSERT_EQ(ran.status, 0) << ran.err;
   const json result = result_in("aisle");

@@ -26,9 +26,9 @@ class WrappedPolicy : public agent::Policy {
 };
 
 // The oracle, which knows everything, searching as it is told; `classical`, which sees pictures,
-// with the truth in place of those modules that `name` says, and with its model as `vlm`; and `highest`, which sees heights
-// alone. Arena and world must outlive them. Errors: those of their tools' rows, and of
-// Arena::stock; usage.bad_flag where a track has no such policy.
+// with the truth in place of those modules that `name` says, and with its model as `vlm`; and
+// `highest`, which sees heights alone. Arena and world must outlive them. Errors: those of their
+// tools' rows, and of Arena::stock; usage.bad_flag where a track has no such policy.
 #define MARKETGEN_TRACK(name, Type)                                                          \
   Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,                           \
                                                      const episodes::Type##World& world,     \
