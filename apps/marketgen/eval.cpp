@@ -23,11 +23,14 @@
 namespace marketgen::app {
 namespace {
 
+constexpr double max_model_wait_s = 60;  // for one answer
+
 struct EvalFlags {
   CommonFlags common;
   std::string episodes, policy = "oracle", output;
   std::vector<std::string> truth, against;
   std::string shard, realism = "ideal";
+  std::string model, model_url, model_record, model_replay;
   int jobs = 0;
   evaluation::AnswerLimits answer{120, 1200};
   bool resume = false, perception = false, worker = false, record_motion = false;
@@ -42,6 +45,31 @@ void print_share(const char* name, const Share& share) {
       share.high * 100,
       share.number,
       share.of);
+}
+
+// What was asked of a policy's model, and what came of it.
+void print_model(const agent::ModelUse& use, int episodes) {
+  say("model       {} questions in {} requests ({:.1f} an episode), {} tokens read, {} written\n",
+      use.questions,
+      use.requests,
+      static_cast<double>(use.requests) / std::max(1, episodes),
+      use.tokens_in,
+      use.tokens_out);
+  say("answers     {} marks, {} \"not there\"; failed: {} refused, {} timed out, {} unreachable, "
+      "{} "
+      "bad answers, {} off the picture, {} without a pose, {} not asked; {} times the choice "
+      "without "
+      "a model stood in\n",
+      use.chosen,
+      use.absent,
+      use.refused,
+      use.timed_out,
+      use.unreachable,
+      use.bad_answer,
+      use.off_picture,
+      use.no_pose,
+      use.skipped,
+      use.offline);
 }
 
 void print_summary(const evaluation::EvaluationSummary& summary,
@@ -69,6 +97,7 @@ void print_summary(const evaluation::EvaluationSummary& summary,
   say("{:.1f} simulated seconds and {:.1f} s of computing an episode\n",
       summary.mean_simulated_s,
       summary.mean_wall_s);
+  if (summary.model) print_model(*summary.model, summary.episodes);
   for (const evaluation::FailureCount& failure : summary.failures)
     say("{:<12}{}\n", name_of(failure.failure), failure.episodes);
   for (const evaluation::ErrorCount& count : summary.errors)
@@ -118,15 +147,32 @@ Result<void> eval_perception(const EvalFlags& flags) {
 // episodes; their file's name is for whoever looks at a list of processes.
 std::vector<std::string> worker_command(const EvalFlags& flags, int jobs) {
   std::error_code failed;
-  return {std::filesystem::read_symlink("/proc/self/exe", failed).string(),
-          "eval",
-          "--worker",
-          "--episodes",
-          flags.episodes,
-          "--policy",
-          flags.policy,
-          "--threads",
-          std::to_string(std::max(1, thread_count() / jobs))};
+  std::vector<std::string> command{std::filesystem::read_symlink("/proc/self/exe", failed).string(),
+                                   "eval",
+                                   "--worker",
+                                   "--episodes",
+                                   flags.episodes,
+                                   "--policy",
+                                   flags.policy,
+                                   "--threads",
+                                   std::to_string(std::max(1, thread_count() / jobs))};
+  const std::pair<const char*, const std::string*> of_model[] = {
+      {"--model-url", &flags.model_url},
+      {"--model-record", &flags.model_record},
+      {"--model-replay", &flags.model_replay}};
+  for (const auto& [flag, value] : of_model)
+    if (!value->empty()) command.insert(command.end(), {flag, *value});
+  return command;
+}
+
+// How the model of `vlm` is reached. A robot waits for it: shorter than a planner does.
+llm::ModelChoice model_access(const EvalFlags& flags) {
+  llm::ModelChoice access;
+  access.url = flags.model_url;
+  access.record = flags.model_record;
+  access.replay = flags.model_replay;
+  access.limits.total_s = max_model_wait_s;
+  return access;
 }
 
 Result<evaluation::EvaluationOptions> options_of(const EvalFlags& flags,
@@ -135,6 +181,7 @@ Result<evaluation::EvaluationOptions> options_of(const EvalFlags& flags,
   MARKETGEN_TRY(options.realism, episodes::load_realism(data, flags.realism));
   options.jobs = flags.jobs > 0 ? flags.jobs : thread_count();
   options.answer = flags.answer;
+  options.model = model_access(flags);
   options.record_motion = flags.record_motion;
   if (!flags.shard.empty()) {
     MARKETGEN_TRY(options.shard, evaluation::read_shard(flags.shard));
@@ -173,25 +220,38 @@ Result<void> print_beside(const EvalFlags& flags, std::vector<evaluation::Finish
   return {};
 }
 
-// The policy's whole name: with the modules in whose place the truth stands.
-Result<EvalFlags> with_truth(EvalFlags flags) {
+// The policy's whole name: with its model, and the modules in whose place the truth stands.
+Result<EvalFlags> with_whole_policy(EvalFlags flags) {
+  const bool given = flags.policy.starts_with("vlm(");
+  if (!flags.model.empty() && flags.policy != "vlm")
+    return Error{"usage.bad_flag",
+                 "--model",
+                 given ? "the policy names its model already" : "goes with --policy vlm"};
+  if (!flags.model.empty()) flags.policy += "(" + flags.model + ")";
   for (const std::string& module : flags.truth)
     flags.policy += "+" + module;
   MARKETGEN_TRY(const environments::PolicyName policy,
                 environments::read_policy_name(flags.policy));
+  if (policy.model.empty() && !(flags.model_url + flags.model_record + flags.model_replay).empty())
+    return Error{"usage.bad_flag",
+                 "--model",
+                 "--model-url, --model-record and --model-replay go with --policy vlm"};
   flags.policy = policy.written();
   return flags;
 }
 
 Result<void> eval(const EvalFlags& given) {
   if (given.perception) return eval_perception(given);
-  MARKETGEN_TRY(const EvalFlags flags, with_truth(given));
+  MARKETGEN_TRY(const EvalFlags flags, with_whole_policy(given));
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
-  if (flags.worker) return evaluation::serve_episodes(data, catalog, flags.policy);
+  if (flags.worker)
+    return evaluation::serve_episodes(data, catalog, flags.policy, model_access(flags));
   if (flags.output.empty())
     return Error{"usage.bad_flag", "--output", "name a folder for the results"};
+  io::Outputs record;  // whether it has a place
+  if (!flags.model_record.empty()) MARKETGEN_CHECK(record.add_folder(flags.model_record));
   MARKETGEN_TRY(const evaluation::EvaluationOptions options, options_of(flags, data));
   MARKETGEN_TRY(const episodes::EpisodeFile file, episodes::read_episode_file(flags.episodes));
   MARKETGEN_TRY(std::vector<evaluation::FinishedRun> others, others_of(flags, file, options));
@@ -212,14 +272,15 @@ void add_policy(CLI::App& command, EvalFlags& flags) {
   command
       .add_option("--policy",
                   flags.policy,
-                  "who acts: oracle (knows everything), classical (sees pictures), highest, "
-                  "random or stop (know nothing)")
+                  "who acts: oracle (knows everything), classical (sees pictures), vlm (classical "
+                  "whose targets --model chooses), highest, random or stop (know nothing)")
       ->capture_default_str();
   command
-      .add_option("--truth",
-                  flags.truth,
-                  "modules of classical in whose place the truth stands: masks, target, grasp, "
-                  "language")
+      .add_option(
+          "--truth",
+          flags.truth,
+          "modules of classical or vlm in whose place the truth stands: masks, target, grasp, "
+          "language")
       ->delimiter(',');
   command
       .add_option("--realism",
@@ -228,6 +289,20 @@ void add_policy(CLI::App& command, EvalFlags& flags) {
                   "hard, or a file of your own that ends with .json; rankings are meant to use "
                   "standard")
       ->capture_default_str();
+}
+
+// That of `vlm`, as `assets import` has its own.
+void add_model(CLI::App& command, EvalFlags& flags) {
+  command.add_option(
+      "--model",
+      flags.model,
+      "model that sees pictures and chooses for --policy vlm: openai:MODEL, anthropic:MODEL, "
+      "gemini:MODEL, qwen:MODEL; it is sent pictures of the robot's cameras and product names");
+  command.add_option("--model-url", flags.model_url, "base URL of another server of that kind");
+  add_output(
+      command, "--model-record", flags.model_record, "folder to keep the exchange with it in");
+  command.add_option(
+      "--model-replay", flags.model_replay, "such a folder to answer from: nothing is sent");
 }
 
 // Of a policy that acts in a process of its own.
@@ -258,6 +333,7 @@ Run add_eval(CLI::App& app) {
           "--episodes", flags->episodes, "file of `marketgen episodes`; - = standard input")
       ->required();
   add_policy(*command, *flags);
+  add_model(*command, *flags);
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(whole_number(0, 1024));
   command->add_option("--shard",

@@ -82,7 +82,7 @@ def evaluate(
 ) -> Evaluation:
     """Runs the episodes of a file with a policy; `marketgen eval` from Python.
 
-    policy       "oracle", "classical" (or "classical+target": docs/episodes.md, what each module costs), or one that knows
+    policy       "oracle", "classical" (or "classical+target": docs/episodes.md, what each module costs), "vlm(openai:gpt-4o)" (docs/vlm.md), or one that knows
                  nothing ("highest", "random", "stop"); or an object
                  with act(), a class of such, or a function that acts; or "FILE.py:NAME", one of these in a file that only
                  the policy's own process loads

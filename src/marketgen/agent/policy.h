@@ -4,9 +4,11 @@
 // know (poses, ids, goals) is not in them. World frame of a track as its rows say; SI units.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "agent/model_use.h"
 #include "base/result.h"
 #include "robots/wheel_drive.h"
 
@@ -69,6 +71,8 @@ class Policy {
   virtual Result<Action> act(const Observation& now) = 0;
   // One word for what kept it from its goals: a name of FailureCode; "None" when nothing did.
   virtual std::string failure() const { return "None"; }
+  // What it asked of a model outside of the program so far; nothing of one that asks none.
+  virtual std::optional<ModelUse> model_use() const { return std::nullopt; }
 };
 
 }  // namespace marketgen::agent

@@ -61,6 +61,16 @@ Result<std::shared_ptr<const std::vector<catalog::Product>>> Arena::stock(
   });
 }
 
+Result<std::shared_ptr<const llm::LanguageModel>> Arena::model(const std::string& name) {
+  using Model = const llm::LanguageModel;
+  return shared_.get<Model>(name, [&]() -> Result<std::shared_ptr<Model>> {
+    llm::ModelChoice choice = access_;
+    choice.model = name;
+    MARKETGEN_TRY(llm::LanguageModel opened, llm::open_language_model(choice));
+    return std::make_shared<Model>(std::move(opened));
+  });
+}
+
 Result<std::unique_ptr<episodes::TrackWorld>> Arena::open(
     const episodes::EpisodeSpec& spec,
     const std::optional<episodes::Perturbation>& perturbation,
@@ -71,7 +81,9 @@ Result<std::unique_ptr<episodes::TrackWorld>> Arena::open(
 Result<std::unique_ptr<agent::Policy>> Arena::policy(const std::string& name,
                                                      const episodes::TrackWorld& world) {
   MARKETGEN_TRY(const PolicyName asked, read_policy_name(name));
-  const Seed seed = Seed(world.spec().seed).child(asked.name);
+  // vlm moves as classical does: where its model says nothing, the same comes of it.
+  const std::string_view moves_as = asked.model.empty() ? asked.name : "classical";
+  const Seed seed = Seed(world.spec().seed).child(moves_as);
   if (asked.name == "random")
     return std::unique_ptr<agent::Policy>(
         std::make_unique<policy::RandomPolicy>(seed, world.robot().drive.has_value()));

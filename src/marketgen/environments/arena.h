@@ -17,6 +17,7 @@
 #include "episodes/episode_spec.h"
 #include "episodes/perturbation.h"
 #include "episodes/track_world.h"
+#include "llm/language_model.h"
 #include "perception/look_library.h"
 #include "store/store.h"
 
@@ -41,6 +42,11 @@ class Arena {
       const episodes::EpisodeSpec& spec,
       const std::optional<episodes::Perturbation>& perturbation = {},
       const episodes::Realism& realism = {});
+
+  // How the models of policies (`vlm`) are reached; their names are the policies'. Before policy().
+  void reach_models(const llm::ModelChoice& access) { access_ = access; }
+  // One connection for all episodes. Errors: those of llm::open_language_model.
+  Result<std::shared_ptr<const llm::LanguageModel>> model(const std::string& name);
 
   // `world` must outlive it. Errors: usage.bad_flag, there is no such policy; those of what it is
   // made of.
@@ -70,6 +76,7 @@ class Arena {
   const catalog::Catalog& catalog_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const store::Store>> offered_;  // by scene hash
+  llm::ModelChoice access_;
   SharedObjects shared_;
   perception::LookLibrary looks_;
 };

@@ -1,5 +1,5 @@
-// A policy by its name, as `--policy` and results have it: "oracle", or "classical+masks+target"
-// when modules of `classical` know the truth.
+// A policy by its name, as `--policy` and results have it: "oracle"; "classical+masks+target" when
+// modules of `classical` know the truth; "vlm(openai:gpt-4o)" when a model chooses its targets.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -22,16 +22,18 @@ constexpr std::array<std::string_view, 4> names_of(TrueModule) {
 
 struct PolicyName {
   std::string name;
+  std::string model = {};              // PROVIDER:MODEL; of `vlm` only, which has one
   std::vector<TrueModule> truth = {};  // ascending, each once
 
   bool knows(TrueModule module) const { return std::ranges::find(truth, module) != truth.end(); }
-  std::string written() const;
+  std::string written() const;  // which read_policy_name reads
 };
 
 // A policy that knows nothing of what is asked for: what it scores is the floor under every score.
 bool is_floor(std::string_view policy);
 
-// Error usage.bad_flag: no such policy, no such module, or a policy that has no modules.
+// Error usage.bad_flag: no such policy, no such module, or a policy that has no modules; `vlm`
+// without its model, or with the truth in the model's place.
 Result<PolicyName> read_policy_name(const std::string& text);
 
 }  // namespace marketgen::environments

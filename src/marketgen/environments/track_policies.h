@@ -1,6 +1,7 @@
 // Who acts in a world of each track of episodes/tracks.inc: defined in the track's own folder.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "agent/policy.h"
 #include "base/seed.h"
@@ -18,15 +19,16 @@ class WrappedPolicy : public agent::Policy {
   }
   Result<agent::Action> act(const agent::Observation& now) override { return policy_->act(now); }
   std::string failure() const override { return policy_->failure(); }
+  std::optional<agent::ModelUse> model_use() const override { return policy_->model_use(); }
 
  protected:
   std::unique_ptr<agent::Policy> policy_;
 };
 
 // The oracle, which knows everything, searching as it is told; `classical`, which sees pictures,
-// with the truth in place of those modules that `name` says; and `highest`, which sees heights
-// alone. Arena and world must outlive them. Errors: those of their tools' rows, and of
-// Arena::stock; usage.bad_flag where a track has no such policy.
+// with the truth in place of those modules that `name` says, and with its model as `vlm`; and
+// `highest`, which sees heights alone. Arena and world must outlive them. Errors: those of their
+// tools' rows, and of Arena::stock; usage.bad_flag where a track has no such policy.
 #define MARKETGEN_TRACK(name, Type)                                                          \
   Result<std::unique_ptr<agent::Policy>> make_oracle(Arena& arena,                           \
                                                      const episodes::Type##World& world,     \

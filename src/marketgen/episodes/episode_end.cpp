@@ -31,6 +31,7 @@ EpisodeResult with_end(EpisodeResult judged, const EpisodeEnd& end) {
   judged.failure = failure_of(judged, end);
   if (end.broken) judged.detail = to_string(*end.broken);
   judged.wall_s = end.wall_s;
+  judged.model = end.model;
   return judged;
 }
 

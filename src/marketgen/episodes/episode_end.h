@@ -18,6 +18,7 @@ struct EpisodeEnd {
   bool by_policy = false;            // that error is the policy's
   bool in_time = true;
   double wall_s = 0;
+  std::optional<agent::ModelUse> model = {};  // that it asked of a model outside of the program
   PolicyIsolation isolation = PolicyIsolation::own;
 };
 

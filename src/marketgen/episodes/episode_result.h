@@ -1,10 +1,12 @@
 // What became of an episode: market-result/1.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "agent/model_use.h"
 #include "base/fields.h"
 #include "episodes/failure_code.h"
 #include "episodes/goal_judge.h"
@@ -37,6 +39,7 @@ struct EpisodeResult {
   int steps = 0;
   double simulated_s = 0, wall_s = 0;
   std::string state_hash;
+  std::optional<agent::ModelUse> model;
 
   static constexpr auto fields = field_list(
       field("schema", &EpisodeResult::schema, "schema tag", constant("market-result/1")),
@@ -83,7 +86,10 @@ struct EpisodeResult {
       field("steps", &EpisodeResult::steps, "of control"),
       field("simulated_s", &EpisodeResult::simulated_s, "simulated seconds"),
       field("wall_s", &EpisodeResult::wall_s, "seconds that it took"),
-      field("state_hash", &EpisodeResult::state_hash, "of the physics at the end"));
+      field("state_hash", &EpisodeResult::state_hash, "of the physics at the end"),
+      field("model",
+            &EpisodeResult::model,
+            "what a policy asked of a model outside of the program, and what came of it"));
 };
 
 // Sets goals, shares and verdicts; the side effects are there already, without `wrong_items`.

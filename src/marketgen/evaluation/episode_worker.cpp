@@ -75,10 +75,12 @@ constexpr char told[] = "standard input";
 
 Result<void> serve_episodes(const std::filesystem::path& data,
                             const catalog::Catalog& catalog,
-                            const std::string& policy) {
+                            const std::string& policy,
+                            const llm::ModelChoice& model) {
   Report report;
   MARKETGEN_TRY(const WorkerTask task, io::read_json<WorkerTask>(next_line().value_or(""), told));
   environments::Arena arena(data, task.header, catalog);
+  arena.reach_models(model);
   report.say("ready");
   while (const auto line = next_line()) {
     MARKETGEN_TRY(const episodes::EpisodeSpec spec,

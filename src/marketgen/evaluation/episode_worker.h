@@ -20,6 +20,7 @@
 #include "catalog/catalog.h"
 #include "episodes/episode_spec.h"
 #include "episodes/realism.h"
+#include "llm/language_model.h"
 
 namespace marketgen::evaluation {
 
@@ -34,10 +35,11 @@ struct WorkerTask {
                  field("motion", &WorkerTask::motion, "folder of results that keeps what moved"));
 };
 
-// Returns when standard input ends. Errors: those of read_json; io.cannot_write when nobody listens
-// any more.
+// Returns when standard input ends. `model`: how that of the policy is reached, if it has one.
+// Errors: those of read_json; io.cannot_write when nobody listens any more.
 Result<void> serve_episodes(const std::filesystem::path& data,
                             const catalog::Catalog& catalog,
-                            const std::string& policy);
+                            const std::string& policy,
+                            const llm::ModelChoice& model = {});
 
 }  // namespace marketgen::evaluation

@@ -13,6 +13,7 @@
 #include "base/call_interrupt.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "environments/policy_name.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/motion_recorder.h"
 #include "io/json.h"
@@ -173,6 +174,10 @@ Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::pat
                                                       const EvaluationOptions& options,
                                                       Progress& progress) {
   environments::Arena arena(data, file.header, catalog);
+  arena.reach_models(options.model);
+  MARKETGEN_TRY(const environments::PolicyName policy,
+                environments::read_policy_name(options.policy));
+  if (!policy.model.empty()) MARKETGEN_CHECK(arena.model(policy.model));  // it has a key
   const std::string work = io::write_json_line(
       WorkerTask{file.header, options.realism, motion_folder(options).string()});
   const auto make_runner = [&] {

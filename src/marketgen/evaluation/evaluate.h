@@ -11,6 +11,7 @@
 #include "evaluation/evaluation_summary.h"
 #include "evaluation/results_folder.h"
 #include "evaluation/worker_process.h"
+#include "llm/language_model.h"
 
 namespace marketgen::evaluation {
 
@@ -26,7 +27,8 @@ struct EvaluationOptions {
   double start_limit_s = 120;  // of wall time until a worker is ready; 0 = none
   Shard shard = {};            // which of the episodes are run
   episodes::Realism realism = {};
-  bool record_motion = false;  // motion/ID.bin.gz of each episode that is run (motion_recorder.h)
+  llm::ModelChoice model = {};  // how that of the policy is reached, if it has one
+  bool record_motion = false;   // motion/ID.bin.gz of each episode that is run (motion_recorder.h)
 };
 
 // Each finished episode is a line of results.jsonl at once; at the end the lines are in the order
@@ -36,7 +38,8 @@ struct EvaluationOptions {
 //
 // What would befall every episode ends the run: an interrupt, a policy that does not start, a full
 // disk. What was finished by then is kept and summed up. Errors, which say how much that is:
-// internal.interrupted, episode.no_policy, usage.*, io.*; those of ResultsFolder::open.
+// internal.interrupted, episode.no_policy, usage.*, io.*; those of ResultsFolder::open, and before
+// all else those of Arena::model.
 Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::path& data,
                                                       const episodes::EpisodeFile& file,
                                                       const catalog::Catalog& catalog,

@@ -130,6 +130,11 @@ EvaluationSummary summarize(const std::vector<episodes::EpisodeResult>& all) {
   summary.episodes = static_cast<int>(results.size());
   add_shares(results, summary);
   add_means(results, summary);
+  for (const episodes::EpisodeResult& result : results) {
+    if (!result.model) continue;
+    if (!summary.model) summary.model.emplace();
+    *summary.model += *result.model;
+  }
   return summary;
 }
 

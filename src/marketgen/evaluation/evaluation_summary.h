@@ -58,6 +58,7 @@ struct EvaluationSummary {
   std::vector<FailureCount> failures;  // of episodes that are not strict; those that occur
   std::vector<ErrorCount> errors;      // of episodes that could not be run
   int unfinished = 0;
+  std::optional<agent::ModelUse> model;  // all of them together
 
   static constexpr auto fields = field_list(
       field("episodes", &EvaluationSummary::episodes, "that were run; all shares are of these"),
@@ -80,7 +81,10 @@ struct EvaluationSummary {
       field("mean_wall_s", &EvaluationSummary::mean_wall_s, "of computing, an episode"),
       field("failures", &EvaluationSummary::failures, "by what kept the agent from its goals"),
       field("errors", &EvaluationSummary::errors, "episodes that could not be run: in no share"),
-      field("unfinished", &EvaluationSummary::unfinished, "episodes without a result so far"));
+      field("unfinished", &EvaluationSummary::unfinished, "episodes without a result so far"),
+      field("model",
+            &EvaluationSummary::model,
+            "what the policy asked of a model outside of the program, in all of them"));
 };
 // Which store an episode is of: stores may have the same name. Results of earlier versions have
 // nothing else.

@@ -112,31 +112,6 @@ struct Swept {
   double score = 0;
 };
 
-// The best spots, so far apart that each may be another pack.
-std::vector<Swept> best_spots(const ProductLook& look,
-                              const std::vector<ViewCloud>& views,
-                              const std::vector<BoardAhead>& boards,
-                              const std::vector<ShelfSpot>& spots) {
-  std::vector<Swept> swept;
-  for (const ShelfSpot& spot : spots) {
-    const Pose pose = pose_on(spot, boards[spot.board], look);
-    const double score = evidence_of(look, pose, {}, views, sweep_surfels).score;
-    if (score >= min_swept) swept.push_back({spot, score});
-  }
-  std::ranges::stable_sort(swept, std::greater<>{}, &Swept::score);
-  const double apart = apart_share * static_cast<double>(look.high().x - look.low().x);
-  std::vector<Swept> best;
-  for (const Swept& candidate : swept) {
-    if (best.size() >= max_fitted) break;
-    const bool taken = std::ranges::any_of(best, [&](const Swept& other) {
-      return other.spot.board == candidate.spot.board &&
-             std::abs(other.spot.x_m - candidate.spot.x_m) < apart;
-    });
-    if (!taken) best.push_back(candidate);
-  }
-  return best;
-}
-
 bool is_rival(const WantedProduct& wanted,
               const FoundOnShelf& found,
               const std::vector<ViewCloud>& views,
@@ -150,21 +125,48 @@ bool is_rival(const WantedProduct& wanted,
 
 }  // namespace
 
+double apart_on_shelf(const ProductLook& look) {
+  return apart_share * static_cast<double>(look.high().x - look.low().x);
+}
+
+std::vector<ShelfSpot> likely_spots(const ProductLook& look,
+                                    const std::vector<ViewCloud>& views,
+                                    const std::vector<BoardAhead>& boards,
+                                    const std::vector<ShelfSpot>& spots,
+                                    std::size_t max_spots) {
+  std::vector<Swept> swept;
+  for (const ShelfSpot& spot : spots) {
+    const Pose pose = pose_on(spot, boards[spot.board], look);
+    const double score = evidence_of(look, pose, {}, views, sweep_surfels).score;
+    if (score >= min_swept) swept.push_back({spot, score});
+  }
+  std::ranges::stable_sort(swept, std::greater<>{}, &Swept::score);
+  std::vector<ShelfSpot> best;
+  for (const auto& [candidate, score] : swept) {
+    if (best.size() >= max_spots) break;
+    const bool taken = std::ranges::any_of(best, [&](const ShelfSpot& other) {
+      return other.board == candidate.board &&
+             std::abs(other.x_m - candidate.x_m) < apart_on_shelf(look);
+    });
+    if (!taken) best.push_back(candidate);
+  }
+  return best;
+}
+
 std::vector<FoundOnShelf> UprightMatching::find(const WantedProduct& wanted,
                                                 const std::vector<ViewCloud>& views,
                                                 const std::vector<BoardAhead>& boards,
                                                 const std::vector<ShelfSpot>& spots) const {
   const ProductLook& look = *wanted.look;
   std::vector<FoundOnShelf> found;
-  for (const Swept& swept : best_spots(look, views, boards, spots)) {
-    const Pose pose = pose_on(swept.spot, boards[swept.spot.board], look);
-    FoundOnShelf there{swept.spot, stood_best(look, pose, views)};
+  for (const ShelfSpot& spot : likely_spots(look, views, boards, spots, max_fitted)) {
+    const Pose pose = pose_on(spot, boards[spot.board], look);
+    FoundOnShelf there{spot, stood_best(look, pose, views)};
     if (!is_there(there.pose)) continue;
-    there.spot =
-        spot_of(there.pose.base_from_product, swept.spot.board, boards[swept.spot.board], look);
+    there.spot = spot_of(there.pose.base_from_product, spot.board, boards[spot.board], look);
     there.pose = top_of_stack(look, there.pose, views);
     if (flush_above(look, there.pose.base_from_product, views) > mostly) continue;
-    if (!is_rival(wanted, there, views, boards[swept.spot.board])) found.push_back(there);
+    if (!is_rival(wanted, there, views, boards[spot.board])) found.push_back(there);
   }
   std::ranges::stable_sort(
       found, std::greater<>{}, [](const FoundOnShelf& f) { return f.pose.evidence.score; });

@@ -28,6 +28,16 @@ class ShelfChoice {
                            const Pose& base_from_product) const = 0;
 };
 
+// The spots that look most like the product, best first, so far apart that each may be another
+// pack. None that looks nothing like it.
+std::vector<ShelfSpot> likely_spots(const ProductLook& look,
+                                    const std::vector<ViewCloud>& views,
+                                    const std::vector<BoardAhead>& boards,
+                                    const std::vector<ShelfSpot>& spots,
+                                    std::size_t max_spots);
+// How far apart along a board: nearer ones show one pack.
+double apart_on_shelf(const ProductLook& look);
+
 // Stands the product, upright and front ahead, on every spot, looks whether pictures agree in
 // depth and colour, and moves the best ones until they agree most (pose_source.h).
 class UprightMatching : public ShelfChoice {

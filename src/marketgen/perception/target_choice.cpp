@@ -122,9 +122,15 @@ void CatalogueMatching::drop_mistaken(const WantedProduct& wanted,
 std::vector<FoundProduct> CatalogueMatching::find(const std::vector<WantedProduct>& wanted,
                                                   const std::vector<ViewCloud>& views,
                                                   const std::vector<MaskedView>& masked) const {
-  std::vector<FoundProduct> all, found;
+  std::vector<FoundProduct> all;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     std::ranges::copy(places_of(i, wanted[i], views, masked), std::back_inserter(all));
+  return one_at_a_place(wanted, std::move(all));
+}
+
+std::vector<FoundProduct> one_at_a_place(const std::vector<WantedProduct>& wanted,
+                                         std::vector<FoundProduct> all) {
+  std::vector<FoundProduct> found;
   std::ranges::stable_sort(
       all, std::greater<>{}, [](const FoundProduct& f) { return f.pose.evidence.score; });
   // The surest first: where one product lies, no other does.

@@ -18,7 +18,8 @@ struct MaskedView {
 struct WantedProduct {
   const ProductLook* look = nullptr;
   std::vector<const ProductLook*> rivals = {};
-  int count = 1;  // as many of it may be found
+  int count = 1;           // as many of it may be found
+  std::string words = {};  // the task's own for it; empty: it was told by its SKU
 };
 
 struct FoundProduct {
@@ -64,6 +65,10 @@ class CatalogueMatching : public TargetChoice {
   const PoseSource& poses_;
   double lowest_m_;
 };
+
+// Best first, of each product as many as are wanted: where one lies, no other does.
+std::vector<FoundProduct> one_at_a_place(const std::vector<WantedProduct>& wanted,
+                                         std::vector<FoundProduct> all);
 
 // How alike seen colours and those of a product are, 0..1: what their histograms share.
 double color_likeness(const std::vector<Vec3f>& colors, const ProductLook& look);

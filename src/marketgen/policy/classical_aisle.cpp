@@ -89,7 +89,7 @@ class ClassicalAisle : public agent::Policy {
 
  private:
   struct Goal {
-    std::string sku;
+    std::string sku, words;  // as it was told: by SKU, words are empty
     int wanted = 1, fetched = 0, tries = 0;
     const perception::ProductLook* look = nullptr;
     std::vector<const perception::ProductLook*> rivals;
@@ -162,6 +162,7 @@ class ClassicalAisle : public agent::Policy {
     const agent::TaskGoal& asked = task_.goals[number];
     Goal goal;
     goal.wanted = asked.count;
+    goal.words = asked.text;
     const auto skus = goal_skus(asked, modules_.language.get());
     if (!skus.ok() && skus.error().code != not_understood) return skus.error();
     if (!skus.ok()) {
@@ -205,7 +206,9 @@ class ClassicalAisle : public agent::Policy {
     return rivals;
   }
 
-  static perception::WantedProduct wanted_of(const Goal& goal) { return {goal.look, goal.rivals}; }
+  static perception::WantedProduct wanted_of(const Goal& goal) {
+    return {goal.look, goal.rivals, goal.wanted - goal.fetched, goal.words};
+  }
 
   // ---- What to do next ----
 

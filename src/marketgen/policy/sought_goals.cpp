@@ -39,6 +39,7 @@ Result<SoughtGoals::Goal> SoughtGoals::read(const agent::TaskGoal& told,
                                             const Catalogue& catalogue) const {
   Goal goal;
   goal.count = told.count;
+  goal.words = told.text;
   const auto skus = goal_skus(told, reader);
   if (!skus.ok() && skus.error().code != not_understood) return skus.error();
   if (!skus.ok()) {
@@ -70,7 +71,8 @@ Result<void> SoughtGoals::learn(const std::vector<agent::TaskGoal>& told,
 void SoughtGoals::want_readings(const Catalogue& catalogue) {
   for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
     for (const perception::ProductLook* look : goals_[goal].readings) {
-      wanted_.push_back({look, perception::rivals_of(*look, catalogue), goals_[goal].count});
+      wanted_.push_back(
+          {look, perception::rivals_of(*look, catalogue), goals_[goal].count, goals_[goal].words});
       of_goal_.push_back(goal);
     }
   }

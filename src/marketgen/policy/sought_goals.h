@@ -52,6 +52,7 @@ class SoughtGoals {
  private:
   struct Goal {
     Catalogue readings;  // the likeliest first
+    std::string words;   // that it was told in
     int count = 1, put_down = 0, tries = 0;
     const perception::ProductLook* taken_as = nullptr;
   };

@@ -30,8 +30,31 @@ TEST(PolicyName, HasItsModulesInOrder) {
   EXPECT_FALSE(swapped->knows(environments::TrueModule::target));
 }
 
+TEST(PolicyName, HasItsModel) {
+  for (const char* name : {"vlm(openai:gpt-4o)",
+                           "vlm(qwen:qwen3-vl-plus)+masks+language",
+                           "vlm(openai:odd+name(2))+grasp"}) {
+    const auto read = environments::read_policy_name(name);
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    EXPECT_EQ(read->name, "vlm");
+    EXPECT_EQ(read->written(), name);
+  }
+  EXPECT_EQ(environments::read_policy_name("vlm(openai:odd+name(2))+grasp")->model,
+            "openai:odd+name(2)");
+}
+
 TEST(PolicyName, WhatIsNotThereIsAnError) {
-  for (const char* name : {"orakel", "classical+eyes", "oracle+masks", ""}) {
+  for (const char* name : {"orakel",
+                           "classical+eyes",
+                           "oracle+masks",
+                           "",
+                           "vlm",
+                           "vlm()",
+                           "vlm(openai:x",
+                           "vlm+masks",
+                           "vlm(openai:x)+target",
+                           "vlm(openai:x)grasp",
+                           "classical(openai:x)"}) {
     const auto read = environments::read_policy_name(name);
     ASSERT_FALSE(read.ok()) << name;
     EXPECT_EQ(read.error().code, "usage.bad_flag") << name;

@@ -6,12 +6,14 @@
 
 #include "collect/collect_plan.h"
 #include "environments/goal_readers.h"
+#include "environments/mark_questioner.h"
 #include "environments/track_policies.h"
 #include "episodes/aisle/aisle_senses.h"
 #include "episodes/episode_origin.h"
 #include "episodes/pictured_products.h"
 #include "oracle/aisle_truth.h"
 #include "oracle/oracle_aisle.h"
+#include "perception/model_shelf.h"
 #include "policy/classical_aisle.h"
 
 namespace marketgen::environments {
@@ -31,10 +33,11 @@ class SensingCollector : public WrappedPolicy {
         products_(world.store().scene.catalog, catalog.frictions),
         looks_(looks) {}
 
-  Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
+  Result<void> make(Arena& arena, const PolicyName& name, Seed seed) {
+    MARKETGEN_TRY(questioner_, mark_questioner(name, arena));
     const episodes::AisleStore& store = world_.store();
     MARKETGEN_TRY(const std::string row, collect::gripper_row(store.robot));
-    MARKETGEN_TRY(tool_, robots::load_grasp_tool(data, row));
+    MARKETGEN_TRY(tool_, robots::load_grasp_tool(arena.data(), row));
     MARKETGEN_TRY(mapped_, world_.mapped());
     map_.emplace(*mapped_);
     policy::ClassicalAisleSetup setup;
@@ -50,6 +53,10 @@ class SensingCollector : public WrappedPolicy {
     return {};
   }
 
+  std::optional<agent::ModelUse> model_use() const override {
+    return questioner_ ? std::optional(questioner_->use()) : std::nullopt;
+  }
+
  private:
   policy::ClassicalAisleModules modules_of(const PolicyName& name) const {
     policy::ClassicalAisleModules modules;
@@ -57,6 +64,9 @@ class SensingCollector : public WrappedPolicy {
     if (name.knows(TrueModule::masks)) modules.spots = std::make_unique<oracle::TrueSpots>(world_);
     if (name.knows(TrueModule::target))
       modules.choice = std::make_unique<oracle::TrueShelfChoice>(world_);
+    if (questioner_)
+      modules.choice = std::make_unique<perception::ModelShelfChoice>(
+          questioner_, std::make_unique<perception::UprightMatching>(), product_words(stock_));
     if (name.knows(TrueModule::grasp))
       modules.grasps = std::make_unique<oracle::TrueShelfGrasps>(world_, tool_);
     return modules;
@@ -71,6 +81,7 @@ class SensingCollector : public WrappedPolicy {
   episodes::PicturedProducts products_;
   perception::LookLibrary& looks_;
   robots::GraspTool tool_;
+  std::shared_ptr<perception::MarkQuestioner> questioner_;  // of a policy that has a model
 };
 
 }  // namespace
@@ -90,7 +101,7 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
       episodes::store_stock(world.store().scene));
   auto policy =
       std::make_unique<SensingCollector>(world, std::move(stock), arena.catalog(), arena.looks());
-  MARKETGEN_CHECK(policy->make(arena.data(), asked, seed));
+  MARKETGEN_CHECK(policy->make(arena, asked, seed));
   return std::unique_ptr<agent::Policy>(std::move(policy));
 }
 

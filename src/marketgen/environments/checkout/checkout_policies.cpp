@@ -1,7 +1,10 @@
 // Who acts in Checkout Unloading.
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "environments/goal_readers.h"
+#include "environments/mark_questioner.h"
 #include "environments/track_policies.h"
 #include "episodes/checkout/checkout_senses.h"
 #include "episodes/pictured_products.h"
@@ -28,8 +31,9 @@ class SensingPolicy : public WrappedPolicy {
         products_(*stock_, catalog.frictions),
         looks_(looks) {}
 
-  Result<void> make(const std::filesystem::path& data, const PolicyName& name, Seed seed) {
-    MARKETGEN_TRY(tool_, oracle::load_checkout_tool(world_, data));
+  Result<void> make(Arena& arena, const PolicyName& name, Seed seed) {
+    MARKETGEN_TRY(questioner_, mark_questioner(name, arena));
+    MARKETGEN_TRY(tool_, oracle::load_checkout_tool(world_, arena.data()));
     policy::ClassicalSetup setup;
     setup.eyes = &eyes_;
     setup.products = &products_;
@@ -42,6 +46,10 @@ class SensingPolicy : public WrappedPolicy {
     return {};
   }
 
+  std::optional<agent::ModelUse> model_use() const override {
+    return questioner_ ? std::optional(questioner_->use()) : std::nullopt;
+  }
+
  private:
   policy::ClassicalModules modules_of(const PolicyName& name) const {
     policy::ClassicalModules modules;
@@ -49,6 +57,14 @@ class SensingPolicy : public WrappedPolicy {
     if (name.knows(TrueModule::masks)) modules.masks = std::make_unique<oracle::TrueMasks>(eyes_);
     if (name.knows(TrueModule::target))
       modules.targets = std::make_unique<oracle::TrueTargets>(world_);
+    if (questioner_) {
+      modules.poses = std::make_unique<perception::SweptPoses>();
+      modules.targets = std::make_unique<perception::ModelTargets>(
+          questioner_,
+          *modules.poses,
+          std::make_unique<perception::CatalogueMatching>(*modules.poses),
+          product_words(stock_));
+    }
     if (name.knows(TrueModule::grasp))
       modules.grasps = std::make_unique<oracle::TrueGrasps>(world_, tool_);
     return modules;
@@ -61,6 +77,7 @@ class SensingPolicy : public WrappedPolicy {
   episodes::PicturedProducts products_;
   perception::LookLibrary& looks_;
   robots::GraspTool tool_;
+  std::shared_ptr<perception::MarkQuestioner> questioner_;  // of a policy that has a model
 };
 
 // The policy that sees heights alone, with its eyes.
@@ -113,7 +130,7 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
   MARKETGEN_TRY(auto sold, arena.stock(world.spec().scene_hash));
   auto policy =
       std::make_unique<SensingPolicy>(world, std::move(sold), arena.catalog(), arena.looks());
-  MARKETGEN_CHECK(policy->make(arena.data(), asked, seed));
+  MARKETGEN_CHECK(policy->make(arena, asked, seed));
   return std::unique_ptr<agent::Policy>(std::move(policy));
 }
 
