@@ -30,6 +30,16 @@ void take_away(const ProductLook& look,
   }
 }
 
+std::vector<SurfacePatch> patches_of(const std::vector<ViewCloud>& views,
+                                     const std::vector<MaskedView>& masked) {
+  std::vector<SurfacePatch> patches;
+  for (const MaskedView& of_view : masked)
+    for (const Mask& mask : of_view.masks)
+      if (!mask.pixels.empty())
+        patches.push_back(patch_of(views[of_view.view], mask, marked_patch_points));
+  return patches;
+}
+
 }  // namespace
 
 std::string words_of(const WantedProduct& wanted, const ProductWords& by_sku) {
@@ -51,16 +61,27 @@ std::vector<ModelTargets::Goal> ModelTargets::goals_of(
 std::optional<FoundProduct> ModelTargets::best_reading(const Goal& goal,
                                                        const std::vector<WantedProduct>& wanted,
                                                        const std::vector<ViewCloud>& views,
-                                                       const Mark& mark,
-                                                       const Mask& mask) const {
-  const SurfacePatch patch = patch_of(views[mark.view], mask, marked_patch_points);
+                                                       const std::vector<MaskedView>& masked,
+                                                       const Mark& mark) const {
+  const auto of_view = std::ranges::find(masked, mark.view, &MaskedView::view);
+  const Mask& mask = of_view->masks[mark.mask];
+  const SurfacePatch chosen = patch_of(views[mark.view], mask, marked_patch_points);
+  const std::vector<SurfacePatch> all = patches_of(views, masked);
   std::optional<FoundProduct> best;
   double best_score = min_chosen_score;
   for (const std::size_t number : goal.readings) {
-    const FittedPose pose = poses_.pose(*wanted[number].look, patch, views);
-    if (pose.evidence.score < best_score) continue;
-    best_score = pose.evidence.score;
-    best = FoundProduct{number, mark.view, mark.mask, pose};
+    const ProductLook& look = *wanted[number].look;
+    for (const SurfacePatch& patch : all) {
+      if (length(patch.middle - chosen.middle) > look.diagonal_m() / 2) continue;
+      const FittedPose pose = poses_.pose(look, patch, views);
+      const Vec3f middle = to_float(pose.base_from_product *
+                                    to_double((look.low() + look.high()) * 0.5F));
+      if (pose.evidence.score < best_score ||
+          length(middle - chosen.middle) > look.diagonal_m() / 2)
+        continue;
+      best_score = pose.evidence.score;
+      best = FoundProduct{number, mark.view, mark.mask, pose};
+    }
   }
   return best;
 }
@@ -80,8 +101,7 @@ std::optional<std::vector<FoundProduct>> ModelTargets::chosen(
     std::optional<FoundProduct> place;
     if (!failed) {
       const Mark& mark = marked.marks[choice.mark];
-      const auto of_view = std::ranges::find(masked, mark.view, &MaskedView::view);
-      place = best_reading(goal, wanted, views, mark, of_view->masks[mark.mask]);
+      place = best_reading(goal, wanted, views, masked, mark);
       if (!place) questioner_->count_no_pose(choice);
     }
     if (!place) return found.empty() ? std::nullopt : std::optional(found);

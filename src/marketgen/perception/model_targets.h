@@ -47,11 +47,12 @@ class ModelTargets : public TargetChoice {
                                                   const std::vector<WantedProduct>& wanted,
                                                   const std::vector<ViewCloud>& views,
                                                   std::vector<MaskedView> masked) const;
+  // Fitted from the chosen mask, and from those beside it and of the other views.
   std::optional<FoundProduct> best_reading(const Goal& goal,
                                            const std::vector<WantedProduct>& wanted,
                                            const std::vector<ViewCloud>& views,
-                                           const Mark& mark,
-                                           const Mask& mask) const;
+                                           const std::vector<MaskedView>& masked,
+                                           const Mark& mark) const;
   std::vector<FoundProduct> found_offline(const std::vector<std::size_t>& numbers,
                                           const std::vector<WantedProduct>& wanted,
                                           const std::vector<ViewCloud>& views,
