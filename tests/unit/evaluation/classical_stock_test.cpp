@@ -46,22 +46,20 @@ TEST(ClassicalStock, IsAllThatTheStoreSells) {
 TEST(ClassicalStock, AnEpisodeAloneIsTheSameAsAmongOthers) {
   episodes::EpisodeFile file = pool_file();
   environments::Arena together(data_rows(), file.header, committed_catalog());
-  // Two of those (4 of 16) that were not, while its file's baskets were its catalogue.
-  for (const std::size_t number : {std::size_t{3}, std::size_t{21}}) {
-    episodes::EpisodeSpec spec = file.episodes[number];
-    spec.limit_s = 30;
-    const episodes::EpisodeFile one = alone(file, spec);
-    ASSERT_LT(one.header.products.size(), file.header.products.size());
-    environments::Arena by_itself(data_rows(), one.header, committed_catalog());
-    const auto among = environments::run_episode(together, spec, "classical");
-    const auto single = environments::run_episode(by_itself, spec, "classical");
-    ASSERT_TRUE(among.ok()) << to_string(among.error());
-    ASSERT_TRUE(single.ok()) << to_string(single.error());
-    EXPECT_TRUE(among->detail.empty()) << among->detail;
-    EXPECT_GT(among->simulated_s, 10) << "it was at work";
-    EXPECT_EQ(among->state_hash, single->state_hash) << spec.id;
-    EXPECT_EQ(among->failure, single->failure) << spec.id;
-  }
+  // One of those (4 of 16) that were not, while its file's baskets were its catalogue.
+  episodes::EpisodeSpec spec = file.episodes[3];
+  spec.limit_s = 20;
+  const episodes::EpisodeFile one = alone(file, spec);
+  ASSERT_LT(one.header.products.size(), file.header.products.size());
+  environments::Arena by_itself(data_rows(), one.header, committed_catalog());
+  const auto among = environments::run_episode(together, spec, "classical");
+  const auto single = environments::run_episode(by_itself, spec, "classical");
+  ASSERT_TRUE(among.ok()) << to_string(among.error());
+  ASSERT_TRUE(single.ok()) << to_string(single.error());
+  EXPECT_TRUE(among->detail.empty()) << among->detail;
+  EXPECT_GT(among->simulated_s, 10) << "it was at work";
+  EXPECT_EQ(among->state_hash, single->state_hash) << spec.id;
+  EXPECT_EQ(among->failure, single->failure) << spec.id;
 }
 
 }  // namespace
