@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::string_view pad_material = "rubber";
 // Between neighbours fingers come as narrow as the tool's own error lets them.
-constexpr double wedge_gap_m = 0.0015;
 
 GraspExclusion exclusion_of(motion::GraspRefusal refusal) {
   return static_cast<GraspExclusion>(refusal);
@@ -206,7 +205,7 @@ motion::GraspQuery grasp_query(GraspSetting setting,
   query.neighbour_gap_m = spaced_gap_m;
   if (setting == GraspSetting::stocked) {
     query.neighbour_gap_m = scene::pack_gap_m;
-    query.finger_gap_m = wedge_gap_m;
+    query.finger_gap_m = motion::wedge_gap_m;
   }
   return query;
 }

@@ -94,6 +94,9 @@ constexpr double grip_safety = 2;
 // The same for what keeps a pack from turning between the pads.
 constexpr double turn_safety = 1.2;
 
+// The least finger_gap_m with which a gripper comes to a pack that stands among others.
+constexpr double wedge_gap_m = 0.0015;
+
 // So far the open tool may reach into the likes of a pack that lies among them: they give way.
 constexpr double max_like_overlap_m = 0.008;
 

@@ -101,11 +101,11 @@ std::vector<perception::FoundOnShelf> TrueShelfChoice::find(
   return found;
 }
 
-perception::FittedPose TrueShelfChoice::again(const perception::ProductLook& look,
+perception::FittedPose TrueShelfChoice::again(const perception::WantedProduct& wanted,
                                               const std::vector<perception::ViewCloud>&,
                                               const Pose& base_from_product) const {
   const auto row =
-      pack_at(world_, look.sku(), (world_.world_from_base() * base_from_product).position);
+      pack_at(world_, wanted.look->sku(), (world_.world_from_base() * base_from_product).position);
   return row ? certain(base_from_pack(world_, *row))
              : perception::FittedPose{base_from_product, {}};
 }

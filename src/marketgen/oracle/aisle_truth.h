@@ -30,7 +30,7 @@ class TrueShelfChoice : public perception::ShelfChoice {
       const std::vector<perception::ViewCloud>& views,
       const std::vector<perception::BoardAhead>& boards,
       const std::vector<perception::ShelfSpot>& spots) const override;
-  perception::FittedPose again(const perception::ProductLook& look,
+  perception::FittedPose again(const perception::WantedProduct& wanted,
                                const std::vector<perception::ViewCloud>& views,
                                const Pose& base_from_product) const override;
 

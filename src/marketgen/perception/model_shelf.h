@@ -26,10 +26,10 @@ class ModelShelfChoice : public ShelfChoice {
                                  const std::vector<ViewCloud>& views,
                                  const std::vector<BoardAhead>& boards,
                                  const std::vector<ShelfSpot>& spots) const override;
-  FittedPose again(const ProductLook& look,
+  FittedPose again(const WantedProduct& wanted,
                    const std::vector<ViewCloud>& views,
                    const Pose& base_from_product) const override {
-    return offline_->again(look, views, base_from_product);
+    return offline_->again(wanted, views, base_from_product);
   }
 
  private:

@@ -22,20 +22,24 @@ constexpr double mostly = 0.6;
 constexpr int max_stacked = 6;
 constexpr double alike_share = 0.75;  // of the score of the pack under it
 
+// The middle of its front, at the bottom, in its own frame.
+Vec3 front_of(const ProductLook& look) {
+  return {0.5 * static_cast<double>(look.low().x + look.high().x),
+          static_cast<double>(look.low().y),
+          0};
+}
+
 // The product with the middle of its front on the spot.
 Pose pose_on(const ShelfSpot& spot, const BoardAhead& board, const ProductLook& look) {
-  const double middle = 0.5 * static_cast<double>(look.low().x + look.high().x);
-  return board.base_from_board *
-         Pose{{spot.x_m - middle, spot.front_m - static_cast<double>(look.low().y), 0}, {}};
+  return board.base_from_board * Pose{Vec3{spot.x_m, spot.front_m, 0} - front_of(look), {}};
 }
 
 ShelfSpot spot_of(const Pose& pose,
                   std::size_t number,
                   const BoardAhead& board,
                   const ProductLook& look) {
-  const Vec3 at = (inverse(board.base_from_board) * pose).position;
-  const double middle = 0.5 * static_cast<double>(look.low().x + look.high().x);
-  return {number, at.x + middle, at.y + static_cast<double>(look.low().y)};
+  const Vec3 at = (inverse(board.base_from_board) * pose).position + front_of(look);
+  return {number, at.x, at.y};
 }
 
 // Along the board, into it, and about the upright: it goes on standing.
@@ -112,14 +116,15 @@ struct Swept {
   double score = 0;
 };
 
+// `there`: where a rival would stand.
+template <typename Place>
 bool is_rival(const WantedProduct& wanted,
-              const FoundOnShelf& found,
+              const FittedPose& found,
               const std::vector<ViewCloud>& views,
-              const BoardAhead& board) {
+              const Place& there) {
   return std::ranges::any_of(wanted.rivals, [&](const ProductLook* rival) {
-    const Pose pose = pose_on(found.spot, board, *rival);
-    return stood_best(*rival, pose, views).evidence.score >
-           found.pose.evidence.score * rival_better;
+    return stood_best(*rival, there(*rival), views).evidence.score >
+           found.evidence.score * rival_better;
   });
 }
 
@@ -166,17 +171,21 @@ std::vector<FoundOnShelf> UprightMatching::find(const WantedProduct& wanted,
     there.spot = spot_of(there.pose.base_from_product, spot.board, boards[spot.board], look);
     there.pose = top_of_stack(look, there.pose, views);
     if (flush_above(look, there.pose.base_from_product, views) > mostly) continue;
-    if (!is_rival(wanted, there, views, boards[spot.board])) found.push_back(there);
+    const auto rival_there = [&](const ProductLook& rival) {
+      return pose_on(there.spot, boards[spot.board], rival);
+    };
+    if (!is_rival(wanted, there.pose, views, rival_there)) found.push_back(there);
   }
   std::ranges::stable_sort(
       found, std::greater<>{}, [](const FoundOnShelf& f) { return f.pose.evidence.score; });
   return found;
 }
 
-FittedPose UprightMatching::again(const ProductLook& look,
+FittedPose UprightMatching::again(const WantedProduct& wanted,
                                   const std::vector<ViewCloud>& views,
                                   const Pose& base_from_product) const {
   constexpr std::array offsets_m{0.0, -0.01, 0.01, -0.02, 0.02};
+  const ProductLook& look = *wanted.look;
   FittedPose best;
   for (const double x : offsets_m) {
     for (const double y : offsets_m) {
@@ -185,7 +194,12 @@ FittedPose UprightMatching::again(const ProductLook& look,
       if (e.score > best.evidence.score) best = {pose, e};
     }
   }
-  return best.evidence.score > 0 ? stood_best(look, best.base_from_product, views) : best;
+  if (best.evidence.score <= 0) return best;
+  best = stood_best(look, best.base_from_product, views);
+  const auto rival_there = [&](const ProductLook& rival) {
+    return best.base_from_product * Pose{front_of(look) - front_of(rival), {}};
+  };
+  return is_rival(wanted, best, views, rival_there) ? FittedPose{} : best;
 }
 
 }  // namespace marketgen::perception

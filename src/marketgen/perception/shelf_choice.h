@@ -22,8 +22,9 @@ class ShelfChoice {
                                          const std::vector<ViewCloud>& views,
                                          const std::vector<BoardAhead>& boards,
                                          const std::vector<ShelfSpot>& spots) const = 0;
-  // The pose near one that was found before, as the pictures show it now; score 0 when they do not.
-  virtual FittedPose again(const ProductLook& look,
+  // The pose near one that was found before, as the pictures show it now; score 0 when they do not,
+  // or when they show a rival.
+  virtual FittedPose again(const WantedProduct& wanted,
                            const std::vector<ViewCloud>& views,
                            const Pose& base_from_product) const = 0;
 };
@@ -46,7 +47,7 @@ class UprightMatching : public ShelfChoice {
                                  const std::vector<ViewCloud>& views,
                                  const std::vector<BoardAhead>& boards,
                                  const std::vector<ShelfSpot>& spots) const override;
-  FittedPose again(const ProductLook& look,
+  FittedPose again(const WantedProduct& wanted,
                    const std::vector<ViewCloud>& views,
                    const Pose& base_from_product) const override;
 };

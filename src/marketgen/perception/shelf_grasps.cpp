@@ -16,9 +16,14 @@ Result<std::vector<SeenGrasp>> FrontGrasps::grasps(const ShelfGraspQuestion& que
   motion::GraspQuery query;
   query.friction = question.known.pad_friction;
   query.from_front = true;
-  MARKETGEN_TRY(
-      const motion::GraspCandidates candidates,
-      motion::grasp_candidates(question.known.product, question.known.body, tool_, query));
+  const auto look = [&] {
+    return motion::grasp_candidates(question.known.product, question.known.body, tool_, query);
+  };
+  MARKETGEN_TRY(motion::GraspCandidates candidates, look());
+  if (candidates.found.empty()) {  // too wide for fingers with so much room
+    query.finger_gap_m = motion::wedge_gap_m;
+    MARKETGEN_TRY(candidates, look());
+  }
   std::vector<SeenGrasp> grasps;
   for (const motion::GraspCandidate& candidate : candidates.found) {
     SeenGrasp grasp{skills::carrying_grasp(question.base_from_product, candidate, tool_.force_n)};

@@ -91,6 +91,32 @@ Result<void> AisleBody::may_stand(const robots::BasePlace& place) const {
   return Error{"motion.base_blocked", setup_.robot->name, "the base has no room or no way there"};
 }
 
+// Into the basket as it is filled now, wherever the robot stands.
+Result<void> AisleBody::may_hold(const assets::ProductBody& body,
+                                 const skills::ShelfPick& pick) const {
+  skills::DropQuestion question;
+  question.group = pick.group;
+  question.stow = robots::values_of(*setup_.robot->find_group(pick.group), setup_.driving);
+  question.inside = inside_;
+  question.tool = pick.tool;
+  question.held = &body;
+  question.tip_from_product = inverse(pick.grasp.product_from_tool);
+  const std::vector<int>& arm = setup_.robot->find_group(pick.group)->dofs;
+  const motion::Configuration out = pick.retreat.at(pick.retreat.duration_s()).position;
+  Result<void> last;
+  for (const double lift : skills::drop_lifts_m) {
+    question.state = pick.state;
+    for (std::size_t i = 0; i < arm.size(); ++i)
+      question.state[static_cast<std::size_t>(arm[i])] = out[i];
+    question.state[static_cast<std::size_t>(setup_.robot->find_dof("lift"))] = lift;
+    const auto plan =
+        skills::plan_drop(*setup_.robot, setup_.basket, question, seed_.child("hold", moves_));
+    if (plan.ok()) return {};
+    last = plan.error();
+  }
+  return last;
+}
+
 Result<skills::ShelfPick> AisleBody::plan_pick(const PickTarget& item,
                                                const std::vector<Vec3f>& points,
                                                std::optional<robots::BasePlace> from) {
@@ -107,6 +133,8 @@ Result<skills::ShelfPick> AisleBody::plan_pick(const PickTarget& item,
   add_cloud(seen, question.around.way);
   add_cloud(beyond(seen, middle, pressed_aside_m), question.around.line);
   question.where = item.known->product.sku;
+  MARKETGEN_TRY(const assets::ProductBody body, skills::make_store_body(item.known->product));
+  question.may_hold = [&](const skills::ShelfPick& pick) { return may_hold(body, pick); };
   if (from)
     question.world_from_base = agent::store_from_base(*from);
   else

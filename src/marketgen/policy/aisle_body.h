@@ -70,6 +70,7 @@ class AisleBody {
   skills::StowQuestion stow_question(const std::vector<Vec3f>& points) const;
   double room_behind_m() const;
   Result<void> may_stand(const robots::BasePlace& place) const;
+  Result<void> may_hold(const assets::ProductBody& body, const skills::ShelfPick& pick) const;
   Seed next_seed();
 
   AisleBodySetup setup_;

@@ -41,11 +41,11 @@ std::vector<ShelfFind> ShelfSight::find(std::size_t goal,
 }
 
 ShelfFind ShelfSight::again(const ShelfFind& known,
-                            const perception::ProductLook& look,
+                            const perception::WantedProduct& wanted,
                             const perception::ShelfChoice& choice) const {
   const Pose store = agent::store_from_base(place_);
   const perception::FittedPose seen =
-      choice.again(look, views_, inverse(store) * known.store_from_product);
+      choice.again(wanted, views_, inverse(store) * known.store_from_product);
   return {known.goal, store * seen.base_from_product, seen.evidence.score};
 }
 

@@ -29,9 +29,9 @@ class ShelfSight {
                               const agent::AisleMap& map,
                               const perception::SpotSource& spots,
                               const perception::ShelfChoice& choice) const;
-  // The same product as it is seen from here; score 0 when it is not.
+  // The same product as it is seen from here; score 0 when it is not, or a rival is.
   ShelfFind again(const ShelfFind& known,
-                  const perception::ProductLook& look,
+                  const perception::WantedProduct& wanted,
                   const perception::ShelfChoice& choice) const;
   // Measured points without the robot itself, which stands as `state` says (base on the origin).
   std::vector<Vec3f> points(const robots::Robot& robot, const std::vector<double>& state) const;

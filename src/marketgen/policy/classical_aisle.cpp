@@ -9,13 +9,12 @@
 #include "base/progress.h"
 #include "policy/aisle_sight.h"
 #include "policy/aisle_tour.h"
-#include "policy/goal_skus.h"
+#include "policy/shelf_goals.h"
 #include "skills/plan_failure.h"
 
 namespace marketgen::policy {
 namespace {
 
-constexpr int max_tries = 3;     // an item
 constexpr int tries_a_find = 2;  // of what was found at one place
 // Shelves so near to the category's place are looked at before a doubtful find is taken; those
 // farther than the second are left out.
@@ -28,8 +27,6 @@ constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and l
 constexpr double same_find_m = 0.04;
 constexpr double min_again = 0.6;  // of its score, at a second look from before the shelf
 constexpr double max_tilt = 1.04, max_pan = 1.3;
-constexpr double rival_size = 0.3;  // of each side, of products that may be taken for one another
-constexpr std::size_t max_rivals_looked_at = 20;
 constexpr double other_reach_m = 0.35;  // of a product, measured points that its grasps mind
 
 const std::string head_eye = "head_camera";
@@ -65,8 +62,10 @@ class ClassicalAisle : public agent::Policy {
     body_.start(first);
     stops_ = view_stops(map_);
     seen_.assign(stops_.size(), false);
-    for (std::size_t goal = 0; goal < task.goals.size(); ++goal)
-      MARKETGEN_CHECK(learn(goal));
+    MARKETGEN_TRY(
+        goals_,
+        learn_shelf_goals(
+            task.goals, modules_.language.get(), setup_.hints, *setup_.products, *setup_.looks));
     return {};
   }
 
@@ -82,20 +81,12 @@ class ClassicalAisle : public agent::Policy {
   }
 
   std::string failure() const override {
-    for (const Goal& goal : goals_)
+    for (const ShelfGoal& goal : goals_)
       if (goal.fetched < goal.wanted) return goal.failure;
     return "None";
   }
 
  private:
-  struct Goal {
-    std::string sku, words;  // as it was told: by SKU, words are empty
-    int wanted = 1, fetched = 0, tries = 0;
-    const perception::ProductLook* look = nullptr;
-    std::vector<const perception::ProductLook*> rivals;
-    Vec2 hint;
-    std::string failure = "NotFound";
-  };
   struct Find {
     ShelfFind place;
     double worth = 0;  // score, less what it stands off its category's place
@@ -105,6 +96,7 @@ class ClassicalAisle : public agent::Policy {
   // The arm or what it holds was pressed on, and has been moved back a second of its way: what was
   // planned is given up, and goes on from here by another plan.
   Result<void> recover() {
+    say("was stopped");
     switch (step_) {
       case AisleStep::choose:  // on its way to its stowed posture
         if (!body_.go_home(points_).ok() && !body_.go_home({}).ok()) done_ = true;
@@ -155,71 +147,12 @@ class ClassicalAisle : public agent::Policy {
     return {};
   }
 
-  // ---- What it is to know ----
-
-  // What its words mean most likely; what cannot be read is not found.
-  Result<void> learn(std::size_t number) {
-    const agent::TaskGoal& asked = task_.goals[number];
-    Goal goal;
-    goal.wanted = asked.count;
-    goal.words = asked.text;
-    const auto skus = goal_skus(asked, modules_.language.get());
-    if (!skus.ok() && skus.error().code != not_understood) return skus.error();
-    if (!skus.ok()) {
-      log_debug(fmt::format("classical: {}", to_string(skus.error())));
-      goal.tries = max_tries;
-      goals_.push_back(std::move(goal));
-      return {};
-    }
-    goal.sku = skus->front();
-    MARKETGEN_TRY(const agent::KnownProduct* known, setup_.products->product(goal.sku));
-    MARKETGEN_TRY(goal.look, setup_.looks->of(known->product, *setup_.products));
-    for (const catalog::Product* rival : rivals_of(known->product)) {
-      MARKETGEN_TRY(const perception::ProductLook* look,
-                    setup_.looks->of(*rival, *setup_.products));
-      goal.rivals.push_back(look);
-    }
-    const auto hint = std::ranges::find(setup_.hints, number, &agent::CategoryHint::goal);
-    if (hint == setup_.hints.end())
-      return Error{"episode.impossible", goal.sku, "nothing says where its category stands"};
-    goal.hint = hint->position;
-    goals_.push_back(std::move(goal));
-    return {};
-  }
-
-  // Of its category and much its size, the most alike ones.
-  std::vector<const catalog::Product*> rivals_of(const catalog::Product& product) const {
-    std::vector<std::pair<double, const catalog::Product*>> alike;
-    for (const catalog::Product& other : setup_.products->rows()) {
-      if (product.sku == other.sku || product.category != other.category) continue;
-      double most = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        most = std::max(most, std::abs(1.0 * other.size_mm[axis] / product.size_mm[axis] - 1));
-      if (most <= rival_size) alike.emplace_back(most, &other);
-    }
-    std::ranges::sort(alike, {}, [](const auto& entry) {
-      return std::pair<double, std::string_view>(entry.first, entry.second->sku);
-    });
-    std::vector<const catalog::Product*> rivals;
-    for (std::size_t i = 0; i < std::min(max_rivals_looked_at, alike.size()); ++i)
-      rivals.push_back(alike[i].second);
-    return rivals;
-  }
-
-  static perception::WantedProduct wanted_of(const Goal& goal) {
-    return {goal.look, goal.rivals, goal.wanted - goal.fetched, goal.words};
-  }
-
   // ---- What to do next ----
-
-  bool is_due(const Goal& goal) const {
-    return goal.fetched < goal.wanted && goal.tries < max_tries;
-  }
 
   Result<void> choose() {
     if (now_.time_s + min_item_left_s > task_.limit_s) {
-      for (Goal& goal : goals_)
-        if (is_due(goal)) goal.failure = "Timeout";
+      for (ShelfGoal& goal : goals_)
+        if (goal.is_due()) goal.failure = "Timeout";
       done_ = true;
       return {};
     }
@@ -254,7 +187,7 @@ class ClassicalAisle : public agent::Policy {
     for (std::size_t i = 0; i < finds_.size(); ++i) {
       const ShelfFind& find = finds_[i].place;
       const bool good = finds_[i].worth >= std::max(min_worth, best_of[find.goal] - about_as_good);
-      if (!good || !is_due(goals_[find.goal])) continue;
+      if (!good || !goals_[find.goal].is_due()) continue;
       const Vec3 at = find.store_from_product.position;
       const double off = std::hypot(at.x - now_.base.x_m, at.y - now_.base.y_m);
       if (best && off >= least) continue;
@@ -273,8 +206,8 @@ class ClassicalAisle : public agent::Policy {
   Result<bool> go_looking(double within_m) {
     std::optional<std::size_t> best;
     double least = 0;
-    for (Goal& goal : goals_) {
-      if (!is_due(goal)) continue;
+    for (ShelfGoal& goal : goals_) {
+      if (!goal.is_due()) continue;
       const auto stop = next_stop(map_, stops_, seen_, now_.base, goal.hint, within_m);
       if (!stop) continue;
       const double way = map_.way_m(now_.base, stops_[*stop].place).value_or(1e9);
@@ -305,9 +238,9 @@ class ClassicalAisle : public agent::Policy {
     sight_.add(std::move(view));
     points_ = sight_.points(robot_, body_.state());
     for (std::size_t i = 0; i < goals_.size(); ++i) {
-      if (!is_due(goals_[i])) continue;
+      if (!goals_[i].is_due()) continue;
       for (const ShelfFind& find :
-           sight_.find(i, wanted_of(goals_[i]), map_, *modules_.spots, *modules_.choice))
+           sight_.find(i, goals_[i].wanted_afar(), map_, *modules_.spots, *modules_.choice))
         remember(find);
     }
     step_ = AisleStep::choose;
@@ -324,6 +257,13 @@ class ClassicalAisle : public agent::Policy {
     const Vec2 hint = goals_[find.goal].hint;
     const Vec3 at = find.store_from_product.position;
     const double worth = find.score - worth_off_per_m * std::hypot(at.x - hint.x, at.y - hint.y);
+    say(fmt::format("finds {} at {:.2f} {:.2f} {:.2f}, score {:.2f}, worth {:.2f}",
+                    goals_[find.goal].sku,
+                    at.x,
+                    at.y,
+                    at.z,
+                    find.score,
+                    worth));
     if (known == finds_.end())
       finds_.push_back({find, worth, 0});
     else if (find.score > known->place.score)
@@ -333,7 +273,7 @@ class ClassicalAisle : public agent::Policy {
   // ---- Taking it ----
 
   Result<PickTarget> item_at(const ShelfFind& find) {
-    const Goal& goal = goals_[find.goal];
+    const ShelfGoal& goal = goals_[find.goal];
     PickTarget item;
     MARKETGEN_TRY(item.known, setup_.products->product(goal.sku));
     item.store_from_product = find.store_from_product;
@@ -354,7 +294,7 @@ class ClassicalAisle : public agent::Policy {
 
   Result<bool> approach(std::size_t number) {
     Find& find = finds_[number];
-    Goal& goal = goals_[find.place.goal];
+    ShelfGoal& goal = goals_[find.place.goal];
     const auto item = item_at(find.place);
     if (!item.ok()) return given_up(goal, item.error());
     if (item->grasps.empty()) return note(goal, "NoGrasp");
@@ -366,12 +306,17 @@ class ClassicalAisle : public agent::Policy {
     return true;
   }
 
-  static bool note(Goal& goal, std::string_view why) {
+  void say(std::string_view what) const {
+    log_debug(fmt::format("classical {:.2f} s: {}", now_.time_s, what));
+  }
+  bool note(ShelfGoal& goal, std::string_view why) const {
+    say(fmt::format("{}: {}", goal.sku, why));
     goal.failure = why;
     return false;
   }
-  static Result<bool> given_up(Goal& goal, const Error& error) {
+  Result<bool> given_up(ShelfGoal& goal, const Error& error) const {
     if (!skills::is_of_planning(error)) return error;
+    say(to_string(error));
     return note(goal, skills::failure_of_plan(error));
   }
 
@@ -389,13 +334,16 @@ class ClassicalAisle : public agent::Policy {
   // From where it came to stand, by what is seen from there.
   Result<void> look_again() {
     Find& find = finds_[find_];
-    Goal& goal = goals_[find.place.goal];
+    ShelfGoal& goal = goals_[find.place.goal];
     sight_ = ShelfSight(now_.base);
     MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
     sight_.add(std::move(view));
     const std::vector<Vec3f> more = sight_.points(robot_, body_.state());
     points_.insert(points_.end(), more.begin(), more.end());
-    const ShelfFind again = sight_.again(find.place, *goal.look, *modules_.choice);
+    MARKETGEN_TRY(const perception::WantedProduct wanted,
+                  goal.wanted_close(*setup_.products, *setup_.looks));
+    const ShelfFind again = sight_.again(find.place, wanted, *modules_.choice);
+    say(fmt::format("sees it again with score {:.2f} of {:.2f}", again.score, find.place.score));
     if (again.score >= min_again * find.place.score) {
       find.place = again;
       return take(find, goal);
@@ -406,7 +354,7 @@ class ClassicalAisle : public agent::Policy {
     return {};
   }
 
-  Result<void> take(Find& find, Goal& goal) {
+  Result<void> take(Find& find, ShelfGoal& goal) {
     ++goal.tries;
     ++find.tries;
     step_ = AisleStep::choose;
@@ -418,6 +366,14 @@ class ClassicalAisle : public agent::Policy {
       refuse(find_);
       return {};
     }
+    say(fmt::format("takes {} with {}, score {:.2f}, worth {:.2f}, at {:.2f} {:.2f} {:.2f}",
+                    goal.sku,
+                    pick->group,
+                    find.place.score,
+                    find.worth,
+                    find.place.store_from_product.position.x,
+                    find.place.store_from_product.position.y,
+                    find.place.store_from_product.position.z));
     MARKETGEN_CHECK(body_.take(*item, std::move(*pick)));
     step_ = AisleStep::pressed;
     return {};
@@ -431,7 +387,7 @@ class ClassicalAisle : public agent::Policy {
   }
 
   Result<void> drop() {
-    Goal& goal = goals_[finds_[find_].place.goal];
+    ShelfGoal& goal = goals_[finds_[find_].place.goal];
     if (!body_.holds_it()) {
       if (held_) note(goal, "Slipped");
       return leave_empty();
@@ -442,6 +398,7 @@ class ClassicalAisle : public agent::Policy {
       return {};
     }
     note(goal, "NoPath");
+    say("no way into the basket: " + to_string(dropped.error()));
     done_ = points_.empty();  // with the item in its hand: it cannot go on
     points_.clear();          // once more, past what the map knows alone
     return {};
@@ -455,8 +412,9 @@ class ClassicalAisle : public agent::Policy {
   }
 
   Result<void> count() {
-    Goal& goal = goals_[finds_[find_].place.goal];
+    ShelfGoal& goal = goals_[finds_[find_].place.goal];
     ++goal.fetched;
+    say(fmt::format("{}: let go in the basket", goal.sku));
     goal.tries = 0;
     refuse(find_);
     step_ = AisleStep::choose;
@@ -470,7 +428,7 @@ class ClassicalAisle : public agent::Policy {
   AisleBody body_;
   agent::Task task_;
   agent::Observation now_;
-  std::vector<Goal> goals_;
+  std::vector<ShelfGoal> goals_;
   std::vector<ViewStop> stops_;
   std::vector<bool> seen_;  // of the stops
   std::vector<Find> finds_;

@@ -111,8 +111,9 @@ Result<ShelfPick> plan_shelf_pick(const robots::Robot& robot,
     for (const ShelfPickPlanner& planner : planners) {
       interrupt_point();
       auto pick = planner.plan(number);
-      if (pick.ok()) return pick;
-      error = pick.error();
+      const auto held = pick.ok() && question.may_hold ? question.may_hold(*pick) : Result<void>();
+      if (pick.ok() && held.ok()) return pick;
+      error = pick.ok() ? held.error() : pick.error();
     }
   }
   return error;

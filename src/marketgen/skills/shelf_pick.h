@@ -15,6 +15,15 @@
 
 namespace marketgen::skills {
 
+struct ShelfPick : PickWays {
+  std::string group;  // of the arm
+  int tool = 0;       // in Robot::tools
+  robots::Grasp grasp;
+  std::size_t number = 0;  // of the grasp, in the question's
+  Pose world_from_base;
+  std::vector<double> state;  // every degree of freedom at the start; fingers open
+};
+
 struct ShelfPickQuestion : PickMotion {
   Pose world_from_product;
   double depth_m = 0;                 // of the pack
@@ -25,17 +34,11 @@ struct ShelfPickQuestion : PickMotion {
   // An error where the robot, in that state, cannot stand there. Not asked when there is none.
   std::function<Result<void>(const Pose& world_from_base, const std::vector<double>& state)>
       may_stand;
+  // An error where what that hand holds so cannot be let go afterwards. Not asked when there is
+  // none.
+  std::function<Result<void>(const ShelfPick&)> may_hold;
   std::optional<Pose> world_from_base = {};  // stands there and nowhere else
   std::string where;                         // of errors: what is to be taken
-};
-
-struct ShelfPick : PickWays {
-  std::string group;  // of the arm
-  int tool = 0;       // in Robot::tools
-  robots::Grasp grasp;
-  std::size_t number = 0;  // of the grasp, in the question's
-  Pose world_from_base;
-  std::vector<double> state;  // every degree of freedom at the start; fingers open
 };
 
 // Over the grasps, the robot's arms that end in that gripper, and places in front of the product.
