@@ -111,10 +111,25 @@ TEST(UprightMatching, FindsAgainWhatMovedALittle) {
   const auto views = look_at({pack});
   const perception::ProductLook red = look_of("red", carton_red);
   const Pose before = pack.pose * Pose{{0.012, -0.006, 0}, {}};
-  const perception::FittedPose again = perception::UprightMatching().again(red, views, before);
+  const perception::FittedPose again = perception::UprightMatching().again({&red}, views, before);
   EXPECT_LT(length(again.base_from_product.position - pack.pose.position), 0.004);
   const Pose elsewhere = board_pose() * Pose{{-0.3, 0.1, 0}, {}};
-  EXPECT_LT(perception::UprightMatching().again(red, views, elsewhere).evidence.score, 0.1);
+  EXPECT_LT(perception::UprightMatching().again({&red}, views, elsewhere).evidence.score, 0.1);
+}
+
+TEST(UprightMatching, ARivalOfAnySizeIsNotTakenForIt) {
+  const Vec3 large{0.11, 0.09, 0.20};
+  const DrawnBox jug = pack_at(0.05, {190, 60, 50}, 0, large);
+  const auto views = look_at({jug});
+  const perception::ProductLook red = look_of("red", carton_red),
+                                meant = look_of("meant", {190, 60, 50}, large);
+  // Its front on the jug's: a part of that looks like it.
+  const Pose before = jug.pose * Pose{{0, (pack_size.y - large.y) / 2, 0}, {}};
+  const auto again = [&](const perception::WantedProduct& wanted) {
+    return perception::UprightMatching().again(wanted, views, before).evidence.score;
+  };
+  EXPECT_GT(again({&red}), 0.3);
+  EXPECT_EQ(again({&red, {&meant}}), 0);
 }
 
 }  // namespace
