@@ -4,6 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "base/progress.h"
+
 namespace marketgen::perception {
 namespace {
 
@@ -123,8 +127,15 @@ bool is_rival(const WantedProduct& wanted,
               const std::vector<ViewCloud>& views,
               const Place& there) {
   return std::ranges::any_of(wanted.rivals, [&](const ProductLook* rival) {
-    return stood_best(*rival, there(*rival), views).evidence.score >
-           found.evidence.score * rival_better;
+    const double score = stood_best(*rival, there(*rival), views).evidence.score;
+    const bool better = score > found.evidence.score * rival_better;
+    if (better)
+      log_debug(fmt::format("{} explains {:.2f} better ({:.2f}) than {}",
+                            rival->sku(),
+                            found.evidence.score,
+                            score,
+                            wanted.look->sku()));
+    return better;
   });
 }
 

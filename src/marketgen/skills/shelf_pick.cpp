@@ -107,13 +107,19 @@ Result<ShelfPick> plan_shelf_pick(const robots::Robot& robot,
     MARKETGEN_CHECK(planners.back().make_model());
   }
   Error error{"collect.no_place", question.where, "there is no grasp to try"};
+  bool was_reached = false;
   for (std::size_t number = 0; number < question.grasps.size(); ++number) {
     for (const ShelfPickPlanner& planner : planners) {
       interrupt_point();
       auto pick = planner.plan(number);
-      const auto held = pick.ok() && question.may_hold ? question.may_hold(*pick) : Result<void>();
-      if (pick.ok() && held.ok()) return pick;
-      error = pick.ok() ? held.error() : pick.error();
+      if (!pick.ok()) {
+        if (!was_reached) error = pick.error();
+        continue;
+      }
+      const Result<void> held = question.may_hold ? question.may_hold(*pick) : Result<void>();
+      if (held.ok()) return pick;
+      error = held.error();
+      was_reached = true;
     }
   }
   return error;

@@ -43,7 +43,7 @@ struct ShelfPickQuestion : PickMotion {
 
 // Over the grasps, the robot's arms that end in that gripper, and places in front of the product.
 // Errors: collect.no_place with what was wrong at the place that was tried last; at a place that is
-// given, what is wrong there; robot.unknown when
+// given, what is wrong there; that of may_hold where a grasp was in reach; robot.unknown when
 // no arm of the robot ends in the gripper; those of make_arm_model.
 Result<ShelfPick> plan_shelf_pick(const robots::Robot& robot,
                                   const ShelfPickQuestion& question,

@@ -1,0 +1,70 @@
+// Where a robot stands to take a pack from a shelf, and with which of its grasps.
+#include "skills/shelf_pick.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/grasp_candidates.h"
+#include "support/committed_robot.h"
+
+namespace marketgen {
+namespace {
+
+// A can at 1 m above an empty floor, its front to -Y.
+class ShelfPick : public testing::Test {
+ protected:
+  ShelfPick() {
+    catalog::Product product;
+    product.sku = "test-can";
+    product.mass_kg = 0.3;
+    assets::ProductBody body;
+    body.center_of_mass = {0, 0, 0.06F};
+    body.pieces.push_back({.shape = assets::PieceShape::cylinder,
+                           .center = {0, 0, 0.06F},
+                           .half_size = {0.03F, 0.03F, 0.06F}});
+    motion::GraspQuery query;
+    query.from_front = true;
+    const auto found = motion::grasp_candidates(product, body, tool_, query).value().found;
+    for (const motion::GraspCandidate& candidate : found)
+      question_.grasps.push_back(candidate.grasp);
+    question_.world_from_product = {{2, 3, 1}, {}};
+    question_.depth_m = 0.06;
+    question_.tool_row = tool_.id;
+    question_.driving = skills::stowed_state(robot_, "", 0.3, tool_.opening_m);
+    question_.where = product.sku;
+  }
+
+  Result<skills::ShelfPick> plan() const {
+    return skills::plan_shelf_pick(robot_, question_, Seed(7));
+  }
+
+  robots::Robot robot_ = committed_robot("realman-rm75");
+  robots::GraspTool tool_ = robots::load_grasp_tool(committed_rows, "parallel-gripper").value();
+  skills::ShelfPickQuestion question_;
+};
+
+TEST_F(ShelfPick, ABestGraspThatCannotBeLetGoIsPassedOver) {
+  const auto first = plan();
+  ASSERT_TRUE(first.ok()) << to_string(first.error());
+  question_.may_hold = [&](const skills::ShelfPick& pick) -> Result<void> {
+    if (pick.number != first->number || pick.group != first->group) return {};
+    return Error{"collect.no_drop", "test", "not by this one"};
+  };
+  const auto other = plan();
+  ASSERT_TRUE(other.ok()) << to_string(other.error());
+  EXPECT_TRUE(other->number != first->number || other->group != first->group);
+}
+
+TEST_F(ShelfPick, WhereNoneCanBeLetGoTheReasonIsSaid) {
+  const auto first = plan();
+  ASSERT_TRUE(first.ok()) << to_string(first.error());
+  question_.grasps = {first->grasp};
+  question_.may_hold = [](const skills::ShelfPick&) -> Result<void> {
+    return Error{"collect.no_drop", "test", "the basket is full"};
+  };
+  const auto pick = plan();
+  ASSERT_FALSE(pick.ok());
+  EXPECT_EQ(pick.error().code, "collect.no_drop");
+}
+
+}  // namespace
+}  // namespace marketgen
