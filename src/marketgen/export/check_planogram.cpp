@@ -69,8 +69,10 @@ Result<ReadPosition> position_in(const io::CsvRow& row, const Columns& columns) 
   return read;
 }
 
-// A GTIN-13 whose last digit is right (GS1 General Specifications, 7.9).
+// A GTIN-13 whose last digit is right (GS1 General Specifications, 7.9), or none: what is sold by
+// weight has no number.
 bool is_gtin(const std::string& text) {
+  if (text.empty()) return true;
   if (text.size() != 13) return false;
   int sum = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -91,7 +91,7 @@ std::string waypoint_line(const Waypoint& place) {
                                  name_of(place.kind),
                                  place.x_m,
                                  place.y_m,
-                                 place.yaw + 0.0);
+                                 std::round(place.yaw * 1e4) * 1e-4 + 0.0);  // no -0.0000
   if (!place.fixture.empty())
     line += fmt::format(
         R"(, "fixture": {}, "zone": {})", quoted(place.fixture), quoted(place.zone));

@@ -44,7 +44,7 @@ struct PlanogramPosition {
       field("x_mm", &PlanogramPosition::x_mm, "left edge, from the bay's left"),
       field("y_mm", &PlanogramPosition::y_mm, "front edge, behind the bay's front"),
       field("z_mm", &PlanogramPosition::z_mm, "underside, over the floor"),
-      field("gtin", &PlanogramPosition::gtin, "GTIN-13"),
+      field("gtin", &PlanogramPosition::gtin, "GTIN-13; none for what is sold by weight"),
       field("sku", &PlanogramPosition::sku, "SKU"),
       field("name", &PlanogramPosition::name, "name and variant"),
       field("brand", &PlanogramPosition::brand, "brand"),
