@@ -121,8 +121,9 @@ Run add_export(CLI::App& app) {
           flags->robots,
           "mjcf: put a robot in (repeatable): ROW@X,Y[,HEADING_DEG][,...] as `render` takes it")
       ->allow_extra_args(false);
-  command->add_option(
-      "--resolution", flags->resolution, "nav2: side of a map's cell in metres, 0.01 to 0.25 (0.05)");
+  command->add_option("--resolution",
+                      flags->resolution,
+                      "nav2: side of a map's cell in metres, 0.01 to 0.25 (0.05)");
   command->add_option("--robot-radius",
                       flags->robot_radius,
                       "nav2: metres from the robot's middle that waypoints keep free (0.42)");

@@ -57,9 +57,8 @@ Traffic measure_traffic(const scene::Scene& scene) {
   const int entrance = entrance_component(scene.layout, grid, components);
   std::map<std::pair<std::uint32_t, std::int32_t>, bool> bays;  // fixture and side: is it reached
   for (std::uint32_t shelf = 0; shelf < scene.shelves.size(); ++shelf) {
-    const auto cell =
-        navigation::nearest_free(
-            grid, scene::standing_point(scene, shelf), scene::standing_reach_mm);
+    const auto cell = navigation::nearest_free(
+        grid, scene::standing_point(scene, shelf), scene::standing_reach_mm);
     const bool is_reached = cell && components.label[*cell] == entrance;
     if (!is_reached) traffic.unreachable.push_back(shelf);
     bays[{scene.shelves[shelf].fixture, scene.shelves[shelf].side}] |= is_reached;

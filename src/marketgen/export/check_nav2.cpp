@@ -87,8 +87,7 @@ Result<void> compare_fixtures(const ReadMap& map,
     const RectMm rect = layout::footprint_of(fixture);
     const bool thin = std::min(rect.width(), rect.depth()) <= 2 * cell_mm;
     const auto solid_at = [&](int dx, int dy) {
-      const std::size_t cell =
-          map.cell_at((fixture.x_mm + dx) * 1e-3, (fixture.y_mm + dy) * 1e-3);
+      const std::size_t cell = map.cell_at((fixture.x_mm + dx) * 1e-3, (fixture.y_mm + dy) * 1e-3);
       return cell < map.values.size() && map.values[cell] == occupied;
     };
     const bool beside = thin && (solid_at(cell_mm, 0) || solid_at(-cell_mm, 0) ||
@@ -121,9 +120,9 @@ Result<void> compare_floor(const ReadMap& map,
       const std::int8_t value = map.values[index(map, column, row)];
       const PointMm at = point_of(map, column, row);
       const RectMm bounds = away_from_walls.bounds;
-      const bool well_inside = away_from_walls.free((at[0] - bounds.x0) / cell_mm,
-                                                    (at[1] - bounds.y0) / cell_mm) &&
-                               bounds.contains(at);
+      const bool well_inside =
+          away_from_walls.free((at[0] - bounds.x0) / cell_mm, (at[1] - bounds.y0) / cell_mm) &&
+          bounds.contains(at);
       const bool nothing_there = may_be_solid[index(map, column, row)] == 0;
       if (well_inside && (value == unknown || (value == occupied && nothing_there)))
         return mismatch(where, place_of(map, column, row) + " is floor, but not on it");
@@ -147,10 +146,10 @@ std::vector<std::uint8_t> room_for_robot(const ReadMap& map,
   const std::vector<float> clearance = navigation::clearance_field(solid);
   std::vector<std::uint8_t> room(map.values.size(), 0);
   for (std::size_t i = 0; i < room.size(); ++i)
-    room[i] = map.values[i] == free_cell && keepout.values[i] == 0 &&
-                      clearance[i] >= radius_m * 1000 - 1
-                  ? 1
-                  : 0;
+    room[i] =
+        map.values[i] == free_cell && keepout.values[i] == 0 && clearance[i] >= radius_m * 1000 - 1
+            ? 1
+            : 0;
   return room;
 }
 
@@ -189,9 +188,9 @@ Result<void> check_ways(const ReadWaypoints& waypoints,
       return mismatch(where, "the robot has no room at \"" + place.name + "\"");
     if (reached.empty()) reached = reached_from(map, room, cell);  // doors come first
     if (reached[cell] == 0)
-      return mismatch(where,
-                      "no way leads from \"" + waypoints.places.front().name + "\" to \"" +
-                          place.name + "\"");
+      return mismatch(
+          where,
+          "no way leads from \"" + waypoints.places.front().name + "\" to \"" + place.name + "\"");
   }
   return {};
 }
@@ -214,8 +213,7 @@ Result<void> compare_bays(const scene::Scene& scene,
   for (const auto& [category, names] : waypoints.by_category) {
     for (const std::string& name : names) {
       const auto place = places.find(name);
-      if (place == places.end() ||
-          std::ranges::count(place->second->categories, category) != 1)
+      if (place == places.end() || std::ranges::count(place->second->categories, category) != 1)
         return mismatch(where, "\"" + name + "\" has nothing of category \"" + category + "\"");
     }
   }
@@ -264,17 +262,17 @@ Result<ExportSummary> check_nav2(const scene::Scene& scene,
   }
   summary.fixtures = standing.size();
   summary.waypoints = waypoints.places.size();
-  summary.in_words =
-      fmt::format("{} x {} cells, {:.1f} m2 free, {:.1f} m2 of them kept out of; {} fixtures, {} "
-                  "waypoints for {} categories, {} out of reach",
-                  map.columns,
-                  map.rows,
-                  summary.free_m2,
-                  summary.keepout_m2,
-                  summary.fixtures,
-                  summary.waypoints,
-                  waypoints.by_category.size(),
-                  waypoints.unreachable.size());
+  summary.in_words = fmt::format(
+      "{} x {} cells, {:.1f} m2 free, {:.1f} m2 of them kept out of; {} fixtures, {} "
+      "waypoints for {} categories, {} out of reach",
+      map.columns,
+      map.rows,
+      summary.free_m2,
+      summary.keepout_m2,
+      summary.fixtures,
+      summary.waypoints,
+      waypoints.by_category.size(),
+      waypoints.unreachable.size());
   return summary;
 }
 

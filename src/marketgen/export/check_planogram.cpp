@@ -95,11 +95,10 @@ Result<void> check_position(const ReadPosition& row,
                     fmt::format("{} units stand where {} have room", row.units, row.capacity));
   const int right = row.x_mm + row.facings_wide * row.width_mm;
   if (row.x_mm < -bay_tolerance_mm || right > row.bay_width_mm + bay_tolerance_mm)
-    return mismatch(row.place,
-                    fmt::format("it reaches from {} to {} mm in a bay {} mm wide",
-                                row.x_mm,
-                                right,
-                                row.bay_width_mm));
+    return mismatch(
+        row.place,
+        fmt::format(
+            "it reaches from {} to {} mm in a bay {} mm wide", row.x_mm, right, row.bay_width_mm));
   return {};
 }
 

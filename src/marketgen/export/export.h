@@ -39,27 +39,26 @@ struct ExportSummary {
   double worst_position_error_m = 0;  // of any product against the scene, after `check`
   std::string in_words;               // the same, for a person; no field
 
-  static constexpr auto fields =
-      field_list(field("fixtures", &ExportSummary::fixtures, "fixture modules"),
-                 field("products", &ExportSummary::products, "single items"),
-                 field("skus", &ExportSummary::skus, "different products"),
-                 field("meshes", &ExportSummary::meshes, "meshes or geoms"),
-                 field("free_bodies", &ExportSummary::free_bodies, "bodies that can move"),
-                 field("joints", &ExportSummary::joints, "joints of fixtures"),
-                 field("looks", &ExportSummary::looks, "products with a mesh and a picture (mjcf)"),
-                 field("robots", &ExportSummary::robots, "robots that were put in"),
-                 field("waypoints", &ExportSummary::waypoints, "places to drive to (nav2)"),
-                 field("free_m2", &ExportSummary::free_m2, "floor that nothing stands on (nav2)"),
-                 field("keepout_m2",
-                       &ExportSummary::keepout_m2,
-                       "of it, floor that robots keep out of (nav2)"),
-                 field("blocks", &ExportSummary::blocks, "blocks of a product (planogram)"),
-                 field("units", &ExportSummary::units, "items that stand in them (planogram)"),
-                 field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
-                 field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
-                 field("worst_position_error_m",
-                       &ExportSummary::worst_position_error_m,
-                       "largest distance of a product from its place in the scene"));
+  static constexpr auto fields = field_list(
+      field("fixtures", &ExportSummary::fixtures, "fixture modules"),
+      field("products", &ExportSummary::products, "single items"),
+      field("skus", &ExportSummary::skus, "different products"),
+      field("meshes", &ExportSummary::meshes, "meshes or geoms"),
+      field("free_bodies", &ExportSummary::free_bodies, "bodies that can move"),
+      field("joints", &ExportSummary::joints, "joints of fixtures"),
+      field("looks", &ExportSummary::looks, "products with a mesh and a picture (mjcf)"),
+      field("robots", &ExportSummary::robots, "robots that were put in"),
+      field("waypoints", &ExportSummary::waypoints, "places to drive to (nav2)"),
+      field("free_m2", &ExportSummary::free_m2, "floor that nothing stands on (nav2)"),
+      field(
+          "keepout_m2", &ExportSummary::keepout_m2, "of it, floor that robots keep out of (nav2)"),
+      field("blocks", &ExportSummary::blocks, "blocks of a product (planogram)"),
+      field("units", &ExportSummary::units, "items that stand in them (planogram)"),
+      field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
+      field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
+      field("worst_position_error_m",
+            &ExportSummary::worst_position_error_m,
+            "largest distance of a product from its place in the scene"));
 };
 
 struct ExportFormat {

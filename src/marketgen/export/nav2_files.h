@@ -1,5 +1,5 @@
-// What writer and reader of the nav2 export share: names of files, shades of cells, and how maps are
-// read.
+// What writer and reader of the nav2 export share: names of files, shades of cells, and how maps
+// are read.
 #pragma once
 #include <cstdint>
 #include <string_view>
@@ -9,8 +9,9 @@ namespace marketgen::exporters {
 constexpr const char *nav2_map_image = "map.pgm", *nav2_filters = "filters.yaml",
                      *nav2_waypoints = "waypoints.yaml";
 
-// As nav2_map_server reads them: how occupied a cell is, is how dark; more than `occupied_thresh` is
-// occupied, less than `free_thresh` free, all between unknown (trinary) or so many percent (scale).
+// As nav2_map_server reads them: how occupied a cell is, is how dark; more than `occupied_thresh`
+// is occupied, less than `free_thresh` free, all between unknown (trinary) or so many percent
+// (scale).
 struct Nav2Mode {
   std::string_view name;
   double occupied_thresh, free_thresh;

@@ -22,7 +22,8 @@ constexpr double min_height_m = 0.05, max_height_m = 10;
 constexpr std::int64_t max_cells = 100'000'000;
 
 // Share of its greatest speed that a robot may drive at. People come round the corner at doors, and
-// stand at tills; in a narrow aisle a shopper and the robot cannot pass each other. Our own figures.
+// stand at tills; in a narrow aisle a shopper and the robot cannot pass each other. Our own
+// figures.
 constexpr std::uint8_t door_percent = 50, checkout_percent = 50, narrow_percent = 70;
 
 int to_mm(double metres) {
@@ -119,21 +120,12 @@ int nav2_cell_mm(const ExportOptions& options) {
 }
 
 Result<void> check_nav2_options(const scene::Scene& scene, const ExportOptions& options) {
-  MARKETGEN_CHECK(check_range(options.resolution_m,
-                              min_resolution_m,
-                              max_resolution_m,
-                              "--resolution",
-                              "side of a cell"));
-  MARKETGEN_CHECK(check_range(options.robot_radius_m,
-                              min_radius_m,
-                              max_radius_m,
-                              "--robot-radius",
-                              "radius of a robot"));
-  MARKETGEN_CHECK(check_range(options.robot_height_m,
-                              min_height_m,
-                              max_height_m,
-                              "--robot-height",
-                              "height of a robot"));
+  MARKETGEN_CHECK(check_range(
+      options.resolution_m, min_resolution_m, max_resolution_m, "--resolution", "side of a cell"));
+  MARKETGEN_CHECK(check_range(
+      options.robot_radius_m, min_radius_m, max_radius_m, "--robot-radius", "radius of a robot"));
+  MARKETGEN_CHECK(check_range(
+      options.robot_height_m, min_height_m, max_height_m, "--robot-height", "height of a robot"));
   const RectMm bounds = bounds_of(plan::floor_of(scene.layout.shell)).grown(1000);
   const std::int64_t cell = nav2_cell_mm(options);
   const std::int64_t cells = bounds.area_mm2() / (cell * cell);
@@ -169,10 +161,10 @@ Nav2Map make_nav2_map(const scene::Scene& scene,
   Nav2Map map;
   map.frame = frame_of(floor, cell_mm);
   const navigation::OccupancyGrid on_floor = with_blocked(map.frame, {floor});
-  const navigation::OccupancyGrid solid = with_blocked(
-      navigation::make_occupancy(
-          polygon_of(map.frame.bounds), nav2_obstacles(scene, options), 0, cell_mm),
-      walls_below(scene.layout.shell, options.robot_height_m, cell_mm));
+  const navigation::OccupancyGrid solid =
+      with_blocked(navigation::make_occupancy(
+                       polygon_of(map.frame.bounds), nav2_obstacles(scene, options), 0, cell_mm),
+                   walls_below(scene.layout.shell, options.robot_height_m, cell_mm));
   std::vector<PolygonMm> staff;
   for (const layout::StaffFloor& behind : layout::staff_floor(scene.layout, catalog))
     staff.push_back(behind.polygon_mm);

@@ -23,9 +23,9 @@ struct Nav2Map {
   std::vector<std::uint8_t> speed_percent;  // of the robot's greatest speed; 0: no limit
 };
 
-// What stands on the floor lower than options.robot_height_m: fixtures by their footprints, columns,
-// and products that the plan put somewhere else than on a shelf. None is thinner than a cell, so
-// that none falls between the cells.
+// What stands on the floor lower than options.robot_height_m: fixtures by their footprints,
+// columns, and products that the plan put somewhere else than on a shelf. None is thinner than a
+// cell, so that none falls between the cells.
 std::vector<RectMm> nav2_obstacles(const scene::Scene& scene, const ExportOptions& options);
 
 // Whole millimetres.

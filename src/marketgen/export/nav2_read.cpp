@@ -205,8 +205,7 @@ Result<ReadMap> read_nav2_map(const std::filesystem::path& yaml) {
   map.columns = picture.columns, map.rows = picture.rows;
   map.values.reserve(picture.shades.size());
   for (int row = map.rows - 1; row >= 0; --row) {
-    const std::size_t from =
-        static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns);
+    const std::size_t from = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns);
     for (int column = 0; column < map.columns; ++column)
       map.values.push_back(value_of_shade(
           static_cast<unsigned char>(picture.shades[from + static_cast<std::size_t>(column)]),

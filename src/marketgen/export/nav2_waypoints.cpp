@@ -54,14 +54,14 @@ class Finder {
     for (const layout::StaffFloor& staff : layout::staff_floor(scene_.layout, catalog_))
       keepout.push_back(staff.polygon_mm);
     const plan::Shell& shell = scene_.layout.shell;
-    layout::Reach reach = layout::reach_on(
-        with_blocked(navigation::make_occupancy(plan::floor_of(shell),
-                                                nav2_obstacles(scene_, options),
-                                                radius_mm_,
-                                                nav2_cell_mm(options)),
-                     keepout),
-        layout::make_floor(shell),
-        shell);
+    layout::Reach reach =
+        layout::reach_on(with_blocked(navigation::make_occupancy(plan::floor_of(shell),
+                                                                 nav2_obstacles(scene_, options),
+                                                                 radius_mm_,
+                                                                 nav2_cell_mm(options)),
+                                      keepout),
+                         layout::make_floor(shell),
+                         shell);
     for (std::size_t cell = 0; cell < reach.grid.blocked.size(); ++cell) {
       if (!reach.reached(cell)) reach.grid.blocked[cell] = 1;
     }
@@ -92,8 +92,7 @@ class Finder {
       if (!in && opening.kind != plan::OpeningKind::exit) continue;
       const PointMm inward = plan::inward_from(opening.wall);
       const double sign = in ? 1 : -1;
-      const PointMm inside =
-          plan::point_inside(plan::shell_rect(shell), opening, radius_mm_ + 100);
+      const PointMm inside = plan::point_inside(plan::shell_rect(shell), opening, radius_mm_ + 100);
       const WaypointKind kind = in ? WaypointKind::entrance : WaypointKind::exit;
       if (!add({opening.id, kind, 0, 0, 0, {}, {}, {}},
                inside,
@@ -110,14 +109,8 @@ class Finder {
         return Vec2{double(to[0] - from[0]), double(to[1] - from[1])};
       };
       const auto add_place = [&](const char* what, PointMm at, Vec2 direction) {
-        Waypoint place{paying.fixture + what,
-                       WaypointKind::checkout,
-                       0,
-                       0,
-                       0,
-                       paying.fixture,
-                       till->zone,
-                       {}};
+        Waypoint place{
+            paying.fixture + what, WaypointKind::checkout, 0, 0, 0, paying.fixture, till->zone, {}};
         const std::string name = place.name;
         if (!add(std::move(place), at, till_reach_mm, direction))
           found_.unreachable.push_back(name);

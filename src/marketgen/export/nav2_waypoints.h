@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 4> names_of(WaypointKind) {
 
 // A pose of the robot's base, store frame.
 struct Waypoint {
-  std::string name;  // unique: an opening's id, "<fixture>/queue", "<fixture>/till", "<fixture>/side-0"
+  std::string
+      name;  // unique: an opening's id, "<fixture>/queue", "<fixture>/till", "<fixture>/side-0"
   WaypointKind kind = WaypointKind::shelf;
   double x_m = 0, y_m = 0, yaw = 0;     // radians; 0 looks east
   std::string fixture, zone;            // empty for doors

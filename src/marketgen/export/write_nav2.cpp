@@ -86,15 +86,16 @@ std::string map_yaml(const std::string& image,
 }
 
 std::string waypoint_line(const Waypoint& place) {
-  std::string line = fmt::format(R"(  - {{"name": {}, "kind": "{}", "x": {:.3f}, "y": {:.3f}, "yaw": {:.4f})",
-                                 quoted(place.name),
-                                 name_of(place.kind),
-                                 place.x_m,
-                                 place.y_m,
-                                 std::round(place.yaw * 1e4) * 1e-4 + 0.0);  // no -0.0000
+  std::string line =
+      fmt::format(R"(  - {{"name": {}, "kind": "{}", "x": {:.3f}, "y": {:.3f}, "yaw": {:.4f})",
+                  quoted(place.name),
+                  name_of(place.kind),
+                  place.x_m,
+                  place.y_m,
+                  std::round(place.yaw * 1e4) * 1e-4 + 0.0);  // no -0.0000
   if (!place.fixture.empty())
-    line += fmt::format(
-        R"(, "fixture": {}, "zone": {})", quoted(place.fixture), quoted(place.zone));
+    line +=
+        fmt::format(R"(, "fixture": {}, "zone": {})", quoted(place.fixture), quoted(place.zone));
   if (place.kind == WaypointKind::shelf)
     line += fmt::format(R"(, "categories": {})", quoted_list(place.categories));
   return line + "}\n";
@@ -162,7 +163,8 @@ std::string costmap_filters(const std::string& costmap) {
 }
 
 std::string filters_yaml(const std::string& folder) {
-  return "# Parameters of Nav2's costmap filters: servers of both masks, and the filters that read\n"
+  return "# Parameters of Nav2's costmap filters: servers of both masks, and the filters that "
+         "read\n"
          "# them. Paths are seen from the folder of the map's YAML.\n" +
          filter_servers("keepout", folder + "/keepout_mask.yaml", 0, "0.0", "1.0") +
          "# A mask's value is what is taken off the greatest speed, in percent; 0: no limit.\n" +
@@ -196,11 +198,10 @@ Result<ExportFiles> write_nav2(const scene::Scene& scene, const ExportOptions& o
            frame, map.keepout, [](std::uint8_t keepout) { return shade_of_value(keepout * 100); })},
       {"keepout_mask.yaml", map_yaml("keepout_mask.pgm", frame, nav2_scale)},
       {"speed_mask.pgm",
-       picture_of(frame,
-                  map.speed_percent,
-                  [](std::uint8_t percent) {
-                    return shade_of_value(percent == 0 ? 0 : 100 - percent);
-                  })},
+       picture_of(
+           frame,
+           map.speed_percent,
+           [](std::uint8_t percent) { return shade_of_value(percent == 0 ? 0 : 100 - percent); })},
       {"speed_mask.yaml", map_yaml("speed_mask.pgm", frame, nav2_scale)},
       {nav2_filters, filters_yaml(options.beside)},
       {nav2_waypoints, waypoints_yaml(waypoints, options)}};

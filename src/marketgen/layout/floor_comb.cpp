@@ -9,7 +9,7 @@
 namespace marketgen::layout {
 namespace {
 
-constexpr double min_squeeze = 0.85;     // aisles give up to 15 % where that wins another run
+constexpr double min_squeeze = 0.85;  // aisles give up to 15 % where that wins another run
 constexpr double planned_gap_share =
     0.7;  // a plan's own gap is an aisle from this share of the habit on
 constexpr double tighter_factor = 1.2;      // narrower aisles must hold this much more

@@ -53,7 +53,8 @@ std::vector<PayingPlace> paying_places(const Layout& layout, const catalog::Cata
     const Side passage = deep ? opposite(left_of(front)) : front;
     const Side shop = deep ? opposite(front) : opposite(left_of(front));
     const RectMm beside = strip_beyond(rect, passage, 2 * beside_lane_mm);
-    places.push_back({strip_beyond(beside, shop, 2 * queue_mm).center(), beside.center(), fixture.id});
+    places.push_back(
+        {strip_beyond(beside, shop, 2 * queue_mm).center(), beside.center(), fixture.id});
   }
   return places;
 }

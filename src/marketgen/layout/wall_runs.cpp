@@ -63,7 +63,7 @@ bool has_staff_aisle(const GroundBuild& ground,
                      const ModuleSpec& spec,
                      int clear_mm) {
   return is_counter(*spec.kind) && across(ground.ground.rect, job.side).length() >=
-                                                     staff_aisle_mm + spec.depth_mm + clear_mm / 2;
+                                       staff_aisle_mm + spec.depth_mm + clear_mm / 2;
 }
 
 // A way in for the staff: at the end that is not in a corner of the room.

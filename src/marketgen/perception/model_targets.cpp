@@ -74,8 +74,8 @@ std::optional<FoundProduct> ModelTargets::best_reading(const Goal& goal,
     for (const SurfacePatch& patch : all) {
       if (length(patch.middle - chosen.middle) > look.diagonal_m() / 2) continue;
       const FittedPose pose = poses_.pose(look, patch, views);
-      const Vec3f middle = to_float(pose.base_from_product *
-                                    to_double((look.low() + look.high()) * 0.5F));
+      const Vec3f middle =
+          to_float(pose.base_from_product * to_double((look.low() + look.high()) * 0.5F));
       if (pose.evidence.score < best_score ||
           length(middle - chosen.middle) > look.diagonal_m() / 2)
         continue;

@@ -70,8 +70,7 @@ std::map<std::pair<std::uint32_t, int>, int> bay_numbers(const Scene& scene) {
 void add_place(PlanogramRow& row, const Scene& scene, const Facing& facing) {
   const SceneShelf& shelf = scene.shelves[facing.shelf];
   const BayFront front = bay_front(scene, shelf);
-  const Pose bay_from_shelf =
-      inverse(front.world_from_bay) * world_from_shelf(scene, facing.shelf);
+  const Pose bay_from_shelf = inverse(front.world_from_bay) * world_from_shelf(scene, facing.shelf);
   const Vec3 at = bay_from_shelf * Vec3{facing.x_m - shelf.width_m / 2.0, 0, 0};
   row.bay_width_mm = to_mm(front.width_m);
   row.shelf_height_mm = to_mm(bay_from_shelf.position.z);

@@ -49,7 +49,8 @@ struct PlanogramRow {
       field("run", &PlanogramRow::run, "line of fixtures"),
       field("bay", &PlanogramRow::bay, "number of its bay on this side of the run, from the left"),
       field("bay_width_mm", &PlanogramRow::bay_width_mm, "of the bay's front"),
-      field("shelf_height_mm", &PlanogramRow::shelf_height_mm, "what packs stand on, over the floor"),
+      field(
+          "shelf_height_mm", &PlanogramRow::shelf_height_mm, "what packs stand on, over the floor"),
       field("bay_x_mm", &PlanogramRow::bay_x_mm, "left edge of the block, from the bay's left"),
       field("bay_y_mm", &PlanogramRow::bay_y_mm, "front edge of the shelf, from the bay's front"),
       field("bay_z_mm", &PlanogramRow::bay_z_mm, "underside of the block, over the floor"),

@@ -184,10 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Formats,
                          EveryFormat,
                          testing::ValuesIn(exporters::export_formats()),
                          name_of_format);
-INSTANTIATE_TEST_SUITE_P(Formats,
-                         WholeStore,
-                         testing::ValuesIn(whole_formats()),
-                         name_of_format);
+INSTANTIATE_TEST_SUITE_P(Formats, WholeStore, testing::ValuesIn(whole_formats()), name_of_format);
 
 TEST(Export, AnUnknownFormatNamesTheNearest) {
   const Result<void> written =
