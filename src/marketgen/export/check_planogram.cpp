@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
-#include <optional>
 #include <set>
+#include <tuple>
 
 #include "export/exporter.h"
 #include "io/csv.h"
@@ -16,13 +18,17 @@
 namespace marketgen::exporters {
 namespace {
 
-constexpr int bay_tolerance_mm = 5;  // rounding of places to millimetres, and of gaps
+constexpr double price_tolerance = 5e-4;  // euro
+constexpr int bay_tolerance_mm = 5;       // rounding of places to millimetres, and of gaps
 
 // What the check needs of a row.
 struct ReadPosition {
   std::string place;  // "shop.csv:12"
-  std::string fixture, gtin, sku;
-  int bay_width_mm = 0, x_mm = 0, width_mm = 0, facings_wide = 0, capacity = 0, units = 0;
+  std::string fixture, side, gtin, sku;
+  double price = 0;
+  int bay_width_mm = 0, shelf = 0, position = 0, x_mm = 0, z_mm = 0;
+  std::array<int, 3> size_mm{};  // width, depth, height
+  int facings_wide = 0, facings_high = 0, facings_deep = 0, capacity = 0, units = 0;
 };
 
 class Columns {
@@ -38,9 +44,10 @@ class Columns {
     return row.fields[found->second];
   }
 
-  Result<int> number(const io::CsvRow& row, const std::string& column) const {
+  template <class Number>
+  Result<Number> number(const io::CsvRow& row, const std::string& column) const {
     MARKETGEN_TRY(const std::string cell, text(row, column));
-    int value = 0;
+    Number value = 0;
     const auto [end, failed] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (failed != std::errc() || end != cell.data() + cell.size())
       return mismatch(place(row), "\"" + cell + "\" in column \"" + column + "\" is no number");
@@ -57,15 +64,28 @@ class Columns {
 Result<ReadPosition> position_in(const io::CsvRow& row, const Columns& columns) {
   ReadPosition read;
   read.place = columns.place(row);
-  MARKETGEN_TRY(read.fixture, columns.text(row, "fixture"));
-  MARKETGEN_TRY(read.gtin, columns.text(row, "gtin"));
-  MARKETGEN_TRY(read.sku, columns.text(row, "sku"));
-  MARKETGEN_TRY(read.bay_width_mm, columns.number(row, "bay_width_mm"));
-  MARKETGEN_TRY(read.x_mm, columns.number(row, "x_mm"));
-  MARKETGEN_TRY(read.width_mm, columns.number(row, "width_mm"));
-  MARKETGEN_TRY(read.facings_wide, columns.number(row, "facings_wide"));
-  MARKETGEN_TRY(read.capacity, columns.number(row, "capacity"));
-  MARKETGEN_TRY(read.units, columns.number(row, "units"));
+  const std::pair<const char*, std::string*> texts[] = {
+      {"fixture", &read.fixture}, {"side", &read.side}, {"gtin", &read.gtin}, {"sku", &read.sku}};
+  for (const auto& [column, value] : texts) {
+    MARKETGEN_TRY(*value, columns.text(row, column));
+  }
+  const std::pair<const char*, int*> numbers[] = {{"bay_width_mm", &read.bay_width_mm},
+                                                  {"shelf", &read.shelf},
+                                                  {"position", &read.position},
+                                                  {"x_mm", &read.x_mm},
+                                                  {"z_mm", &read.z_mm},
+                                                  {"width_mm", &read.size_mm[0]},
+                                                  {"depth_mm", &read.size_mm[1]},
+                                                  {"height_mm", &read.size_mm[2]},
+                                                  {"facings_wide", &read.facings_wide},
+                                                  {"facings_high", &read.facings_high},
+                                                  {"facings_deep", &read.facings_deep},
+                                                  {"capacity", &read.capacity},
+                                                  {"units", &read.units}};
+  for (const auto& [column, value] : numbers) {
+    MARKETGEN_TRY(*value, columns.number<int>(row, column));
+  }
+  MARKETGEN_TRY(read.price, columns.number<double>(row, "price"));
   return read;
 }
 
@@ -82,52 +102,101 @@ bool is_gtin(const std::string& text) {
   return sum % 10 == 0;
 }
 
-// Each row for itself: its product, its numbers and its room in the bay.
-Result<void> check_position(const ReadPosition& row,
-                            const std::map<std::string_view, const catalog::Product*>& products) {
-  const auto product = products.find(row.sku);
-  if (product == products.end())
-    return mismatch(row.place, "the store has no product \"" + row.sku + "\"");
-  if (!is_gtin(row.gtin) || row.gtin != product->second->ean)
-    return mismatch(row.place, "\"" + row.gtin + "\" is not the GTIN of \"" + row.sku + "\"");
+Result<void> check_counts(const ReadPosition& row) {
   if (row.units < 0 || row.units > row.capacity)
     return mismatch(row.place,
                     fmt::format("{} units stand where {} have room", row.units, row.capacity));
-  const int right = row.x_mm + row.facings_wide * row.width_mm;
-  if (row.x_mm < -bay_tolerance_mm || right > row.bay_width_mm + bay_tolerance_mm)
-    return mismatch(
-        row.place,
-        fmt::format(
-            "it reaches from {} to {} mm in a bay {} mm wide", row.x_mm, right, row.bay_width_mm));
+  const std::int64_t packs = std::int64_t{row.facings_wide} * row.facings_high * row.facings_deep;
+  if (std::min({row.facings_wide, row.facings_high, row.facings_deep}) < 1 ||
+      row.capacity != std::max<std::int64_t>(packs, row.units))
+    return mismatch(row.place,
+                    fmt::format("{} x {} x {} packs are no capacity of {}",
+                                row.facings_wide,
+                                row.facings_high,
+                                row.facings_deep,
+                                row.capacity));
   return {};
 }
 
-// Items that stand in blocks, by the fixture that carries them.
-std::map<std::string, std::int64_t> items_by_fixture(const scene::Scene& scene) {
-  std::map<std::string, std::int64_t> items;
+// Each row for itself: its product, its numbers and its room in the bay.
+Result<void> check_position(const ReadPosition& row,
+                            const std::map<std::string_view, const catalog::Product*>& products) {
+  const auto found = products.find(row.sku);
+  if (found == products.end())
+    return mismatch(row.place, "the store has no product \"" + row.sku + "\"");
+  const catalog::Product& product = *found->second;
+  if (!is_gtin(row.gtin) || row.gtin != product.ean)
+    return mismatch(row.place, "\"" + row.gtin + "\" is not the GTIN of \"" + row.sku + "\"");
+  if (!std::ranges::equal(row.size_mm, product.size_mm))
+    return mismatch(row.place, "\"" + row.sku + "\" is of another size");
+  if (std::abs(row.price - product.price) > price_tolerance)
+    return mismatch(row.place, fmt::format("{} is not the price of \"{}\"", row.price, row.sku));
+  MARKETGEN_CHECK(check_counts(row));
+  const int right = row.x_mm + row.facings_wide * row.size_mm[0];
+  if (row.x_mm < -bay_tolerance_mm || right > row.bay_width_mm + bay_tolerance_mm || row.z_mm < 0)
+    return mismatch(row.place,
+                    fmt::format("it reaches from {} to {} mm in a bay {} mm wide, {} mm up",
+                                row.x_mm,
+                                right,
+                                row.bay_width_mm,
+                                row.z_mm));
+  return {};
+}
+
+// Where goods stand, as both the file and the scene name it: fixture, side, number of the shelf,
+// SKU of the block.
+using ShelfAndSku = std::tuple<std::string, std::string, int, std::string>;
+using UnitsByShelf = std::map<ShelfAndSku, std::int64_t>;
+
+UnitsByShelf items_by_shelf(const scene::Scene& scene) {
+  UnitsByShelf items;
   for (const scene::SceneProduct& item : scene.products) {
     if (item.facing == scene::no_facing) continue;
-    const scene::SceneShelf& shelf = scene.shelves[scene.facings[item.facing].shelf];
-    ++items[scene.layout.fixtures[shelf.fixture].id];
+    const scene::Facing& facing = scene.facings[item.facing];
+    const scene::SceneShelf& shelf = scene.shelves[facing.shelf];
+    ++items[{scene.layout.fixtures[shelf.fixture].id,
+             shelf.side == 0 ? "front" : "back",
+             shelf.level + 1,
+             scene.catalog[facing.sku].sku}];
   }
   return items;
 }
 
-// Without fixtures of which every block is empty: scenes count items, not rows.
-Result<void> compare_units(const std::map<std::string, std::int64_t>& wanted,
-                           const std::map<std::string, std::int64_t>& found,
+std::string in_words(const ShelfAndSku& place) {
+  const auto& [fixture, side, shelf, sku] = place;
+  return fmt::format("of \"{}\" on shelf {} of \"{}\", {}", sku, shelf, fixture, side);
+}
+
+// Empty blocks have rows, but no items.
+Result<void> compare_units(const UnitsByShelf& items,
+                           const UnitsByShelf& units,
                            const std::string& where) {
-  for (const auto& [fixture, units] : wanted) {
-    const auto read = found.find(fixture);
-    const std::int64_t number = read == found.end() ? 0 : read->second;
-    if (number != units)
+  for (const auto& [place, number] : items) {
+    const auto read = units.find(place);
+    const std::int64_t said = read == units.end() ? 0 : read->second;
+    if (said != number)
       return mismatch(
           where,
-          fmt::format("it has {} units on \"{}\", the store {} items", number, fixture, units));
+          fmt::format("it has {} units {}, the store {} items", said, in_words(place), number));
   }
-  for (const auto& [fixture, units] : found) {
-    if (units > 0 && !wanted.contains(fixture))
-      return mismatch(where, "the store has nothing on \"" + fixture + "\"");
+  for (const auto& [place, number] : units) {
+    if (number > 0 && !items.contains(place))
+      return mismatch(where, fmt::format("the store has nothing {}", in_words(place)));
+  }
+  return {};
+}
+
+// Each position of a shelf is there once.
+Result<void> check_order(const std::vector<ReadPosition>& positions) {
+  std::map<std::tuple<std::string, std::string, int, int>, std::string> places;
+  for (const ReadPosition& row : positions) {
+    const auto [first, is_new] =
+        places.emplace(std::tuple{row.fixture, row.side, row.shelf, row.position}, row.place);
+    if (!is_new || row.shelf < 1 || row.position < 1)
+      return mismatch(
+          row.place,
+          fmt::format(
+              "position {} of shelf {} is taken: {}", row.position, row.shelf, first->second));
   }
   return {};
 }
@@ -162,17 +231,19 @@ Result<ExportSummary> check_planogram(const scene::Scene& scene,
   std::map<std::string_view, const catalog::Product*> products;
   for (const catalog::Product& product : scene.catalog)
     products.emplace(product.sku, &product);
-  std::map<std::string, std::int64_t> units;
-  std::set<std::string> skus;
+  UnitsByShelf units;
+  std::set<std::string> skus, fixtures;
   ExportSummary summary;
   for (const ReadPosition& position : positions) {
     MARKETGEN_CHECK(check_position(position, products));
-    units[position.fixture] += position.units;
+    units[{position.fixture, position.side, position.shelf, position.sku}] += position.units;
+    fixtures.insert(position.fixture);
     summary.units += static_cast<std::uint64_t>(position.units);
     skus.insert(position.sku);
   }
-  MARKETGEN_CHECK(compare_units(items_by_fixture(scene), units, file.string()));
-  summary.fixtures = units.size();
+  MARKETGEN_CHECK(check_order(positions));
+  MARKETGEN_CHECK(compare_units(items_by_shelf(scene), units, file.string()));
+  summary.fixtures = fixtures.size();
   summary.products = summary.units;
   summary.skus = skus.size();
   summary.blocks = positions.size();

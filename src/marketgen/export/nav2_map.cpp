@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/box_extents.h"
+#include "layout/route.h"
 #include "layout/staff_floor.h"
 #include "physics/world/shell_pieces.h"
 #include "plan/bsp.h"
@@ -94,16 +95,17 @@ struct SlowFloor {
 };
 
 // The slowest last, so that it holds where several meet.
-std::vector<SlowFloor> slow_floors(const scene::Scene& scene, const ExportOptions& options) {
+std::vector<SlowFloor> slow_floors(const scene::Scene& scene,
+                                   const catalog::Catalog& catalog,
+                                   const ExportOptions& options) {
   const layout::Layout& layout = scene.layout;
-  const int passing_mm = layout::person_width_mm + 2 * to_mm(options.robot_radius_m);
   SlowFloor narrow{narrow_percent, {}}, checkouts{checkout_percent, {}}, doors{door_percent, {}};
   for (const layout::Aisle& aisle : layout.aisles) {
-    if (aisle.kind == layout::AisleKind::checkout)
-      checkouts.polygons.push_back(aisle.polygon_mm);
-    else if (aisle.width_mm < passing_mm)
-      narrow.polygons.push_back(aisle.polygon_mm);
+    SlowFloor& floor = aisle.kind == layout::AisleKind::checkout ? checkouts : narrow;
+    if (is_slow_aisle(aisle, options)) floor.polygons.push_back(aisle.polygon_mm);
   }
+  for (const layout::PayingPlace& paying : layout::paying_places(layout, catalog))
+    checkouts.polygons.push_back(polygon_of(paying.floor));
   const layout::Floor floor = layout::make_floor(layout.shell);
   for (const layout::Doorway& door : floor.doorways) {
     const plan::OpeningKind kind = layout.shell.openings[door.opening].kind;
@@ -114,6 +116,11 @@ std::vector<SlowFloor> slow_floors(const scene::Scene& scene, const ExportOption
 }
 
 }  // namespace
+
+bool is_slow_aisle(const layout::Aisle& aisle, const ExportOptions& options) {
+  const int passing_mm = layout::person_width_mm + 2 * to_mm(options.robot_radius_m);
+  return aisle.kind == layout::AisleKind::checkout || aisle.width_mm < passing_mm;
+}
 
 int nav2_cell_mm(const ExportOptions& options) {
   return to_mm(options.resolution_m);
@@ -180,7 +187,7 @@ Nav2Map make_nav2_map(const scene::Scene& scene,
                                          : Nav2Cell::unknown;
     map.keepout[i] = !inside || staff_floor.blocked[i] != 0 ? 1 : 0;
   }
-  for (const SlowFloor& slow : slow_floors(scene, options)) {
+  for (const SlowFloor& slow : slow_floors(scene, catalog, options)) {
     const navigation::OccupancyGrid there = with_blocked(map.frame, slow.polygons);
     for (std::size_t i = 0; i < cells; ++i) {
       if (there.blocked[i] != 0 && on_floor.blocked[i] != 0) map.speed_percent[i] = slow.percent;

@@ -28,6 +28,10 @@ struct Nav2Map {
 // cell, so that none falls between the cells.
 std::vector<RectMm> nav2_obstacles(const scene::Scene& scene, const ExportOptions& options);
 
+// Robots drive slowly in aisles that lead to tills, and where a shopper with a basket and the robot
+// cannot pass each other.
+bool is_slow_aisle(const layout::Aisle& aisle, const ExportOptions& options);
+
 // Whole millimetres.
 int nav2_cell_mm(const ExportOptions& options);
 

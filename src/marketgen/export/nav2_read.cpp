@@ -1,5 +1,7 @@
 #include "export/nav2_read.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -168,6 +170,7 @@ Result<ReadWaypoint> waypoint_in(const std::string& text, const std::string& whe
   read.name = row["name"].get<std::string>(), read.kind = row["kind"].get<std::string>();
   read.x = row["x"].get<double>(), read.y = row["y"].get<double>();
   read.yaw = row["yaw"].get<double>();
+  if (is_text("fixture")) read.fixture = row["fixture"].get<std::string>();
   if (row.contains("categories")) {
     MARKETGEN_TRY(read.categories, texts_in(row["categories"], where));
   }
@@ -180,8 +183,16 @@ std::size_t ReadMap::cell_at(double x_m, double y_m) const {
   const double column = std::floor((x_m - origin[0]) / resolution_m);
   const double row = std::floor((y_m - origin[1]) / resolution_m);
   if (column < 0 || row < 0 || column >= columns || row >= rows) return values.size();
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-         static_cast<std::size_t>(column);
+  return index(static_cast<int>(column), static_cast<int>(row));
+}
+
+PointMm ReadMap::center(int column, int row) const {
+  return {static_cast<int>(std::lround(x_of(column) * 1000)),
+          static_cast<int>(std::lround(y_of(row) * 1000))};
+}
+
+std::string ReadMap::in_words(int column, int row) const {
+  return fmt::format("the cell at {:.3f}, {:.3f} m", x_of(column), y_of(row));
 }
 
 Result<std::filesystem::path> image_named_in(const std::filesystem::path& yaml) {
@@ -190,6 +201,19 @@ Result<std::filesystem::path> image_named_in(const std::filesystem::path& yaml) 
   if (image == values.end() || !image->second.is_string())
     return mismatch(yaml.string(), "it names no \"image\"");
   return yaml.parent_path() / image->second.get<std::string>();
+}
+
+Result<std::vector<std::string>> masks_named_in(const std::filesystem::path& yaml) {
+  MARKETGEN_TRY(const std::vector<YamlLine> lines, lines_of(yaml));
+  std::vector<std::string> masks;
+  for (const YamlLine& line : lines) {
+    if (!line.text.starts_with("yaml_filename:")) continue;
+    MARKETGEN_TRY(const auto entry, entry_of(yaml, line));
+    const Json mask = value_of(entry.second);
+    if (!mask.is_string()) return mismatch(place(yaml, line), "it names no map");
+    masks.push_back(mask.get<std::string>());
+  }
+  return masks;
 }
 
 Result<ReadMap> read_nav2_map(const std::filesystem::path& yaml) {

@@ -78,9 +78,9 @@ std::string map_yaml(const std::string& image,
       "free_thresh: {}\n",
       quoted(image),
       mode.name,
-      frame.cell_mm * 1e-3,
-      frame.bounds.x0 * 1e-3,
-      frame.bounds.y0 * 1e-3,
+      frame.cell_mm / 1000.0,  // the nearest number to so many millimetres, as `* 1e-3` is not
+      frame.bounds.x0 / 1000.0,
+      frame.bounds.y0 / 1000.0,
       mode.occupied_thresh,
       mode.free_thresh);
 }

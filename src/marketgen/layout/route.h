@@ -22,6 +22,7 @@ Route shopper_route(const Layout& layout, const catalog::Catalog& catalog);
 struct PayingPlace {
   PointMm queue, till;
   std::string fixture;  // id of the till
+  RectMm floor;         // where they stand to pay: a lane's passage, or what lies before a machine
 };
 std::vector<PayingPlace> paying_places(const Layout& layout, const catalog::Catalog& catalog);
 

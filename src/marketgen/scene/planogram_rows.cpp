@@ -113,7 +113,7 @@ std::vector<PlanogramRow> planogram_rows(const Scene& scene) {
     row.fixture = fixture.id, row.run = fixture.run;
     row.level = shelf.level, row.side = shelf.side, row.position = facing.position;
     row.bay = bays.at({shelf.fixture, shelf.side});
-    row.x_mm = to_mm(facing.x_m);
+    row.x_mm = static_cast<int>(std::lround(facing.x_m * 1000));  // as floats round it
     row.use = shelf.use;
     row.promotion = promoted[f];
     row.orientation = face_seen(scene, facing);

@@ -58,6 +58,24 @@ class Nav2 : public testing::Test {
     text.replace(place, from.size(), to);
     ASSERT_TRUE(io::write_file(folder_ / "shop_assets" / name, text).ok());
   }
+  // The check's error with one cell of a picture of the shade; the picture is as before afterwards.
+  std::string fault_with_cell(const std::string& name, double x_m, double y_m, char shade) const {
+    const std::size_t columns = 130, rows = 90, header = std::string("P5\n130 90\n255\n").size();
+    const fs::path picture = folder_ / "shop_assets" / name;
+    const std::string bytes = *io::read_file(picture);
+    EXPECT_TRUE(bytes.starts_with("P5\n130 90\n255\n")) << "6.5 x 4.5 m, 0.25 m beyond the room";
+    std::string changed = bytes;
+    changed[header + (rows - 1 - static_cast<std::size_t>((y_m + 0.25) / 0.05)) * columns +
+            static_cast<std::size_t>((x_m + 0.25) / 0.05)] = shade;
+    EXPECT_TRUE(io::write_file(picture, changed).ok());
+    const std::string seen = fault();
+    EXPECT_TRUE(io::write_file(picture, bytes).ok());
+    return seen;
+  }
+  static testing::AssertionResult says(const std::string& fault, const std::string& what) {
+    if (fault.find(what) != std::string::npos) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "\"" << fault << "\" says nothing of " << what;
+  }
   fs::path file() const { return folder_ / "shop.yaml"; }
 
   scene::Scene scene_;
@@ -102,27 +120,25 @@ TEST_F(Nav2, AProductOnTheFloorIsInTheWayHoweverSmall) {  // smaller than a cell
 TEST_F(Nav2, TheCheckSeesAWallThatIsGoneAndOneTooMany) {
   write();
   ASSERT_EQ(fault(), "");
-  std::string picture = *io::read_file(folder_ / "shop_assets/map.pgm");
-  const std::size_t header = picture.find("255\n") + 4;
-  const std::size_t columns = 130, north_row = 5 + 80;  // 6.5 m wide; rows from the north
-  const auto cell = [&](double x_m, double y_m) {
-    return header + (north_row - 1 - static_cast<std::size_t>(y_m / 0.05)) * columns +
-           static_cast<std::size_t>((x_m + 0.25) / 0.05);
-  };
-  std::string holed = picture;
-  holed[cell(3, 3.7)] = '\xfe';
-  ASSERT_TRUE(io::write_file(folder_ / "shop_assets/map.pgm", holed).ok());
-  EXPECT_NE(fault().find("dry/run-1/module-1"), std::string::npos) << fault();
-  std::string dirty = picture;
-  dirty[cell(4.5, 2)] = '\0';
-  ASSERT_TRUE(io::write_file(folder_ / "shop_assets/map.pgm", dirty).ok());
-  EXPECT_NE(fault().find("4.525, 2.025 m is floor"), std::string::npos) << fault();
-  std::string outside = picture;
-  outside[cell(-0.1, 2)] = '\xfe';
-  ASSERT_TRUE(io::write_file(folder_ / "shop_assets/map.pgm", outside).ok());
-  EXPECT_NE(fault().find("outside the room"), std::string::npos) << fault();
+  EXPECT_TRUE(says(fault_with_cell("map.pgm", 3, 3.7, '\xfe'), "dry/run-1/module-1"));
+  EXPECT_TRUE(says(fault_with_cell("map.pgm", 0.62, 0.62, '\xfe'), "0.625, 0.625 m is taken"));
+  EXPECT_TRUE(says(fault_with_cell("map.pgm", 4.5, 2, '\0'), "4.525, 2.025 m is floor"));
+  EXPECT_TRUE(says(fault_with_cell("map.pgm", -0.1, 2, '\xfe'), "outside the room"));
+  const std::string picture = *io::read_file(folder_ / "shop_assets/map.pgm");
   ASSERT_TRUE(io::write_file(folder_ / "shop_assets/map.pgm", picture.substr(0, 900)).ok());
-  EXPECT_NE(fault().find("pixels"), std::string::npos) << fault();
+  EXPECT_TRUE(says(fault(), "pixels"));
+}
+
+TEST_F(Nav2, TheCheckSeesAMaskThatIsOpenClosedFastOrSlowInTheWrongPlace) {
+  write();
+  ASSERT_EQ(fault(), "");
+  EXPECT_TRUE(says(fault_with_cell("keepout_mask.pgm", 3, 2, '\0'), "is shoppers' floor"));
+  EXPECT_TRUE(says(fault_with_cell("keepout_mask.pgm", -0.2, 2, '\xff'), "is not for robots"));
+  EXPECT_TRUE(says(fault_with_cell("speed_mask.pgm", 1.5, 0.5, '\xff'), "where people pass"));
+  EXPECT_TRUE(says(fault_with_cell("speed_mask.pgm", 4.5, 2.5, '\x80'), "is open floor"));
+  EXPECT_TRUE(says(fault_with_cell("speed_mask.pgm", 1.5, 0.5, '\0'), "has no speed"));
+  replace("filters.yaml", "shop_assets/speed_mask.yaml", "shop_assets/map.yaml");
+  EXPECT_TRUE(says(fault(), "no server loads speed_mask.yaml"));
 }
 
 TEST_F(Nav2, TheCheckSeesAWaypointInAShelfOneThatIsMissingAndAnotherRobot) {
@@ -136,6 +152,18 @@ TEST_F(Nav2, TheCheckSeesAWaypointInAShelfOneThatIsMissingAndAnotherRobot) {
   write();
   replace("waypoints.yaml", "robot_radius: 0.42", "robot_radius: 0.3");
   EXPECT_NE(fault().find("another radius"), std::string::npos) << fault();
+  write();
+  replace("waypoints.yaml", "\"yaw\": 1.5708, \"fixture\"", "\"yaw\": 0.0, \"fixture\"");
+  EXPECT_TRUE(says(fault(), "at \"" + name + "\" the robot does not look at its shelf"));
+  write();
+  replace("waypoints.yaml", "\"categories\": [\"", "\"categories\": [\"no ");
+  EXPECT_TRUE(says(fault(), "sells other categories"));
+  write();
+  replace("waypoints.yaml", "categories:\n  \"", "categories:\n  \"no ");
+  EXPECT_TRUE(says(fault(), "names other places than sell it"));
+  write();
+  replace("waypoints.yaml", "\"kind\": \"shelf\"", "\"kind\": \"checkout\"");
+  EXPECT_TRUE(says(fault(), "is no \"checkout\""));
   write();
   replace("keepout_mask.yaml", "resolution: 0.05", "resolution: 0.06");
   EXPECT_NE(fault().find("not those of the map"), std::string::npos) << fault();

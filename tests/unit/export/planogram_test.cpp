@@ -66,7 +66,11 @@ TEST_F(Planogram, HasARowForEachBlockInTheWordsOfTheTrade) {
 TEST_F(Planogram, EachFaultIsNamedWithItsRow) {
   EXPECT_TRUE(says(fault_with("2000000000015", "2000000000022"), "shop.csv:2: \"2000000000022\""));
   EXPECT_TRUE(says(fault_with("can-cola", "can-lime"), "has no product \"can-lime\""));
-  EXPECT_TRUE(says(fault_with(",1,1,front", ",1,0,front"), "it has 7 units on"));
+  EXPECT_TRUE(says(fault_with(",1,1,front", ",1,0,front"), "it has 4 units of \"can-cola\" on"));
+  EXPECT_TRUE(says(fault_with(",66,1,1,1,1,", ",66,2,1,1,1,"), "2 x 1 x 1 packs are no capacity"));
+  EXPECT_TRUE(says(fault_with("66,115,66", "66,115,67"), "\"can-cola\" is of another size"));
+  EXPECT_TRUE(says(fault_with(",unit,0.99", ",unit,1.99"), "1.99 is not the price"));
+  EXPECT_TRUE(says(fault_with(",front,1,1250,1,150,1,", ",back,1,1250,1,150,1,"), "\", front"));
   EXPECT_TRUE(says(fault_with(",1,1,front", ",1,2,front"), "2 units stand where 1 have room"));
   EXPECT_TRUE(says(fault_with(",1250,1,150,1,5,", ",1250,1,150,1,1200,"), "from 1200 to 1266 mm"));
   EXPECT_TRUE(says(fault_with(",1250,1,", ",wide,1,"), "\"wide\" in column \"bay_width_mm\""));
