@@ -98,6 +98,20 @@ TEST_F(Nav2, WhatStandsIsOccupiedAndWhatIsOutsideUnknown) {  // a room of 6 x 4 
   EXPECT_EQ(map.speed_percent[index(map, 4.5, 2.5)], 0);
 }
 
+TEST_F(Nav2, ASlantedWallIsClosedAndBeyondItNothingIsKnown) {  // across the north-east corner
+  scene_.layout.shell.outline_mm = {{0, 0}, {6000, 0}, {6000, 2500}, {4500, 4000}, {0, 4000}};
+  for (const double resolution_m : {0.02, 0.05, 0.25}) {
+    options_.resolution_m = resolution_m;
+    const exporters::Nav2Map map = map_of(scene_);
+    EXPECT_EQ(at(map, 4.6, 2.9), Nav2Cell::free);
+    EXPECT_EQ(at(map, 5.32, 3.32), Nav2Cell::occupied);  // the middle of the wall, 0.2 m thick
+    EXPECT_EQ(at(map, 5.7, 3.7), Nav2Cell::unknown);
+    EXPECT_EQ(map.keepout[index(map, 5.7, 3.7)], 1);
+    write();
+    EXPECT_EQ(fault(), "");
+  }
+}
+
 TEST_F(Nav2, WhatHangsOverTheRobotIsNoObstacle) {
   for (scene::ScenePart& part : scene_.parts)
     part.position_m[2] += 1.5F;
