@@ -153,12 +153,15 @@ Result<ExportSummary> check_nav2(const scene::Scene& scene,
   MARKETGEN_CHECK(compare_places(scene, catalog, map, waypoints, ways.string()));
 
   ExportSummary summary;
-  const double cell_m2 = map.resolution_m * map.resolution_m;
+  std::size_t open = 0, kept_out = 0;  // cells
   for (std::size_t i = 0; i < map.values.size(); ++i) {
     if (map.values[i] != nav2_free) continue;
-    summary.free_m2 += cell_m2;
-    summary.keepout_m2 += keepout.values[i] != 0 ? cell_m2 : 0;
+    ++open;
+    kept_out += keepout.values[i] != 0 ? 1 : 0;
   }
+  const double cell_m2 = map.resolution_m * map.resolution_m;
+  summary.free_m2 = static_cast<double>(open) * cell_m2;
+  summary.keepout_m2 = static_cast<double>(kept_out) * cell_m2;
   summary.fixtures = standing.size();
   summary.waypoints = waypoints.places.size();
   summary.in_words = fmt::format(
