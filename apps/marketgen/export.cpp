@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "base/parallel.h"
 #include "base/text.h"
@@ -22,7 +23,19 @@ struct ExportFlags {
   std::string folder, format, output, free_region, skin;
   std::vector<std::string> robots;
   bool check = false, instanced = false, still = false, primitives = false;
+  std::optional<double> resolution, robot_radius, robot_height;
 };
+
+// Flags that say something of one format alone are slips beside another.
+Result<void> check_maps(const ExportFlags& flags) {
+  if (flags.format == "nav2") return {};
+  for (const auto& [flag, value] : {std::pair{"--resolution", flags.resolution},
+                                    {"--robot-radius", flags.robot_radius},
+                                    {"--robot-height", flags.robot_height}}) {
+    if (value) return Error{"usage.bad_flag", flag, "it is for --format nav2 only"};
+  }
+  return {};
+}
 
 Result<std::array<double, 4>> parse_region(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
@@ -47,12 +60,16 @@ Result<std::array<double, 4>> parse_region(const std::string& text) {
 Result<void> run_export(const ExportFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   io::Outputs outputs;
+  MARKETGEN_CHECK(check_maps(flags));
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const scene::Scene scene, scene_in_skin(flags.folder, flags.skin));
   exporters::ExportOptions options;
   options.instanced = flags.instanced;
   options.still_fixtures = flags.still;
   options.looks = !flags.primitives;
+  options.resolution_m = flags.resolution.value_or(options.resolution_m);
+  options.robot_radius_m = flags.robot_radius.value_or(options.robot_radius_m);
+  options.robot_height_m = flags.robot_height.value_or(options.robot_height_m);
   if (!flags.robots.empty() && flags.format != "mjcf")
     return Error{"usage.bad_flag", "--robot", "robots go into --format mjcf only"};
   MARKETGEN_TRY(options.robots, collect::standing_robots(scene, flags.robots, "--robot "));
@@ -70,14 +87,7 @@ Result<void> run_export(const ExportFlags& flags) {
   if (flags.common.json)
     fmt::print("{}", io::write_json(summary));
   else
-    say("file        {}\nread back   {} products, {} fixtures, {} free bodies, {} joints; worst "
-        "position error {:.3f} mm\n",
-        flags.output,
-        summary.products,
-        summary.fixtures,
-        summary.free_bodies,
-        summary.joints,
-        1000 * summary.worst_position_error_m);
+    say("file        {}\nread back   {}\n", flags.output, summary.in_words);
   return {};
 }
 
@@ -111,13 +121,24 @@ Run add_export(CLI::App& app) {
           flags->robots,
           "mjcf: put a robot in (repeatable): ROW@X,Y[,HEADING_DEG][,...] as `render` takes it")
       ->allow_extra_args(false);
+  command->add_option("--resolution",
+                      flags->resolution,
+                      "nav2: side of a map's cell in metres, 0.01 to 0.25 (0.05)");
+  command->add_option("--robot-radius",
+                      flags->robot_radius,
+                      "nav2: metres from the robot's middle that waypoints keep free (0.42)");
+  command->add_option("--robot-height",
+                      flags->robot_height,
+                      "nav2: metres over the floor; what hangs higher is not on the map (2)");
   command->add_option("--skin", flags->skin, "export the store in the look of this style");
   command->add_flag("--check", flags->check, "read the file back and compare it with the store");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Formats:" + formats +
                   "\nExample:  marketgen export shop --format glb -o shop.glb --check"
                   "\n          marketgen export shop --format mjcf -o shop.xml --robot "
-                  "realman-rm75@4.2,3.1,90");
+                  "realman-rm75@4.2,3.1,90"
+                  "\n          marketgen export shop --format nav2 -o shop.yaml --check"
+                  "\n          marketgen export shop --format planogram -o planogram.csv --check");
   return [flags] {
     const auto done = run_export(*flags);
     return done.ok() ? 0 : fail(done.error());

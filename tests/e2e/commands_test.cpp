@@ -573,6 +573,23 @@ TEST(Export, GlbAndMjcfReadBack) {
   }
 }
 
+TEST(Export, MapsAndPlanogramsReadBack) {
+  const ScratchFolder scratch;
+  const json counts = manifest()["counts"];
+  const json maps =
+      json_of({"export", shop(), "--format", "nav2", "-o", "shop.yaml", "--check", "--json"},
+              scratch.path());
+  EXPECT_EQ(maps["fixtures"], counts["fixtures"]);
+  EXPECT_GT(maps["waypoints"], 2);
+  EXPECT_GT(maps["free_m2"], 10.0);
+  for (const char* name : {"map.pgm", "keepout_mask.yaml", "speed_mask.pgm", "waypoints.yaml"})
+    EXPECT_TRUE(fs::exists(scratch.path() / "shop_assets" / name)) << name;
+  const json planogram =
+      json_of({"export", shop(), "--format", "planogram", "-o", "shop.csv", "--check", "--json"},
+              scratch.path());
+  EXPECT_EQ(planogram["units"], counts["products"]);
+}
+
 // ---- assets, doctor, bench. ----
 
 TEST(Assets, ListShowSearch) {

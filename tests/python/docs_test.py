@@ -190,8 +190,11 @@ def known_flags():
     return flags
 
 
-# Of other programs: CMake, ctest, GoogleTest, pip, git.
-OTHERS_FLAGS = {"--preset", "--build", "--target", "--gtest", "--no-build-isolation", "--depth", "--python", "--size-prefixed", "--raw-binary"}
+# Of other programs: CMake, ctest, GoogleTest, pip, git, ROS 2.
+OTHERS_FLAGS = {"--preset", "--build", "--target", "--gtest", "--no-build-isolation", "--depth", "--python", "--size-prefixed", "--raw-binary"} | {
+    "--ros-args",
+    "--params-file",
+}
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name_of)

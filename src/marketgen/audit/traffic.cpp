@@ -1,13 +1,13 @@
 #include "audit/traffic.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
 #include "navigation/occupancy.h"
 #include "plan/bsp.h"
 #include "plan/floor_places.h"
+#include "scene/standing_place.h"
 
 namespace marketgen::audit {
 namespace {
@@ -25,12 +25,6 @@ int entrance_component(const layout::Layout& layout,
     if (cell) return components.label[*cell];
   }
   return components.largest();
-}
-
-// Where a robot's base would stand for this shelf.
-PointMm standing_point(const scene::Scene& scene, std::uint32_t shelf) {
-  const Vec3 at = scene::world_from_shelf(scene, shelf) * Vec3{0, -standing_mm * 1e-3, 0};
-  return {static_cast<int>(std::lround(at.x * 1000)), static_cast<int>(std::lround(at.y * 1000))};
 }
 
 }  // namespace
@@ -63,8 +57,8 @@ Traffic measure_traffic(const scene::Scene& scene) {
   const int entrance = entrance_component(scene.layout, grid, components);
   std::map<std::pair<std::uint32_t, std::int32_t>, bool> bays;  // fixture and side: is it reached
   for (std::uint32_t shelf = 0; shelf < scene.shelves.size(); ++shelf) {
-    const auto cell =
-        navigation::nearest_free(grid, standing_point(scene, shelf), standing_reach_mm);
+    const auto cell = navigation::nearest_free(
+        grid, scene::standing_point(scene, shelf), scene::standing_reach_mm);
     const bool is_reached = cell && components.label[*cell] == entrance;
     if (!is_reached) traffic.unreachable.push_back(shelf);
     bays[{scene.shelves[shelf].fixture, scene.shelves[shelf].side}] |= is_reached;

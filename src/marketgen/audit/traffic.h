@@ -6,8 +6,6 @@
 namespace marketgen::audit {
 
 constexpr int robot_radius_mm = 420;  // Realman dual-arm base with shoulders, turning in place
-constexpr int standing_mm = 700;  // base centre before the shelf's edge (arms reach 0.60-0.80 m)
-constexpr int standing_reach_mm = 250;  // how far from that point it may stand
 
 struct Traffic {
   double largest_share = 1;  // largest free component / free floor

@@ -20,10 +20,6 @@ constexpr double position_tolerance_m = 1e-4;  // the promise of check_export: 0
 constexpr double bounds_tolerance_m =
     2e-3;  // fixtures reach past the walls in no store, so this is all about walls
 
-Error mismatch(const std::string& where, std::string message) {
-  return {"export.mismatch", where, std::move(message) + "; export the store again"};
-}
-
 std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}", with_thousands(static_cast<std::int64_t>(count)), what);
 }
@@ -220,6 +216,10 @@ Result<void> compare_looks_and_robots(const ExportOptions& options,
 
 }  // namespace
 
+Error mismatch(const std::string& where, std::string message) {
+  return {"export.mismatch", where, std::move(message) + "; export the store again"};
+}
+
 Result<ExportSummary> compare_with_scene(const scene::Scene& scene,
                                          const ExportOptions& options,
                                          const ExportContents& contents,
@@ -246,6 +246,13 @@ Result<ExportSummary> compare_with_scene(const scene::Scene& scene,
   summary.bounds_low_m = {bounds.low.x, bounds.low.y, bounds.low.z};
   summary.bounds_high_m = {bounds.high.x, bounds.high.y, bounds.high.z};
   summary.worst_position_error_m = worst;
+  summary.in_words = fmt::format(
+      "{} products, {} fixtures, {} free bodies, {} joints; worst position error {:.3f} mm",
+      summary.products,
+      summary.fixtures,
+      summary.free_bodies,
+      summary.joints,
+      1000 * summary.worst_position_error_m);
   return summary;
 }
 

@@ -11,18 +11,25 @@
 namespace marketgen::exporters {
 namespace {
 
+// Of `read` and `check` one is null: whole stores are read and compared, extracts check themselves.
 struct Exporter {
   ExportFormat format;
   Result<ExportFiles> (*write)(const scene::Scene&, const ExportOptions&);
   Result<ExportContents> (*read)(const std::filesystem::path&,
                                  const std::vector<catalog::Product>&);
+  Result<ExportSummary> (*check)(const scene::Scene&,
+                                 const std::filesystem::path&,
+                                 const ExportOptions&);
 };
 
 constexpr Exporter exporters[] = {
 #define EXPORT_FORMAT(name, description, extension) \
-  {{#name, description, extension}, write_##name, read_##name},
+  {{#name, description, extension, true}, write_##name, read_##name, nullptr},
+#define EXPORT_EXTRACT(name, description, extension) \
+  {{#name, description, extension, false}, write_##name, nullptr, check_##name},
 #include "export/export_formats.inc"
 #undef EXPORT_FORMAT
+#undef EXPORT_EXTRACT
 };
 
 Result<const Exporter*> exporter_named(std::string_view name) {
@@ -79,6 +86,7 @@ Result<ExportSummary> check_export(const scene::Scene& scene,
                                    const std::filesystem::path& file,
                                    const ExportOptions& options) {
   MARKETGEN_TRY(const Exporter* exporter, exporter_named(format));
+  if (exporter->check != nullptr) return exporter->check(scene, file, options);
   MARKETGEN_TRY(const ExportContents contents, exporter->read(file, scene.catalog));
   return compare_with_scene(scene, options, contents, file.string());
 }

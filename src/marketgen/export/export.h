@@ -9,6 +9,7 @@
 
 #include "base/fields.h"
 #include "base/result.h"
+#include "layout/reach.h"
 #include "robots/placed_robot.h"
 #include "scene/scene.h"
 
@@ -16,6 +17,11 @@ namespace marketgen::exporters {
 
 // x0, y0, x1, y1 in metres: products whose centre lies inside become free bodies (MJCF).
 struct ExportOptions {
+  double resolution_m = 0.05;  // nav2: side of a cell; 0.01 to 0.25, rounded to whole millimetres
+  // nav2: whose waypoints these are. Its radius is what layouts are made for (layout/reach.h); what
+  // begins higher than it is no obstacle.
+  double robot_radius_m = layout::robot_width_mm * 0.5e-3;
+  double robot_height_m = 2;
   std::optional<std::array<double, 4>> free_region_m;
   bool instanced = false;       // glb: EXT_mesh_gpu_instancing, a node a SKU instead of one an item
   bool still_fixtures = false;  // mjcf: no part of a fixture can move
@@ -27,40 +33,49 @@ struct ExportOptions {
 // What a file holds, read back with another code path than the one that wrote it.
 struct ExportSummary {
   std::uint64_t fixtures = 0, products = 0, skus = 0, meshes = 0, free_bodies = 0, joints = 0,
-                looks = 0, robots = 0;
+                looks = 0, robots = 0, waypoints = 0, blocks = 0, units = 0;
+  double free_m2 = 0, keepout_m2 = 0;
   std::array<double, 3> bounds_low_m{}, bounds_high_m{};
   double worst_position_error_m = 0;  // of any product against the scene, after `check`
+  std::string in_words;               // the same, for a person; no field
 
-  static constexpr auto fields =
-      field_list(field("fixtures", &ExportSummary::fixtures, "fixture modules"),
-                 field("products", &ExportSummary::products, "single items"),
-                 field("skus", &ExportSummary::skus, "different products"),
-                 field("meshes", &ExportSummary::meshes, "meshes or geoms"),
-                 field("free_bodies", &ExportSummary::free_bodies, "bodies that can move"),
-                 field("joints", &ExportSummary::joints, "joints of fixtures"),
-                 field("looks", &ExportSummary::looks, "products with a mesh and a picture (mjcf)"),
-                 field("robots", &ExportSummary::robots, "robots that were put in"),
-                 field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
-                 field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
-                 field("worst_position_error_m",
-                       &ExportSummary::worst_position_error_m,
-                       "largest distance of a product from its place in the scene"));
+  static constexpr auto fields = field_list(
+      field("fixtures", &ExportSummary::fixtures, "fixture modules"),
+      field("products", &ExportSummary::products, "single items"),
+      field("skus", &ExportSummary::skus, "different products"),
+      field("meshes", &ExportSummary::meshes, "meshes or geoms"),
+      field("free_bodies", &ExportSummary::free_bodies, "bodies that can move"),
+      field("joints", &ExportSummary::joints, "joints of fixtures"),
+      field("looks", &ExportSummary::looks, "products with a mesh and a picture (mjcf)"),
+      field("robots", &ExportSummary::robots, "robots that were put in"),
+      field("waypoints", &ExportSummary::waypoints, "places to drive to (nav2)"),
+      field("free_m2", &ExportSummary::free_m2, "floor that nothing stands on (nav2)"),
+      field(
+          "keepout_m2", &ExportSummary::keepout_m2, "of it, floor that robots keep out of (nav2)"),
+      field("blocks", &ExportSummary::blocks, "blocks of a product (planogram)"),
+      field("units", &ExportSummary::units, "items that stand in them (planogram)"),
+      field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
+      field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
+      field("worst_position_error_m",
+            &ExportSummary::worst_position_error_m,
+            "largest distance of a product from its place in the scene"));
 };
 
 struct ExportFormat {
   std::string_view name, description, extension;
+  bool whole = true;  // it holds every item of the store, and not an extract
 };
 std::vector<ExportFormat> export_formats();  // rows of export_formats.inc
 
 // Writes `scene` to the file `out`; what lies beside it goes to the folder "<stem of out>_assets"
 // and is written first. Files of an earlier export there are written anew or left. Errors:
-// export.unknown_format with the nearest name, io.*.
+// export.unknown_format with the nearest name, io.*, and for nav2 usage.bad_flag.
 Result<void> export_scene(const scene::Scene& scene,
                           std::string_view format,
                           const std::filesystem::path& out,
                           const ExportOptions& options = {});
-// Reads `file` back and compares: counts, bounds, every product's place within 0.1 mm. Error:
-// export.mismatch.
+// Reads `file` back and compares; of a whole store counts, bounds, and every product's place within
+// 0.1 mm. `options` are those it was written with. Error: export.mismatch.
 Result<ExportSummary> check_export(const scene::Scene& scene,
                                    std::string_view format,
                                    const std::filesystem::path& file,

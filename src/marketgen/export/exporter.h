@@ -51,15 +51,24 @@ struct ExportContents {
   Bounds3 bounds;  // of everything solid but an endless floor
 };
 
-// write_<name>: the whole file, and what lies beside it. read_<name>: what an independent library
-// finds in it; `catalog` is the scene's and may only be used to find where in a product's shape the
-// origin of its frame lies. Errors: export.mismatch when it cannot be read, io.*.
+// write_<name>: the whole file, and what lies beside it. check_<name>: reads it back and compares
+// it with the scene; `options` are those it was written with. read_<name>: what an independent
+// library finds in it; `catalog` is the scene's and may only be used to find where in a product's
+// shape the origin of its frame lies. Errors: export.mismatch when it cannot be read, io.*.
 #define EXPORT_FORMAT(name, description, extension)                                          \
   Result<ExportFiles> write_##name(const scene::Scene& scene, const ExportOptions& options); \
   Result<ExportContents> read_##name(const std::filesystem::path& file,                      \
                                      const std::vector<catalog::Product>& catalog);
+#define EXPORT_EXTRACT(name, description, extension)                                         \
+  Result<ExportFiles> write_##name(const scene::Scene& scene, const ExportOptions& options); \
+  Result<ExportSummary> check_##name(                                                        \
+      const scene::Scene& scene, const std::filesystem::path& file, const ExportOptions& options);
 #include "export/export_formats.inc"
 #undef EXPORT_FORMAT
+#undef EXPORT_EXTRACT
+
+// What a file says otherwise than the scene, as export.mismatch; `message` without its end.
+Error mismatch(const std::string& where, std::string message);
 
 // Products whose centre lies in options.free_region_m, by row; none without a region.
 std::vector<bool> products_in_free_region(const scene::Scene& scene, const ExportOptions& options);

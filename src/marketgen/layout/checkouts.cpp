@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layout/staff_floor.h"
 #include "layout/zone_build.h"
 
 namespace marketgen::layout {
@@ -9,7 +10,6 @@ namespace {
 constexpr int passage_mm =
     1000;  // beside a lane: ADA 904.3 asks for 36 in, a trolley with a child for 1 m
 constexpr int self_checkout_floor_mm = 1600;  // between two rows of machines: queue and passage
-constexpr int desk_staff_mm = 800;            // behind a desk, for one person at work (Neufert)
 constexpr double store_m2_per_machine = 120;  // one self-checkout for so much shop
 
 // A checkout zone seen from the exit: `out` is the side that shoppers leave by.

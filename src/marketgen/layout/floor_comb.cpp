@@ -4,11 +4,12 @@
 #include <array>
 #include <limits>
 
+#include "layout/staff_floor.h"
+
 namespace marketgen::layout {
 namespace {
 
-constexpr int service_island_mm = 1000;  // staff floor between two counters back to back
-constexpr double min_squeeze = 0.85;     // aisles give up to 15 % where that wins another run
+constexpr double min_squeeze = 0.85;  // aisles give up to 15 % where that wins another run
 constexpr double planned_gap_share =
     0.7;  // a plan's own gap is an aisle from this share of the habit on
 constexpr double tighter_factor = 1.2;      // narrower aisles must hold this much more
@@ -187,12 +188,8 @@ std::optional<FloorComb> best_single(const FloorTask& task,
   return best;
 }
 
-bool is_counter(const ModuleSpec& spec) {
-  return spec.kind->generator == "serve_over";
-}
-
 FloorBlock block_of(const ModuleSpec& spec) {
-  return {spec, spec.sides == 1, is_counter(spec) ? service_island_mm : 0};
+  return {spec, spec.sides == 1, is_counter(*spec.kind) ? staff_aisle_mm : 0};
 }
 
 // The best way to stand, with shoppers on both sides of every block.

@@ -169,9 +169,15 @@ Reach reach_of(const Floor& floor,
                const plan::Shell& shell,
                const std::vector<Fixture>& fixtures,
                int width_mm) {
+  return reach_on(navigation::make_occupancy(
+                      floor.outline, obstacles_of(floor, fixtures), width_mm / 2, cell_mm),
+                  floor,
+                  shell);
+}
+
+Reach reach_on(navigation::OccupancyGrid grid, const Floor& floor, const plan::Shell& shell) {
   Reach reach;
-  reach.grid = navigation::make_occupancy(
-      floor.outline, obstacles_of(floor, fixtures), width_mm / 2, cell_mm);
+  reach.grid = std::move(grid);
   reach.components = navigation::find_components(reach.grid);
   const Doorway* door = entrance_of(floor, shell);
   if (door == nullptr) {

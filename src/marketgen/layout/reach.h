@@ -28,6 +28,9 @@ struct Reach {
   bool reaches(const RectMm& rect) const;
 };
 
+// What of a grid's free cells is connected to the entrance.
+Reach reach_on(navigation::OccupancyGrid grid, const Floor& floor, const plan::Shell& shell);
+
 Reach reach_of(const Floor& floor,
                const plan::Shell& shell,
                const std::vector<Fixture>& fixtures,

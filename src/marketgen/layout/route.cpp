@@ -43,8 +43,8 @@ std::vector<PayingPlace> paying_places(const Layout& layout, const catalog::Cata
     const RectMm rect = footprint_of(fixture);
     const Side front = facing_of(fixture.yaw_deg);
     if (kind->generator != "checkout_lane") {
-      const PointMm before = strip_beyond(rect, front, 2 * beside_lane_mm).center();
-      places.push_back({before, before});
+      const RectMm before = strip_beyond(rect, front, 2 * beside_lane_mm);
+      places.push_back({before.center(), before.center(), fixture.id, before});
       continue;
     }
     // As assets/fixtures/checkout_lane.cpp has it: a lane deeper than wide is passed on its right
@@ -53,7 +53,8 @@ std::vector<PayingPlace> paying_places(const Layout& layout, const catalog::Cata
     const Side passage = deep ? opposite(left_of(front)) : front;
     const Side shop = deep ? opposite(front) : opposite(left_of(front));
     const RectMm beside = strip_beyond(rect, passage, 2 * beside_lane_mm);
-    places.push_back({strip_beyond(beside, shop, 2 * queue_mm).center(), beside.center()});
+    places.push_back(
+        {strip_beyond(beside, shop, 2 * queue_mm).center(), beside.center(), fixture.id, beside});
   }
   return places;
 }

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "layout/neighbours.h"
+#include "layout/staff_floor.h"
 #include "layout/zone_build.h"
 
 namespace marketgen::layout {
@@ -11,8 +12,6 @@ namespace {
 
 constexpr int wall_gap_mm = 20;            // skirting and uneven walls behind a unit
 constexpr int max_under_window_mm = 1000;  // units no higher may stand under a window
-constexpr int staff_aisle_mm =
-    1000;  // behind a service counter; one person working, another passing (Neufert)
 
 struct WallJob {
   std::size_t ground;
@@ -63,8 +62,8 @@ bool has_staff_aisle(const GroundBuild& ground,
                      const WallJob& job,
                      const ModuleSpec& spec,
                      int clear_mm) {
-  return spec.kind->generator == "serve_over" && across(ground.ground.rect, job.side).length() >=
-                                                     staff_aisle_mm + spec.depth_mm + clear_mm / 2;
+  return is_counter(*spec.kind) && across(ground.ground.rect, job.side).length() >=
+                                       staff_aisle_mm + spec.depth_mm + clear_mm / 2;
 }
 
 // A way in for the staff: at the end that is not in a corner of the room.

@@ -117,11 +117,13 @@ void block_edge(OccupancyGrid& grid, PointMm a, PointMm b, int clearance_mm) {
   }
 }
 
-// Opens the cells whose centres lie inside the polygon, row by row between the crossings of its
+// Sets the cells whose centres lie inside the polygon, row by row between the crossings of its
 // edges.
-void open_inside(OccupancyGrid& grid, const PolygonMm& floor) {
+void fill_inside(OccupancyGrid& grid, const PolygonMm& floor, std::uint8_t value) {
   std::vector<double> crossings;
-  for (int row = 0; row < grid.rows; ++row) {
+  const RectMm reach = bounds_of(floor);
+  const CellSpan ys = cells_within(reach.y0, reach.y1, grid.bounds.y0, grid.cell_mm, grid.rows);
+  for (int row = ys.from; row <= ys.to; ++row) {
     const int y = grid.center(0, row)[1];
     crossings.clear();
     for (std::size_t i = 0; i < floor.size(); ++i) {
@@ -139,7 +141,7 @@ void open_inside(OccupancyGrid& grid, const PolygonMm& floor) {
                                         grid.bounds.x0,
                                         grid.cell_mm,
                                         grid.columns);
-      fill_row(grid, row, xs, 0);
+      fill_row(grid, row, xs, value);
     }
   }
 }
@@ -157,12 +159,18 @@ OccupancyGrid make_occupancy(const PolygonMm& floor,
   grid.rows = (grid.bounds.depth() + cell_mm - 1) / cell_mm;
   grid.blocked.assign(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows),
                       1);
-  open_inside(grid, floor);
+  fill_inside(grid, floor, 0);
   for (std::size_t i = 0; i < floor.size(); ++i) {
     block_edge(grid, floor[i], floor[(i + 1) % floor.size()], clearance_mm);
   }
   for (const RectMm& obstacle : obstacles)
     block_rectangle(grid, obstacle, clearance_mm);
+  return grid;
+}
+
+OccupancyGrid with_blocked(OccupancyGrid grid, const std::vector<PolygonMm>& polygons) {
+  for (const PolygonMm& polygon : polygons)
+    fill_inside(grid, polygon, 1);
   return grid;
 }
 

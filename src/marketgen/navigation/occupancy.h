@@ -37,6 +37,9 @@ OccupancyGrid make_occupancy(const PolygonMm& floor,
                              int clearance_mm,
                              int cell_mm = 50);
 
+// The grid, with the cells blocked whose centres lie inside any of the polygons.
+OccupancyGrid with_blocked(OccupancyGrid grid, const std::vector<PolygonMm>& polygons);
+
 // 4-connected components of the free cells: label per cell (0 = blocked, 1.. in scan order) and
 // cells per label.
 struct Components {

@@ -12,6 +12,7 @@
 #include "io/csv.h"
 #include "io/json.h"
 #include "scene/placements.h"
+#include "scene/planogram_rows.h"
 
 namespace marketgen::scene {
 namespace {
@@ -69,26 +70,6 @@ struct PriceQueryRow {
                  field("promotion", &PriceQueryRow::promotion, "has a promotion label"),
                  field("labels", &PriceQueryRow::labels, "price labels"),
                  field("products", &PriceQueryRow::products, "items"));
-};
-
-struct PlanogramRow {
-  std::string fixture;
-  int level = 0, side = 0, position = 0;
-  std::string sku, ean;
-  int x_mm = 0, facings = 0, depth_count = 0, stack = 0;
-  double price = 0;
-  static constexpr auto fields =
-      field_list(field("fixture", &PlanogramRow::fixture, "fixture id"),
-                 field("level", &PlanogramRow::level, "0 = lowest"),
-                 field("side", &PlanogramRow::side, "1 = back"),
-                 field("position", &PlanogramRow::position, "order from the left"),
-                 field("sku", &PlanogramRow::sku, "SKU"),
-                 field("ean", &PlanogramRow::ean, "EAN-13"),
-                 field("x_mm", &PlanogramRow::x_mm, "left edge"),
-                 field("facings", &PlanogramRow::facings, "packs side by side"),
-                 field("depth_count", &PlanogramRow::depth_count, "packs one behind another"),
-                 field("stack", &PlanogramRow::stack, "packs on one another"),
-                 field("price", &PlanogramRow::price, "euro"));
 };
 
 double rounded(double value, double step) {
@@ -195,26 +176,6 @@ std::vector<PriceQueryRow> price_rows(const Scene& scene) {
   return rows;
 }
 
-std::vector<PlanogramRow> planogram_rows(const Scene& scene) {
-  std::vector<PlanogramRow> rows;
-  for (const Facing& f : scene.facings) {
-    const SceneShelf& shelf = scene.shelves[f.shelf];
-    const catalog::Product& p = scene.catalog[f.sku];
-    rows.push_back({scene.layout.fixtures[shelf.fixture].id,
-                    shelf.level,
-                    shelf.side,
-                    f.position,
-                    p.sku,
-                    p.ean,
-                    static_cast<int>(std::lround(f.x_m * 1000)),
-                    f.facings,
-                    f.rows_deep,
-                    f.stack,
-                    p.price});
-  }
-  return rows;
-}
-
 // ---- Described rows to a text table. ----
 
 ColumnKind kind_of(const TypeInfo& type) {
@@ -240,23 +201,6 @@ std::string cell_of(const TypeInfo& type, const void* value) {
   std::string json = io::write_json_line_of(type, value);
   if (type.kind != TypeKind::enumeration) return json;
   return json.substr(1, json.size() - 2);  // a plain word between its quotes
-}
-
-template <class Row>
-Table table_of(const std::vector<Row>& rows) {
-  const TypeInfo& type = type_of<Row>();
-  Table table;
-  for (const FieldInfo& f : type.fields) {
-    table.columns.emplace_back(f.name);
-    table.kinds.push_back(kind_of(f.type()));
-  }
-  for (const Row& row : rows) {
-    std::vector<std::string> cells;
-    for (const FieldInfo& f : type.fields)
-      cells.push_back(cell_of(f.type(), f.in(&row)));
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
 }
 
 // ---- Filters. ----
@@ -384,6 +328,22 @@ constexpr std::string_view table_names[] = {
     "products", "fixtures", "zones", "prices", "materials", "planogram"};
 
 }  // namespace
+
+Table table_of(const TypeInfo& type, const void* rows, std::size_t count, std::size_t row_bytes) {
+  Table table;
+  for (const FieldInfo& f : type.fields) {
+    table.columns.emplace_back(f.name);
+    table.kinds.push_back(kind_of(f.type()));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const void* row = static_cast<const std::byte*>(rows) + i * row_bytes;
+    std::vector<std::string> cells;
+    for (const FieldInfo& f : type.fields)
+      cells.push_back(cell_of(f.type(), f.in(row)));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
 
 std::string full_name(const catalog::Product& product) {
   std::string name = product.brand.empty() ? product.name : product.brand + " " + product.name;

@@ -47,6 +47,13 @@ struct Table {
   std::vector<ColumnKind> kinds;  // per column
 };
 
+// One column a field of the described rows; `rows` are `count` objects of `row_bytes` each.
+Table table_of(const TypeInfo& type, const void* rows, std::size_t count, std::size_t row_bytes);
+template <class Row>
+Table table_of(const std::vector<Row>& rows) {
+  return table_of(type_of<Row>(), rows.data(), rows.size(), sizeof(Row));
+}
+
 // `table` is products, fixtures, zones, prices, materials or planogram. `where` keeps rows of which
 // every "column=value" (also != < > <= >= ~ for "contains") holds, separated by commas. Errors:
 // usage.bad_flag with the nearest name, or for a value that the column cannot have.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "io/file.h"
 #include "support/hand_made_scene.h"
@@ -39,7 +40,9 @@ class EveryFormat : public testing::TestWithParam<exporters::ExportFormat> {
   fs::path folder_;
 };
 
-TEST_P(EveryFormat, ReadsBackAsTheSameScene) {
+using WholeStore = EveryFormat;  // formats that hold every item
+
+TEST_P(WholeStore, ReadsBackAsTheSameScene) {
   const scene::Scene scene = stocked_scene();
   const Result<void> written = exporters::export_scene(scene, GetParam().name, file());
   ASSERT_TRUE(written.ok()) << to_string(written.error());
@@ -57,13 +60,44 @@ TEST_P(EveryFormat, ReadsBackAsTheSameScene) {
   EXPECT_NEAR(summary->bounds_high_m[2], 3, 1e-3);
 }
 
-TEST_P(EveryFormat, SameSceneSameBytes) {
-  ASSERT_TRUE(exporters::export_scene(stocked_scene(), GetParam().name, file("a")).ok());
-  ASSERT_TRUE(exporters::export_scene(stocked_scene(), GetParam().name, file("b")).ok());
-  EXPECT_EQ(*io::read_file(file("a")), *io::read_file(file("b")));
+// Every file below the folder, by its path there.
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder).string()] = *io::read_file(entry.path());
+  }
+  return files;
 }
 
-TEST_P(EveryFormat, NoticesAnItemThatMovedByAMillimetre) {
+TEST_P(EveryFormat, SameSceneSameBytes) {
+  fs::create_directories(folder_ / "a");
+  fs::create_directories(folder_ / "b");
+  ASSERT_TRUE(exporters::export_scene(stocked_scene(), GetParam().name, file("a/shop")).ok());
+  ASSERT_TRUE(exporters::export_scene(stocked_scene(), GetParam().name, file("b/shop")).ok());
+  EXPECT_GE(files_in(folder_ / "a").size(), 1U);
+  EXPECT_EQ(files_in(folder_ / "a"), files_in(folder_ / "b"));
+}
+
+TEST_P(EveryFormat, IsCheckedAgainstTheSceneItWasMadeOf) {
+  const scene::Scene scene = stocked_scene();
+  ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
+  const Result<exporters::ExportSummary> summary =
+      exporters::check_export(scene, GetParam().name, file());
+  ASSERT_TRUE(summary.ok()) << to_string(summary.error());
+  EXPECT_EQ(summary->fixtures, 1U);
+  EXPECT_FALSE(summary->in_words.empty());
+  scene::Scene emptied = scene;
+  emptied.layout.fixtures.clear(), emptied.fixtures.clear(), emptied.parts.clear();
+  emptied.shelves.clear(), emptied.facings.clear(), emptied.products.clear();
+  emptied.price_labels.clear();
+  const Result<exporters::ExportSummary> other =
+      exporters::check_export(emptied, GetParam().name, file());
+  ASSERT_FALSE(other.ok());
+  EXPECT_EQ(other.error().code, "export.mismatch");
+}
+
+TEST_P(WholeStore, NoticesAnItemThatMovedByAMillimetre) {
   scene::Scene scene = stocked_scene();
   ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
   scene.products[4].position_m[1] += 0.001F;
@@ -76,7 +110,7 @@ TEST_P(EveryFormat, NoticesAnItemThatMovedByAMillimetre) {
       << summary.error().message;
 }
 
-TEST_P(EveryFormat, NoticesAMissingAndAnExchangedItem) {
+TEST_P(WholeStore, NoticesAMissingAndAnExchangedItem) {
   const scene::Scene scene = stocked_scene();
   ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
   scene::Scene fewer = scene;
@@ -89,7 +123,7 @@ TEST_P(EveryFormat, NoticesAMissingAndAnExchangedItem) {
             "export.mismatch");
 }
 
-TEST_P(EveryFormat, NoticesAnotherRoomAndAnotherFixture) {
+TEST_P(WholeStore, NoticesAnotherRoomAndAnotherFixture) {
   const scene::Scene scene = stocked_scene();
   ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
   scene::Scene higher = scene;
@@ -138,10 +172,19 @@ TEST_P(EveryFormat, AMissingFileAndAnUnwritablePlaceAreErrors) {
   EXPECT_TRUE(fs::is_empty(folder_)) << "nothing may be left half-written";
 }
 
+std::vector<exporters::ExportFormat> whole_formats() {
+  std::vector<exporters::ExportFormat> formats = exporters::export_formats();
+  std::erase_if(formats, [](const exporters::ExportFormat& format) { return !format.whole; });
+  return formats;
+}
+
+constexpr auto name_of_format = [](const auto& format) { return std::string(format.param.name); };
+
 INSTANTIATE_TEST_SUITE_P(Formats,
                          EveryFormat,
                          testing::ValuesIn(exporters::export_formats()),
-                         [](const auto& format) { return std::string(format.param.name); });
+                         name_of_format);
+INSTANTIATE_TEST_SUITE_P(Formats, WholeStore, testing::ValuesIn(whole_formats()), name_of_format);
 
 TEST(Export, AnUnknownFormatNamesTheNearest) {
   const Result<void> written =

@@ -33,6 +33,20 @@ navigation::OccupancyGrid cluttered_grid(std::uint64_t seed, int clearance_mm) {
       {{0, 0}, {6000, 0}, {6000, 5000}, {0, 5000}}, obstacles, clearance_mm, 100);
 }
 
+TEST(Occupancy, PolygonsBlockTheCellsWhoseMiddlesLieInThem) {
+  const navigation::OccupancyGrid empty = navigation::make_occupancy(room_4x3, {}, 0, 100);
+  // A square on its corner around (2, 1.5), 5 cells each way, of whose 50 cells the middles of 10
+  // lie on an edge; and one that sticks out of the room.
+  const navigation::OccupancyGrid grid =
+      with_blocked(empty,
+                   {{{1500, 1500}, {2000, 1000}, {2500, 1500}, {2000, 2000}},
+                    {{3800, 2800}, {5000, 2800}, {5000, 4000}, {3800, 4000}}});
+  EXPECT_EQ(free_cells(grid), 1200U - 40 - 4);
+  EXPECT_FALSE(grid.free(20, 15));
+  EXPECT_TRUE(grid.free(15, 10));
+  EXPECT_FALSE(grid.free(39, 29));
+}
+
 TEST(Occupancy, EmptyRoomWithoutClearanceIsAllFree) {
   const navigation::OccupancyGrid grid = navigation::make_occupancy(room_4x3, {}, 0, 100);
   EXPECT_EQ(grid.columns, 40);
