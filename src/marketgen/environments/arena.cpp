@@ -82,7 +82,7 @@ Result<std::unique_ptr<agent::Policy>> Arena::policy(const std::string& name,
                                                      const episodes::TrackWorld& world) {
   MARKETGEN_TRY(const PolicyName asked, read_policy_name(name));
   // vlm moves as classical does: where its model says nothing, the same comes of it.
-  const std::string_view moves_as = asked.model.empty() ? asked.name : "classical";
+  const std::string moves_as = asked.model.empty() ? asked.name : "classical";
   const Seed seed = Seed(world.spec().seed).child(moves_as);
   if (asked.name == "random")
     return std::unique_ptr<agent::Policy>(

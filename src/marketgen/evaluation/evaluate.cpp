@@ -175,9 +175,10 @@ Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::pat
                                                       Progress& progress) {
   environments::Arena arena(data, file.header, catalog);
   arena.reach_models(options.model);
-  MARKETGEN_TRY(const environments::PolicyName policy,
-                environments::read_policy_name(options.policy));
-  if (!policy.model.empty()) MARKETGEN_CHECK(arena.model(policy.model));  // it has a key
+  // It has a key. A name that cannot be read may be one that its worker knows; else the first
+  // episode says what is wrong with it.
+  const auto policy = environments::read_policy_name(options.policy);
+  if (policy.ok() && !policy->model.empty()) MARKETGEN_CHECK(arena.model(policy->model));
   const std::string work = io::write_json_line(
       WorkerTask{file.header, options.realism, motion_folder(options).string()});
   const auto make_runner = [&] {

@@ -17,7 +17,7 @@ void take_away(const ProductLook& look,
                const FoundProduct& found,
                const std::vector<ViewCloud>& views,
                std::vector<MaskedView>& masked) {
-  const Vec3 middle = found.pose.base_from_product * to_double((look.low() + look.high()) * 0.5F);
+  const Vec3 middle = middle_of(look, found.pose.base_from_product);
   const double within = 0.5 * static_cast<double>(look.diagonal_m());
   for (MaskedView& of_view : masked) {
     for (std::size_t m = 0; m < of_view.masks.size(); ++m) {
@@ -30,6 +30,7 @@ void take_away(const ProductLook& look,
   }
 }
 
+// Of every mask that is left.
 std::vector<SurfacePatch> patches_of(const std::vector<ViewCloud>& views,
                                      const std::vector<MaskedView>& masked) {
   std::vector<SurfacePatch> patches;
@@ -64,20 +65,19 @@ std::optional<FoundProduct> ModelTargets::best_reading(const Goal& goal,
                                                        const std::vector<MaskedView>& masked,
                                                        const Mark& mark) const {
   const auto of_view = std::ranges::find(masked, mark.view, &MaskedView::view);
-  const Mask& mask = of_view->masks[mark.mask];
-  const SurfacePatch chosen = patch_of(views[mark.view], mask, marked_patch_points);
-  const std::vector<SurfacePatch> all = patches_of(views, masked);
+  const Vec3f place =
+      patch_of(views[mark.view], of_view->masks[mark.mask], marked_patch_points).middle;
+  const std::vector<SurfacePatch> patches = patches_of(views, masked);
   std::optional<FoundProduct> best;
   double best_score = min_chosen_score;
   for (const std::size_t number : goal.readings) {
     const ProductLook& look = *wanted[number].look;
-    for (const SurfacePatch& patch : all) {
-      if (length(patch.middle - chosen.middle) > look.diagonal_m() / 2) continue;
+    const auto is_there = [&](Vec3f at) { return length(at - place) <= look.diagonal_m() / 2; };
+    for (const SurfacePatch& patch : patches) {
+      if (!is_there(patch.middle)) continue;
       const FittedPose pose = poses_.pose(look, patch, views);
-      const Vec3f middle = to_float(pose.base_from_product *
-                                    to_double((look.low() + look.high()) * 0.5F));
       if (pose.evidence.score < best_score ||
-          length(middle - chosen.middle) > look.diagonal_m() / 2)
+          !is_there(to_float(middle_of(look, pose.base_from_product))))
         continue;
       best_score = pose.evidence.score;
       best = FoundProduct{number, mark.view, mark.mask, pose};

@@ -35,6 +35,10 @@ struct SurfacePatch {
   float diagonal_m = 0;
 };
 SurfacePatch patch_of(const ViewCloud& cloud, const Mask& mask, std::size_t max_points);
+// Whether a product of that size may show such a surface.
+bool is_of_size(const SurfacePatch& patch, const ProductLook& look);
+// Of its bounds, in the base's frame.
+Vec3 middle_of(const ProductLook& look, const Pose& base_from_product);
 
 class PoseSource {
  public:

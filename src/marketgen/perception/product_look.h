@@ -28,6 +28,7 @@ class ProductLook {
   const std::vector<Surfel>& surfels() const { return surfels_; }
   Vec3f low() const { return low_; }
   Vec3f high() const { return high_; }
+  Vec3f middle() const { return (low_ + high_) * 0.5F; }
   float diagonal_m() const { return length(high_ - low_); }
 
   // The surfel nearest to a point, by a table as coarse as its cells; -1 farther away than the

@@ -51,7 +51,7 @@ Vec3f middle_from(const ProductLook& look, Vec3f towards) {
     sum += surfel.point * facing;
     weight += facing;
   }
-  return weight > 0 ? sum / weight : (look.low() + look.high()) * 0.5F;
+  return weight > 0 ? sum / weight : look.middle();
 }
 
 class ProductFrame {
@@ -119,7 +119,7 @@ bool fit_step(const ProductLook& look, const SurfacePatch& patch, float gate_m, 
   const ProductFrame frame(pose);
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
-  const Vec3f middle = (look.low() + look.high()) * 0.5F;
+  const Vec3f middle = look.middle();
   const auto scale = static_cast<double>(0.5F * look.diagonal_m());
   int matched = 0;
   const std::size_t step = std::max<std::size_t>(1, patch.points.size() / fitted_points);
@@ -189,12 +189,21 @@ SurfacePatch patch_of(const ViewCloud& cloud, const Mask& mask, std::size_t max_
   return patch;
 }
 
+bool is_of_size(const SurfacePatch& patch, const ProductLook& look) {
+  constexpr float size_slack = 1.1F, size_slack_m = 0.015F;
+  return patch.diagonal_m <= look.diagonal_m() * size_slack + size_slack_m;
+}
+
+Vec3 middle_of(const ProductLook& look, const Pose& base_from_product) {
+  return base_from_product * to_double(look.middle());
+}
+
 FittedPose refined_pose(const ProductLook& look,
                         const Pose& near,
                         const SurfacePatch& patch,
                         const std::vector<ViewCloud>& views) {
   FittedPose best{near, evidence_of(look, near, patch, views, careful_surfels)};
-  const Vec3 middle = to_double((look.low() + look.high()) * 0.5F);
+  const Vec3 middle = to_double(look.middle());
   for (double step_m = 0.006; step_m > 0.0007; step_m /= 2) {
     const double step_rad = step_m / (0.4 * static_cast<double>(look.diagonal_m()));
     for (int round = 0; round < 4; ++round) {

@@ -16,8 +16,7 @@ constexpr float same_size = 0.2F;  // of products that may be taken for one anot
 constexpr std::size_t max_rivals = 4;
 constexpr std::size_t max_checked = 3;  // places, for products that may be meant instead
 constexpr double clearly_better = 1.02;
-constexpr std::size_t max_masks = 8;  // of a product, that are looked at closely
-constexpr float size_slack = 1.1F, size_slack_m = 0.015F;
+constexpr std::size_t max_masks = 8;   // of a product, that are looked at closely
 constexpr double same_place_m = 0.03;  // two products cannot have their middles nearer
 
 constexpr int hues = 6, brightnesses = 4;
@@ -44,10 +43,6 @@ double shared(const Histogram& a, const Histogram& b) {
   for (std::size_t i = 0; i < bins; ++i)
     sum += std::min(a[i], b[i]);
   return sum;
-}
-
-Vec3 middle_of(const ProductLook& look, const Pose& pose) {
-  return pose * to_double((look.low() + look.high()) * 0.5F);
 }
 
 }  // namespace
@@ -77,7 +72,7 @@ std::vector<FoundProduct> CatalogueMatching::places_of(
     const ViewCloud& cloud = views[of_view.view];
     for (std::size_t m = 0; m < of_view.masks.size(); ++m) {
       SurfacePatch patch = patch_of(cloud, of_view.masks[m], patch_points);
-      if (patch.diagonal_m > look.diagonal_m() * size_slack + size_slack_m) continue;
+      if (!is_of_size(patch, look)) continue;
       const double likeness = color_likeness(patch.colors, look);
       candidates.push_back({likeness, of_view.view, m, std::move(patch)});
     }

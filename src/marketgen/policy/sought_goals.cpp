@@ -26,14 +26,6 @@ double likeness_in_sight(const Sight& sight, const perception::ProductLook& look
 
 }  // namespace
 
-Vec3 middle_of(const perception::ProductLook& look, const Pose& base_from_product) {
-  return base_from_product * to_double((look.low() + look.high()) * 0.5F);
-}
-
-bool is_of_size(const perception::SurfacePatch& patch, const perception::ProductLook& look) {
-  return patch.diagonal_m < look.diagonal_m() * 1.1F + 0.015F;
-}
-
 Result<SoughtGoals::Goal> SoughtGoals::read(const agent::TaskGoal& told,
                                             const perception::GoalReader* reader,
                                             const Catalogue& catalogue) const {

@@ -66,8 +66,4 @@ class SoughtGoals {
   std::vector<std::size_t> of_goal_;  // of those wanted
 };
 
-Vec3 middle_of(const perception::ProductLook& look, const Pose& base_from_product);
-// Whether a product of that size may show such a surface.
-bool is_of_size(const perception::SurfacePatch& patch, const perception::ProductLook& look);
-
 }  // namespace marketgen::policy
