@@ -22,7 +22,7 @@ CHECKOUT = "MarketGen/CheckoutUnloading-v1"
 CAMERAS = ("scene_camera", "wrist_camera")
 SIZE = (64, 64)
 FPS = 20
-SHORT_S = (1.0, 0.6, 1.5)  # limits of three episodes: 20, 12 and 30 frames
+SHORT_S = (1.0, 1.2, 2.0)  # limits of three episodes: 20, 24 and 40 frames
 PACKAGE = str(pathlib.Path(marketgen.__file__).resolve().parents[1])
 
 
@@ -72,15 +72,33 @@ def psnr(a, b):
     return 10 * np.log10(255**2 / max(error, 1e-9))
 
 
+def pool_and(file, change):
+    """A file of what `change` makes of the pool's baskets."""
+    pool = pathlib.Path(marketgen._core.find_episode_file("pool/checkout"))
+    header, *lines = map(json.loads, pool.read_text().splitlines())
+    episodes = change(lines)
+    rows = [header | {"episodes": len(episodes)}, *episodes]
+    file.write_text("".join(json.dumps(row) + "\n" for row in rows))
+    return file
+
+
+def with_one_goal(episode):
+    """Of a basket: what its oracle fetches first, and no more."""
+    [first, *_] = episode["certificate"]["witness"]
+    goals = [goal for goal in episode["goals"] if goal["sku"] == first["sku"]]
+    return episode | {"goals": goals, "certificate": episode["certificate"] | {"witness": [first]}}
+
+
 @pytest.fixture(scope="module")
 def short_file(tmp_path_factory):
-    """Three baskets of the pool, with about a second for each; the third has the first one's instruction."""
-    pool = pathlib.Path(marketgen._core.find_episode_file("pool/checkout"))
-    header, *lines = pool.read_text().splitlines()
-    episodes = [json.loads(line) | {"limit_s": limit_s} for line, limit_s in zip(lines, SHORT_S, strict=False)]
+    """Three baskets of the pool, with a second or two for each; the last has the first one's instruction."""
     file = tmp_path_factory.mktemp("episodes") / "short.jsonl"
-    file.write_text("".join(line + "\n" for line in (header, *map(json.dumps, episodes))))
-    return file
+
+    def change(episodes):
+        some = [episode | {"limit_s": limit_s} for episode, limit_s in zip(episodes, SHORT_S, strict=False)]
+        return [*some[:-1], some[-1] | {"instruction": some[0]["instruction"]}]
+
+    return pool_and(file, change)
 
 
 @pytest.fixture(scope="module")
@@ -248,12 +266,24 @@ def test_a_killed_recording_goes_on_to_the_same_bytes(recorded, short_file, tmp_
     assert contents(folder) == contents(whole)
 
 
+def test_going_on_with_what_is_done_changes_nothing(recorded, short_file):
+    """As a recording that was killed when its dataset was in place, but what it was made of not yet taken away."""
+    folder, made = recorded
+    left, before = folder.with_name(folder.name + ".unfinished"), contents(folder)
+    left.mkdir()
+    (left / "recording.json").write_text("{}")
+    again = marketgen.record(short_file, folder, sways, size=SIZE, resume=True)
+    assert (again.episodes, again.succeeded, again.tried, again.frames) == (made.episodes, made.succeeded, made.tried, made.frames)
+    assert again.acted_now == 0 and contents(folder) == before and not left.exists()
+    with pytest.raises(marketgen.Error, match="not of this recording") as caught:
+        marketgen.record(short_file, folder, sways, size=SIZE, count=1, resume=True)
+    assert caught.value.code == "store.exists" and contents(folder) == before
+
+
 def test_the_oracle_demonstrates_and_failures_are_left_out(tmp_path):
     """One whole episode, which it solves, before one that ends too soon."""
-    pool = pathlib.Path(marketgen._core.find_episode_file("pool/checkout"))
-    header, first, second = pool.read_text().splitlines()[:3]
-    file = tmp_path / "two.jsonl"
-    file.write_text("\n".join([header, json.dumps(json.loads(second) | {"limit_s": 1}), first]) + "\n")
+    file = pool_and(tmp_path / "two.jsonl", lambda episodes: [episodes[1] | {"limit_s": 1}, with_one_goal(episodes[0])])
+    [_, first] = map(json.loads, file.read_text().splitlines()[1:])
     said = []
     made = marketgen.record(
         file, tmp_path / "oracle", size=SIZE, cameras=["wrist_camera"], success_only=True, progress=lambda *told: said.append(told)
@@ -262,7 +292,7 @@ def test_the_oracle_demonstrates_and_failures_are_left_out(tmp_path):
     assert made.episodes_an_hour > 0 and made.times_as_long > 1 and [done for done, *_ in said] == [0, 1, 2]
     data = Reader(tmp_path / "oracle")
     [row] = data.episodes
-    assert row["success"] and row["goal_fraction"] == 1 and row["episode_id"] == json.loads(first)["id"]
+    assert row["success"] and row["goal_fraction"] == 1 and row["episode_id"] == first["id"]
     assert data.column("next.success").tolist() == [False] * (row["length"] - 1) + [True]
     assert data.column("next.reward").sum() == 1 and len(data.video(0, "wrist_camera")) == row["length"]
     assert data.column("observation.state").std(0)[:7].min() > 0.01

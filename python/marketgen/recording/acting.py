@@ -89,7 +89,10 @@ def player_of(policy: Any) -> str | PolicyHere:
     found = PolicyFile.of_text(policy) if isinstance(policy, str) else policy
     if not (isinstance(found, PolicyFile) or callable(getattr(found, "act", None)) or callable(found)):
         raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
-    return PolicyHere(found)
+    try:
+        return PolicyHere(found)
+    except Exception as fault:  # of the user's code, which is run here
+        raise Error("episode.policy_failed", "policy", f"{type(fault).__name__}: {fault}") from fault
 
 
 class _Reel:

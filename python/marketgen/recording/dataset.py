@@ -34,6 +34,7 @@ MEGABYTE = 2**20
 DATA_PATH = "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
 VIDEO_PATH = "videos/{video_key}/chunk-{chunk_index:03d}/file-{file_index:03d}.mp4"
 EPISODES_PATH = "meta/episodes/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
+SETTINGS_PATH = "meta/marketgen.json"  # ours: what was recorded, and how
 ROWS_AT_ONCE = 100  # of episodes, in a row group
 TASK_COLUMN = "task"
 
@@ -107,7 +108,7 @@ def write_dataset(
     also: dict[str, Any],
     finish: Callable[[pathlib.Path], None],
 ) -> None:
-    """`parts`: in their order, all of them kept. `also`: meta/marketgen.json. `finish`: adds what else is to be in the folder.
+    """`parts`: in their order, all of them kept. `also`: what settings_in() will find. `finish`: adds what else is to be in the folder.
 
     Raises Error io.cannot_write.
     """
@@ -127,6 +128,22 @@ def write_dataset(
             on_disk(folder.parent)
     finally:
         shutil.rmtree(beside, ignore_errors=True)
+
+
+def settings_in(folder: pathlib.Path) -> dict[str, Any] | None:
+    """What the dataset there was recorded with; None where no dataset of ours is."""
+    try:
+        return json.loads((folder / SETTINGS_PATH).read_text(encoding="utf-8"))
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+
+
+def counted_in(folder: pathlib.Path) -> tuple[int, int, int]:
+    """Episodes of that dataset, how many of them reached all goals, frames."""
+    import pyarrow.parquet
+
+    rows = pyarrow.parquet.ParquetDataset(folder / "meta/episodes").read(["success", "length"]).to_pydict()
+    return len(rows["success"]), sum(rows["success"]), sum(rows["length"])
 
 
 def _fill(root: pathlib.Path, parts: Sequence[Part], about: About, also: dict[str, Any]) -> None:
@@ -154,7 +171,7 @@ def _fill(root: pathlib.Path, parts: Sequence[Part], about: About, also: dict[st
         "features": described({**about.kinds, **PLACED}, videos, about.size),
     }
     write_json(root / "meta/info.json", info)
-    write_json(root / "meta/marketgen.json", also)
+    write_json(root / SETTINGS_PATH, also)
 
 
 def _row_of(number: int, part: Part) -> dict[str, Any]:
@@ -176,12 +193,13 @@ def _write_data(
     root: pathlib.Path, parts: Sequence[Part], rows: list[dict[str, Any]], about: About, tasks: list[str]
 ) -> None:
     files, begin = Tables(root, DATA_PATH, DATA_MB * MEGABYTE), 0
+    number_of = {task: number for number, task in enumerate(tasks)}
     for number, (part, row) in enumerate(zip(parts, rows, strict=True)):
         frames = part.told["frames"]
         placed = {
             EPISODE: np.full(frames, number),
             INDEX: np.arange(begin, begin + frames),
-            TASK: np.full(frames, tasks.index(part.told["task"])),
+            TASK: np.full(frames, number_of[part.told["task"]]),
         }
         table = part.numbers()
         for name, values in placed.items():

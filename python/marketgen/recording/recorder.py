@@ -7,8 +7,10 @@ import functools
 import hashlib
 import importlib.util
 import json
+import math
 import os
 import pathlib
+import shutil
 import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -18,7 +20,7 @@ from ..arguments import PathLike, Progress
 from ..errors import Error
 from .acting import FPS, Player, Stopwatch, act_out, player_of
 from .card import write_card
-from .dataset import About, write_dataset
+from .dataset import About, counted_in, settings_in, write_dataset
 from .features import acted
 from .outputs import alone_in, writing
 from .parts import Part, Unfinished
@@ -58,7 +60,9 @@ class Recording:
 
     @property
     def times_as_long(self) -> float:
-        """As the same episodes take without pictures, videos and files."""
+        """As the same episodes take without pictures, videos and files; not a number where this run acted none out."""
+        if not self.acted_now:
+            return math.nan
         rest = self.seconds["all"] - sum(value for name, value in self.seconds.items() if name != "all")
         return self.seconds["all"] / rest
 
@@ -91,7 +95,7 @@ def record(
     quality       of the pictures: "fast", "balanced" or "best"
     control_mode  what an action is; the program's own policies need "pd_joint_pos" or "pd_joint_delta_pos"
     realism       what stands between the world and the robot: "ideal", "standard", "hard" or a file
-    codec         "h264" or "av1"
+    codec         "h264", which keeps every pixel's colour, or "av1", which keeps one for four and is shown by every browser
     success_only  leave out episodes that did not reach all their goals
     count         stop when so many are in the dataset; 0: act out all
     shard         "2/4": the second of four parts of the file, each a dataset of its own
@@ -103,12 +107,12 @@ def record(
     is raised (Error episode.policy_failed). Raises Error store.exists, io.in_use, io.cannot_write, usage.unavailable,
     usage.bad_flag, episode.*.
     """
-    _check_parts()
+    check_installed()
     path = arguments.episodes_path("episodes", episodes)
     into = pathlib.Path(os.path.abspath(arguments.a_path("folder", folder)))
     wanted = arguments.a_size("size", size)
     if any(side % 2 or side < MIN_SIDE_PX for side in wanted):
-        raise arguments.bad("size", size, f"even numbers of pixels from {MIN_SIDE_PX} on: videos have a colour for each four pixels")
+        raise arguments.bad("size", size, f"even numbers of pixels from {MIN_SIDE_PX} on, as encoders of videos want them")
     run = _Run(
         path=path,
         folder=into,
@@ -136,7 +140,8 @@ def _texts(name: str, values: Any) -> list[str]:
     return [arguments.a_text(name, value) for value in values]
 
 
-def _check_parts() -> None:
+def check_installed() -> None:
+    """Raises Error usage.unavailable, which says what to install."""
     missing = [package for module, package in NEEDS.items() if importlib.util.find_spec(module) is None]
     if missing:
         raise Error("usage.unavailable", ", ".join(missing), "recording needs it: pip install 'marketgen[lerobot]'")
@@ -173,10 +178,15 @@ class _Run:
 
     def whole(self, *, resume: bool) -> Recording:
         began, watch = time.perf_counter(), Stopwatch()
-        if self.folder.exists() and (not self.folder.is_dir() or any(self.folder.iterdir())):
+        there = self.folder.exists() and (not self.folder.is_dir() or any(self.folder.iterdir()))
+        if there and not resume:
             raise Error("store.exists", str(self.folder), "it is there already: remove it, or name another folder")
         stage = _Stage(self)
         beside = self.folder.with_name(self.folder.name + ".unfinished")
+        if there:
+            made = self._made_before(stage)
+            shutil.rmtree(beside, ignore_errors=True)  # of one that was killed between the last two steps below
+            return made
         with writing(beside):
             beside.mkdir(parents=True, exist_ok=True)
         with alone_in(beside):
@@ -202,6 +212,19 @@ class _Run:
             seconds=watch.seconds,
             acted_now=now,
         )
+
+    def _made_before(self, stage: _Stage) -> Recording:
+        """What a recording that is to go on finds done. Raises Error store.exists for another dataset, or anything else."""
+        settings = settings_in(self.folder)
+        if settings is None or settings != self._told(stage, settings["tried"]):
+            message = "it is there already, and not of this recording: remove it, or name another folder"
+            raise Error("store.exists", str(self.folder), message)
+        episodes, succeeded, frames = counted_in(self.folder)
+        return Recording(str(self.folder), episodes, succeeded, settings["tried"], frames, {"all": 0.0}, acted_now=0)
+
+    def _told(self, stage: _Stage, tried: int) -> dict[str, Any]:
+        """What the dataset says of how it was recorded."""
+        return {**stage.settings, "count": self.count, "tried": tried}
 
     def _act(self, stage: _Stage, unfinished: Unfinished, watch: Stopwatch) -> tuple[list[Part], int]:
         """All that were acted out, and how many of them just now."""
@@ -248,7 +271,7 @@ class _Run:
         card: Callable[[pathlib.Path], None] = functools.partial(
             write_card, name=self.folder.name, kept=kept, tried=parts, about=stage.about, settings=stage.settings
         )
-        write_dataset(self.folder, kept, stage.about, stage.settings, card)
+        write_dataset(self.folder, kept, stage.about, self._told(stage, len(parts)), card)
 
 
 def _why(parts: list[Part]) -> str:

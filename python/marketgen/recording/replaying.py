@@ -12,10 +12,10 @@ import numpy as np
 from .. import arguments
 from ..arguments import PathLike, Progress
 from ..errors import Error
-from .dataset import DATA_PATH
+from .dataset import DATA_PATH, SETTINGS_PATH, settings_in
 from .features import ACTION, DONE, REWARD, STATE
 from .parts import array_of
-from .recorder import contents_hash, told_realism
+from .recorder import check_installed, contents_hash, told_realism
 
 
 def replay_check(
@@ -30,6 +30,7 @@ def replay_check(
 
     Raises Error episode.not_repeated at the first that differs; usage.bad_flag for other episodes or another realism.
     """
+    check_installed()
     import pyarrow.parquet
 
     root = pathlib.Path(arguments.a_path("dataset", dataset))
@@ -50,11 +51,9 @@ _COLUMNS = ["episode_id", "episode_index", "length", "state_hash", "data/chunk_i
 
 
 def _settings(root: pathlib.Path, path: str) -> dict[str, Any]:
-    file = root / "meta/marketgen.json"
-    try:
-        settings = json.loads(file.read_text(encoding="utf-8"))
-    except OSError as fault:
-        raise Error("input.not_found", str(file), f"{fault.strerror}: expected a dataset of marketgen.record()") from None
+    settings = settings_in(root)
+    if settings is None:
+        raise Error("input.not_found", str(root / SETTINGS_PATH), "it is not there: expected a dataset of marketgen.record()")
     if settings["episodes_sha256"] != contents_hash(path):
         raise Error("usage.bad_flag", "episodes", f"{path} is not what the dataset was recorded of: {settings['episodes']}")
     return settings

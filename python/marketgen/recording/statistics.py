@@ -16,15 +16,13 @@ Statistics = dict[str, np.ndarray]
 
 def of_numbers(rows: np.ndarray) -> Statistics:
     """(frames,) or (frames, numbers); of each number, in float64."""
-    table = rows.astype(np.float64).reshape(len(rows), -1)
-    made = {
-        "min": table.min(0),
-        "max": table.max(0),
-        "mean": table.mean(0),
-        "std": table.std(0),
-        "count": np.array([len(table)]),
-    }
-    return made | dict(zip(QUANTILES, np.quantile(table, list(QUANTILES.values()), axis=0), strict=True))
+    columns = [_of_column(column.astype(np.float64)) for column in rows.reshape(len(rows), -1).T]  # one by one: rows are many
+    return {key: np.array([column[key] for column in columns]) for key in columns[0]} | {"count": np.array([len(rows)])}
+
+
+def _of_column(values: np.ndarray) -> dict[str, float]:
+    made = {"min": values.min(), "max": values.max(), "mean": values.mean(), "std": values.std()}
+    return made | dict(zip(QUANTILES, np.quantile(values, list(QUANTILES.values())), strict=True))
 
 
 class PictureCounts:

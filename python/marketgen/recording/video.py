@@ -6,6 +6,7 @@ that jumps about decodes two at most. One thread encodes: the bytes do not depen
 
 from __future__ import annotations
 
+import dataclasses
 import fractions
 import io
 import pathlib
@@ -21,19 +22,30 @@ if TYPE_CHECKING:
     import av
 
 KEY_EVERY = 2  # frames, as LeRobot has it
-PIX_FMT = "yuv420p"  # what every player and browser shows
-RESAMPLING = "AREA"  # of colours, which are kept for four pixels together
-# By the name that users give; what each decodes as, its encoder, and settings that keep 38 dB of our pictures, shelf labels and all.
-CODECS: dict[str, tuple[str, dict[str, str]]] = {
-    "h264": ("libx264", {"crf": "14", "preset": "veryfast", "bf": "0", "threads": "1"}),
-    "av1": ("libsvtav1", {"crf": "14", "preset": "10", "svtav1-params": "lp=1"}),
+RESAMPLING = "AREA"  # of colours that are kept for four pixels together
+
+
+@dataclasses.dataclass(frozen=True)
+class Codec:
+    """An encoder of FFmpeg and its settings."""
+
+    encoder: str
+    pix_fmt: str
+    options: dict[str, str]
+
+
+# By the names that users give, as what each decodes as. Of shelves full of labels yuv420p, colours for four pixels together, keeps no
+# more than 34 to 37 dB however many bits it has; it is what LeRobot writes and every browser shows, and SVT-AV1 has nothing else.
+# yuv444p with these settings keeps at least 38 dB from 64x64 on (docs/figures.md).
+CODECS = {
+    "h264": Codec("libx264", "yuv444p", {"crf": "12", "preset": "veryfast", "tune": "psnr", "bf": "0", "threads": "1"}),
+    "av1": Codec("libsvtav1", "yuv420p", {"crf": "14", "preset": "10", "svtav1-params": "lp=1"}),
 }
 
 
-def _stream_of(container: av.container.OutputContainer, codec: str, size: tuple[int, int], fps: int) -> Any:
-    encoder, options = CODECS[codec]
-    stream = container.add_stream(encoder, rate=fps, options={**options, "g": str(KEY_EVERY)})
-    stream.width, stream.height, stream.pix_fmt = *size, PIX_FMT
+def _stream_of(container: av.container.OutputContainer, codec: Codec, size: tuple[int, int], fps: int) -> Any:
+    stream = container.add_stream(codec.encoder, rate=fps, options={**codec.options, "g": str(KEY_EVERY)})
+    stream.width, stream.height, stream.pix_fmt = *size, codec.pix_fmt
     stream.time_base = fractions.Fraction(1, fps)
     return stream
 
@@ -47,12 +59,13 @@ class Encoder:
         self._frame_of = av.VideoFrame.from_ndarray
         self._bytes = io.BytesIO()
         self._container = av.open(self._bytes, "w", format="mp4")
-        self._stream = _stream_of(self._container, codec, size, fps)
+        self._codec = CODECS[codec]
+        self._stream = _stream_of(self._container, self._codec, size, fps)
         self._step, self._count = fractions.Fraction(1, fps), 0
 
     def add(self, rgb: np.ndarray) -> None:
         """(height, width, 3) uint8."""
-        frame = self._frame_of(rgb, format="rgb24").reformat(format=PIX_FMT, interpolation=RESAMPLING)
+        frame = self._frame_of(rgb, format="rgb24").reformat(format=self._codec.pix_fmt, interpolation=RESAMPLING)
         frame.pts, frame.time_base = self._count, self._step
         self._count += 1
         self._container.mux(self._stream.encode(frame))
@@ -94,16 +107,16 @@ def join(videos: Sequence[pathlib.Path], path: pathlib.Path, fps: int) -> None:
 def about_video(codec: str, size: tuple[int, int], fps: int) -> dict[str, Any]:
     """What info.json says of a camera's videos."""
     width, height = size
-    _, options = CODECS[codec]
+    made = CODECS[codec]
     return {
         "video.height": height,
         "video.width": width,
         "video.codec": codec,
-        "video.pix_fmt": PIX_FMT,
+        "video.pix_fmt": made.pix_fmt,
         "video.fps": fps,
         "video.channels": 3,
         "video.g": KEY_EVERY,
-        "video.crf": int(options["crf"]),
+        "video.crf": int(made.options["crf"]),
         "is_depth_map": False,
         "has_audio": False,
     }
