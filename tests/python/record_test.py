@@ -409,3 +409,11 @@ def test_what_is_not_installed_is_named(short_file, tmp_path, monkeypatch):
     with pytest.raises(marketgen.Error, match=r"pip install 'marketgen\[lerobot\]'") as caught:
         marketgen.record(short_file, tmp_path / "none", sways)
     assert caught.value.code == "usage.unavailable" and caught.value.where == "pyarrow"
+    with pytest.raises(marketgen.Error, match=r"marketgen\[lerobot\]"):
+        marketgen.replay_check(tmp_path / "none", short_file)
+
+
+def test_nothing_of_that_is_needed_before():
+    program = "import sys; sys.modules |= dict.fromkeys(('pyarrow', 'av', 'gymnasium')); import marketgen, marketgen.record as door; door.main(['--help'])"
+    done = subprocess.run([sys.executable, "-c", program], env={**os.environ, "PYTHONPATH": PACKAGE}, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0 and "LeRobot" in done.stdout, done.stderr

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .dataset import About
     from .parts import Part
 
-STRIP, STRIP_PICTURES = "strip.png", 6
+STRIP, STRIP_PICTURES, GAP_PX = "strip.png", 6, 2
 FRONT = """---
 task_categories:
 - robotics
@@ -38,12 +38,12 @@ def write_card(
     """Of the dataset in `root`, which is to be called `name`. `tried`: all that were acted out, kept or not."""
     info = json.loads((root / "meta/info.json").read_text(encoding="utf-8"))
     stats = json.loads((root / "meta/stats.json").read_text(encoding="utf-8"))
-    parts = [FRONT, f"# {name}", "", *_said(kept, tried, info, settings), "", *_tasks(kept), "", *_features(info, stats), ""]
+    parts = [FRONT, f"# {name}", "", *_said(kept, tried, info, settings), "", *_tasks(kept), ""]
     if about.cameras:
         write(root / STRIP, png_of(_strip(kept, about)))
-        shown = f"Pictures of the first episode, evenly over its time: {', '.join(about.cameras)}, top to bottom."
+        shown = f"The first episode, evenly over its time: {', '.join(about.cameras)}, top to bottom."
         parts += [f"![{shown}]({STRIP})", "", shown, ""]
-    parts += ["Made by MarketGen (`python -m marketgen.record`); in LeRobot's format v3.0:", "", *_example(name, info), ""]
+    parts += [*_features(info, stats), "", "Made by MarketGen (`python -m marketgen.record`); in LeRobot's format v3.0:", "", *_example(name, info), ""]
     write(root / "README.md", "\n".join(parts).encode())
 
 
@@ -97,8 +97,14 @@ def _example(name: str, info: dict[str, Any]) -> list[str]:
 
 
 def _strip(kept: Sequence[Part], about: About) -> np.ndarray:
-    """A row of pictures a camera."""
-    return np.concatenate([np.concatenate(_pictures(kept[0], camera), axis=1) for camera in about.cameras])
+    """A row of pictures a camera, with white between them."""
+    width, height = about.size
+    step_x, step_y = width + GAP_PX, height + GAP_PX
+    strip = np.full((step_y * len(about.cameras) - GAP_PX, step_x * STRIP_PICTURES - GAP_PX, 3), 255, np.uint8)
+    for row, camera in enumerate(about.cameras):
+        for column, picture in enumerate(_pictures(kept[0], camera)):
+            strip[row * step_y :, column * step_x :][:height, :width] = picture
+    return strip
 
 
 def _pictures(part: Part, camera: str) -> list[np.ndarray]:
