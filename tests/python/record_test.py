@@ -297,7 +297,7 @@ def test_the_oracle_demonstrates_and_failures_are_left_out(tmp_path):
     assert data.column("next.reward").sum() == 1 and len(data.video(0, "wrist_camera")) == row["length"]
     assert data.column("observation.state").std(0)[:7].min() > 0.01
     assert not (tmp_path / "oracle/videos/observation.images.scene_camera").exists()
-    card = (tmp_path / "oracle/README.md").read_text()
+    card = (tmp_path / "oracle" / "README.md").read_text()
     assert "| episodes | 1, 1 of them successful |" in card and "reached all goals in 1 of 2" in card and "strip.png" in card
     assert marketgen.replay_check(tmp_path / "oracle", file) == row["length"]
 

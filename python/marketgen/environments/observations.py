@@ -50,7 +50,7 @@ class Observations:
             self._parts.append((group, name, tuple(shape), slice(start, end)))
             lows.append(np.asarray(low, np.float32))
             highs.append(np.asarray(high, np.float32))
-            self._named += [(f"{name}.{number}", start + i) for i, number in enumerate(names)]
+            self._named += [(name if number == name else f"{name}.{number}", start + i) for i, number in enumerate(names)]
             if name not in NOT_FLAT[track]:
                 flat_places += range(start, end)
         self.row_length = end
