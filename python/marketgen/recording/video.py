@@ -35,7 +35,7 @@ class Codec:
 
 
 # By the names that users give, as what each decodes as. Of shelves full of labels yuv420p, colours for four pixels together, keeps no
-# more than 34 to 37 dB however many bits it has; it is what LeRobot writes and every browser shows, and SVT-AV1 has nothing else.
+# more than 34 to 37 dB however many bits it has; it is what LeRobot writes and browsers show, and SVT-AV1 has nothing else.
 # yuv444p with these settings keeps at least 38 dB from 64x64 on (docs/figures.md).
 CODECS = {
     "h264": Codec("libx264", "yuv444p", {"crf": "12", "preset": "veryfast", "tune": "psnr", "bf": "0", "threads": "1"}),
