@@ -76,12 +76,16 @@ std::vector<std::tuple<std::string, double, double>> action_numbers(const Enviro
 }
 
 // group, name, shape, low and high of each number.
-using PartRow = std::
-    tuple<std::string, std::string, std::vector<int>, std::vector<double>, std::vector<double>>;
+using PartRow = std::tuple<std::string,
+                           std::string,
+                           std::vector<int>,
+                           std::vector<double>,
+                           std::vector<double>,
+                           std::vector<std::string>>;
 std::vector<PartRow> parts(const EnvironmentHandle& h) {
   std::vector<PartRow> rows;
   for (const environments::ObservationPart& part : h.environment->observation_parts())
-    rows.emplace_back(part.group, part.name, part.shape, part.low, part.high);
+    rows.emplace_back(part.group, part.name, part.shape, part.low, part.high, part.names);
   return rows;
 }
 

@@ -1,5 +1,6 @@
 #include <nanobind/stl/string.h>
 
+#include "base/error_codes.h"
 #include "base/safe_line.h"
 #include "binding.h"
 
@@ -28,6 +29,7 @@ void add_errors(nb::module_& module) {
   const nb::object of_library = errors.attr("of_library");
   error_of_library = of_library.ptr();
   module.attr("_error_of_library") = of_library;
+  module.def("exit_status_of", [](const std::string& code) { return exit_status_of(code); });
   // Of a loop that ran outside without_interpreter() while another call was interrupted.
   nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
     try {

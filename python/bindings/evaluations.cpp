@@ -1,6 +1,7 @@
 // Evaluations for marketgen/evaluation.py: with the policies of the program, and with Python's.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -176,6 +177,10 @@ void add_evaluations(nb::module_& module) {
   module.def("evaluate_with", &evaluate_with);
   module.def("serve_episodes", &serve);
   module.def("find_episode_file", &find_episode_file);
+  module.def("read_shard", [](const std::string& text) {
+    const evaluation::Shard shard = value_or_raise(evaluation::read_shard(text));
+    return std::pair(shard.part, shard.of);
+  });
   module.def("episode_sets", &episode_sets);
   module.def("thread_count", &thread_count);
   module.def("data_folder", &data_folder_or_raise);

@@ -22,6 +22,7 @@ from .motion import read_motion
 from .photos import read_photo
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch
 from .rankings import leaderboard, merge, tables
+from .recording import Recording, record, replay_check
 from .store import Store, generate, open_store
 
 _core.use_python(sys.executable or "")  # its helper processes have this environment's packages
@@ -43,6 +44,7 @@ __all__ = [
     "Frame",
     "IsolationWarning",
     "Policy",
+    "Recording",
     "Renderer",
     "Store",
     "StoreWarning",
@@ -57,6 +59,8 @@ __all__ = [
     "policies",
     "read_motion",
     "read_photo",
+    "record",
     "render_batch",
+    "replay_check",
     "tables",
 ]

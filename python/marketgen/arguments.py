@@ -38,6 +38,13 @@ def a_path(name: str, value: Any) -> str:
         raise bad(name, value, "a path: str or os.PathLike") from None
 
 
+def existing(name: str, file: str) -> str:
+    """A whole path to what is there."""
+    if not os.path.exists(file):
+        raise Error("input.not_found", file, f"{name} names it, and it is not there")
+    return os.path.abspath(file)
+
+
 def episodes_path(name: str, value: Any) -> str:
     """A whole path: of the file, or of a set that comes with the program, by its name ("pool/aisle")."""
     return os.path.abspath(_core.find_episode_file(a_path(name, value)))

@@ -12,7 +12,6 @@ import pathlib
 import shutil
 import sys
 import tempfile
-import threading
 import time
 import warnings
 from collections.abc import Iterator, Sequence
@@ -25,6 +24,7 @@ from .arguments import PathLike, Progress
 from .errors import Error, IsolationWarning
 from .policy_process import PolicyFailed, PolicyFile, PolicyHere, PolicyProcess
 from .policy_sight import sight
+from .stages import Stages
 
 if TYPE_CHECKING:
     from typing import Unpack  # since Python 3.11
@@ -127,7 +127,7 @@ def evaluate(
         shard=arguments.a_text("shard", shard),
         realism=arguments.a_path("realism", realism),
         record_motion=arguments.a_truth("record_motion", record_motion),
-        policy_files=tuple(_existing("policy_files", file) for file in arguments.paths("policy_files", policy_files)),
+        policy_files=tuple(arguments.existing("policy_files", file) for file in arguments.paths("policy_files", policy_files)),
         truth=(path, into, _core.cache_folder(), *_episode_folders()),
         progress=arguments.a_progress(progress),
     )
@@ -135,7 +135,7 @@ def evaluate(
         if isinstance(policy, str) and ":" not in policy:
             _evaluate_named(readable, policy, run, options)
         else:
-            _evaluate_python(readable, _policy_in(policy) if isinstance(policy, str) else policy, run, options)
+            _evaluate_python(readable, PolicyFile.of_text(policy) if isinstance(policy, str) else policy, run, options)
     return evaluation_in(into)
 
 
@@ -148,20 +148,6 @@ def evaluation_in(folder: str) -> Evaluation:
 def _episode_folders() -> list[str]:
     """Of the sets that come with the program: data/benchmark has others too, of rows."""
     return [os.path.dirname(file) for file in _core.episode_sets().values()]
-
-
-def _existing(argument: str, file: str) -> str:
-    if not os.path.exists(file):
-        raise Error("input.not_found", file, f"{argument} names it, and it is not there")
-    return os.path.abspath(file)
-
-
-def _policy_in(text: str) -> PolicyFile:
-    """ "FILE.py:NAME"."""
-    file, _, name = text.rpartition(":")
-    if not file.endswith(".py") or not name.isidentifier():
-        raise Error("usage.bad_flag", "policy", f"{text!r} is neither a policy's name nor FILE.py:NAME")
-    return PolicyFile(_existing("policy", file), name)
 
 
 @contextlib.contextmanager
@@ -242,7 +228,7 @@ def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any])
     isolation = _isolation(run)
     code = [os.path.dirname(policy.path)] if isinstance(policy, PolicyFile) else []
     seen = None if isolation == NOT_ISOLATED else sight(run.truth, code=code, files=run.policy_files)
-    stages = _Stages(path, {**options, "realism": run.realism})
+    stages = Stages(path, {**options, "realism": run.realism})
 
     def make_runner():
         player = PolicyProcess(policy, *run.limits_s, seen) if run.acts_apart else PolicyHere(copy.deepcopy(policy))
@@ -266,43 +252,10 @@ def _isolation(run: _Run) -> str:
     return NOT_ISOLATED
 
 
-class _Stages:
-    """Environments of a file's episodes."""
-
-    def __init__(self, path: str, options: dict[str, Any]):
-        self._path, self._options, self._setups = path, options, {}
-        self._rows: list[dict[str, Any]] | None = None
-        self._lock = threading.Lock()
-
-    def environment(self, track: str, station: str | None):
-        from .environments.checkout import CheckoutUnloading
-        from .environments.in_aisle import InAisleCollection
-        from .environments.task_setup import CHECKOUT_STATION, TaskSetup
-
-        key = track, station
-        if key not in self._setups:
-            where = station or CHECKOUT_STATION
-            self._setups[key] = TaskSetup(track, episodes=self._path, station=where, **self._options)
-        kind = CheckoutUnloading if track == "checkout" else InAisleCollection
-        return kind(setup=self._setups[key])
-
-    def task(self, env, info: dict[str, Any]) -> dict[str, Any]:
-        """What the agent is told before it begins."""
-        task = json.loads(env.environment.task())
-        known = {"map": info["map"]} if "map" in info else {}
-        return task | known | {"action_names": env.action_names, "catalogue": self._catalogue(env)}
-
-    def _catalogue(self, env) -> list[dict[str, Any]]:
-        with self._lock:
-            if self._rows is None:
-                self._rows = [json.loads(row) for row in env.setup.ground.catalogue()]
-            return self._rows
-
-
 class _Runner:
     """Runs episodes one after another in one thread."""
 
-    def __init__(self, name: str, isolation: str, player: PolicyHere | PolicyProcess, stages: _Stages):
+    def __init__(self, name: str, isolation: str, player: PolicyHere | PolicyProcess, stages: Stages):
         self._name, self._isolation, self._player = name, isolation, player
         self._stages, self._environments = stages, {}
 

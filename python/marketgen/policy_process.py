@@ -27,7 +27,7 @@ import traceback
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from . import _core, answers, confinement
+from . import _core, answers, arguments, confinement
 from .errors import Error
 
 LOOK_UP_S = 0.2  # how often an interrupt is looked for
@@ -50,6 +50,14 @@ class PolicyFile(NamedTuple):
 
     path: str
     name: str
+
+    @classmethod
+    def of_text(cls, text: str) -> PolicyFile:
+        """ "FILE.py:NAME". Raises Error usage.bad_flag, input.not_found."""
+        file, _, name = text.rpartition(":")
+        if not file.endswith(".py") or not name.isidentifier():
+            raise Error("usage.bad_flag", "policy", f"{text!r} is neither a policy's name nor FILE.py:NAME")
+        return cls(arguments.existing("policy", file), name)
 
     def load(self) -> Any:
         sys.path.insert(0, os.path.dirname(self.path))  # as a script finds what lies beside it

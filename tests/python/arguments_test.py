@@ -205,6 +205,7 @@ def test_every_public_function_is_tried_above():
     functions = [marketgen.generate, marketgen.open_store, marketgen.read_photo, marketgen.evaluate, marketgen.render_batch]
     functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables, marketgen.read_motion]
     functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
+    # marketgen.record: record_test.py
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py
     for function in functions:

@@ -184,14 +184,15 @@ def known_flags():
         flags |= flags_in(help_of(command))
         for inner in subcommands(command):
             flags |= flags_in(help_of(command, inner))
-    for script in [*(ROOT / "tools").iterdir(), ROOT / "Makefile", ROOT / "CMakePresets.json", *ROOT.glob("bench/**/*")]:
+    for script in [*(ROOT / "tools").iterdir(), ROOT / "python/marketgen/record.py", ROOT / "Makefile", ROOT / "CMakePresets.json", *ROOT.glob("bench/**/*")]:
         if script.is_file():
             flags |= flags_in(text_of(script))
     return flags
 
 
-# Of other programs: CMake, ctest, GoogleTest, pip, git, ROS 2.
+# Of other programs: CMake, ctest, GoogleTest, pip, git, LeRobot, ROS 2.
 OTHERS_FLAGS = {"--preset", "--build", "--target", "--gtest", "--no-build-isolation", "--depth", "--python", "--size-prefixed", "--raw-binary"} | {
+    "--dataset",
     "--ros-args",
     "--params-file",
 }

@@ -43,12 +43,14 @@ class Observations:
         lows: list[np.ndarray] = []
         highs: list[np.ndarray] = []
         flat_places: list[int] = []
+        self._named: list[tuple[str, int]] = []  # the robot's numbers, and where they stand in a row
         end = 0
-        for group, name, shape, low, high in environment.observation_parts():
+        for group, name, shape, low, high, names in environment.observation_parts():
             start, end = end, end + math.prod(shape)
             self._parts.append((group, name, tuple(shape), slice(start, end)))
             lows.append(np.asarray(low, np.float32))
             highs.append(np.asarray(high, np.float32))
+            self._named += [(name if number == name else f"{name}.{number}", start + i) for i, number in enumerate(names)]
             if name not in NOT_FLAT[track]:
                 flat_places += range(start, end)
         self.row_length = end
@@ -110,6 +112,15 @@ class Observations:
     def numbers_of(self, rows: np.ndarray) -> Any:
         """One row of numbers, or many, as the space has them: views where they can be."""
         return rows[..., self._flat_places] if self.flat else self.parts_of(rows)
+
+    @property
+    def robot_names(self) -> tuple[str, ...]:
+        """What each of the robot's own numbers is, whatever else is shown: "qpos.joint1", "tcp_pose.tool_x"."""
+        return tuple(name for name, _ in self._named)
+
+    def robot_numbers(self, row: np.ndarray) -> np.ndarray:
+        """Those of a row."""
+        return row[[place for _, place in self._named]]
 
     def parts_of(self, rows: np.ndarray) -> dict[str, dict[str, np.ndarray]]:
         seen: dict[str, dict[str, np.ndarray]] = {}

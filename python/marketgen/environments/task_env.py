@@ -150,6 +150,16 @@ class TaskEnv(gymnasium.Env):
         numbers = seen.numbers_of(self._row)
         return numbers if seen.flat else {**numbers, **seen.pictures_of(self.environment, self._row)}
 
+    @property
+    def robot_names(self) -> tuple[str, ...]:
+        """What each of robot_numbers() is: "qpos.joint1", "tcp_pose.tool_x", "external_force.ARM"."""
+        return self.setup.observations.robot_names
+
+    def robot_numbers(self) -> np.ndarray:
+        """What the robot read of itself at the last reset(), step() or set_state(): its joints, tools, place and contacts in
+        one row of float32, in every obs_mode."""
+        return self.setup.observations.robot_numbers(self._row)
+
     def parts(self) -> dict[str, dict[str, np.ndarray]]:
         """The numbers of that observation by name, of a flat one, too."""
         return self.setup.observations.parts_of(self._row)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/seed.h"
+#include "environments/observation_parts.h"
 #include "episodes/track_world.h"
 
 namespace marketgen::environments {
@@ -19,10 +20,6 @@ bool by_joint(ControlMode mode) {
 
 std::size_t numbers_a_tool(ControlMode mode) {
   return mode == ControlMode::pd_ee_delta_pos ? 3 : 6;
-}
-
-std::string prefix_of(const robots::Tool& tool) {
-  return tool.prefix.empty() ? "tool_" : tool.prefix;
 }
 
 double share(double value) {
@@ -59,7 +56,7 @@ ActionMap::ActionMap(const robots::Robot& robot, ControlMode mode, bool stop)
   else
     add_tools();
   for (const robots::Tool& tool : robot.tools)
-    numbers_.push_back({prefix_of(tool) + "opening"});
+    numbers_.push_back({tool_prefix(tool) + "opening"});
   if (robot.drive) {
     numbers_.push_back({"drive"});
     numbers_.push_back({"turn"});
@@ -78,7 +75,7 @@ void ActionMap::add_joints(bool absolute) {
 void ActionMap::add_tools() {
   for (const robots::Tool& tool : robot_.tools)
     for (std::size_t axis = 0; axis < numbers_a_tool(mode_); ++axis)
-      numbers_.push_back({prefix_of(tool) + tool_axes[axis]});
+      numbers_.push_back({tool_prefix(tool) + tool_axes[axis]});
   for (const int place : other_) {
     const int dof = joints_[static_cast<std::size_t>(place)];
     numbers_.push_back({robot_.joint_of_dof(static_cast<std::size_t>(dof)).name});

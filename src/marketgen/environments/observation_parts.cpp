@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "base/hash.h"
@@ -27,21 +28,28 @@ class PartBuilder {
   void add(std::string name,
            std::vector<int> shape,
            const std::vector<double>& low,
-           const std::vector<double>& high) {
-    ObservationPart part{group_, std::move(name), std::move(shape), {}, {}};
+           const std::vector<double>& high,
+           std::vector<std::string> names = {}) {
+    ObservationPart part{group_, std::move(name), std::move(shape), {}, {}, std::move(names)};
     for (std::size_t i = 0; i < count_of(part); ++i) {
       part.low.push_back(low[i % low.size()]);
       part.high.push_back(high[i % high.size()]);
     }
     parts_.push_back(std::move(part));
   }
-  void add_poses(std::string name, std::vector<int> shape, double far_m) {
+  void add_poses(std::string name,
+                 std::vector<int> shape,
+                 double far_m,
+                 std::vector<std::string> names = {}) {
     add(std::move(name),
         std::move(shape),
         {-far_m, -far_m, -far_m, -1, -1, -1, -1},
-        {far_m, far_m, far_m, 1, 1, 1, 1});
+        {far_m, far_m, far_m, 1, 1, 1, 1},
+        std::move(names));
   }
-  void add_flags(std::string name, int count) { add(std::move(name), {count}, {0}, {1}); }
+  void add_flags(std::string name, int count, std::vector<std::string> names = {}) {
+    add(std::move(name), {count}, {0}, {1}, std::move(names));
+  }
   std::vector<ObservationPart> take() { return std::move(parts_); }
 
  private:
@@ -58,6 +66,23 @@ bool has_cup(const robots::Robot& robot) {
 std::vector<int> for_each_tool(const robots::Robot& robot, std::vector<int> shape) {
   if (robot.tools.size() > 1) shape.insert(shape.begin(), static_cast<int>(robot.tools.size()));
   return shape;
+}
+
+// "left_tool_opening", or of a pose "left_tool_x", "left_tool_y", ...: tool by tool.
+std::vector<std::string> tool_names(const robots::Robot& robot,
+                                    const std::vector<std::string>& numbers) {
+  std::vector<std::string> names;
+  for (const robots::Tool& tool : robot.tools)
+    for (const std::string& number : numbers)
+      names.push_back(tool_prefix(tool) + number);
+  return names;
+}
+
+std::vector<std::string> force_names(const robots::Robot& robot) {
+  std::vector<std::string> names;
+  for (const robots::ContactLimit& limit : robot.contact_limits)
+    names.push_back(robot.links[static_cast<std::size_t>(limit.link)].name);
+  return names;
 }
 
 double half_turn_within(double angle) {
@@ -81,6 +106,10 @@ void add_vector(Vec3 v, std::vector<double>& into) {
 
 }  // namespace
 
+std::string tool_prefix(const robots::Tool& tool) {
+  return tool.prefix.empty() ? "tool_" : tool.prefix;
+}
+
 std::size_t count_of(const ObservationPart& part) {
   std::size_t count = 1;
   for (const int length : part.shape)
@@ -91,11 +120,13 @@ std::size_t count_of(const ObservationPart& part) {
 std::vector<ObservationPart> robot_parts(const robots::Robot& robot,
                                          const ObservationBounds& bounds) {
   std::vector<double> low, high, speed;
+  std::vector<std::string> names;
   for (const int dof : episodes::commanded_dofs(robot)) {
     const robots::Joint& joint = robot.joint_of_dof(static_cast<std::size_t>(dof));
     low.push_back(joint.lower - limit_margin);
     high.push_back(joint.upper + limit_margin);
     speed.push_back(velocity_margin * joint.velocity);
+    names.push_back(joint.name);
   }
   const auto joints = static_cast<int>(speed.size()), tools = static_cast<int>(robot.tools.size());
   std::vector<double> back(speed.size());
@@ -105,18 +136,24 @@ std::vector<ObservationPart> robot_parts(const robots::Robot& robot,
     high.push_back(tool.kind == robots::ToolKind::suction ? agent::cup_off_m
                                                           : tool.opening + limit_margin);
   }
+  std::vector<std::string> positions = names;
+  std::ranges::move(tool_names(robot, {"opening"}), std::back_inserter(positions));
   PartBuilder agent("agent"), extra("extra"), signals("agent");
-  agent.add("qpos", {joints + tools}, low, high);
-  agent.add("qvel", {joints}, back, speed);
-  extra.add_poses("tcp_pose", for_each_tool(robot, {pose_numbers}), reach_m);
+  agent.add("qpos", {joints + tools}, low, high, positions);
+  agent.add("qvel", {joints}, back, speed, names);
+  extra.add_poses("tcp_pose",
+                  for_each_tool(robot, {pose_numbers}),
+                  reach_m,
+                  tool_names(robot, {"x", "y", "z", "qw", "qx", "qy", "qz"}));
   const double far = bounds.ground_m, half = std::numbers::pi;
-  extra.add("base_pose", {3}, {-far, -far, -half}, {far, far, half});
-  if (has_cup(robot)) signals.add_flags("sealed", tools);
+  extra.add("base_pose", {3}, {-far, -far, -half}, {far, far, half}, {"x", "y", "heading"});
+  if (has_cup(robot)) signals.add_flags("sealed", tools, tool_names(robot, {"sealed"}));
   signals.add("external_force",
               {static_cast<int>(robot.contact_limits.size())},
               {0},
-              {max_external_force_n});
-  signals.add_flags("stopped", 1);
+              {max_external_force_n},
+              force_names(robot));
+  signals.add_flags("stopped", 1, {"stopped"});
   std::vector<ObservationPart> parts = agent.take();
   for (PartBuilder* more : {&extra, &signals})
     std::ranges::move(more->take(), std::back_inserter(parts));

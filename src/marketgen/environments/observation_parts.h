@@ -14,12 +14,18 @@
 
 namespace marketgen::environments {
 
-// Numbers that belong together, row-major. `low` and `high` have one for each.
+// Numbers that belong together, row-major. `low` and `high` have one for each, and so have `names`
+// of the robot's own parts.
 struct ObservationPart {
   std::string group, name;  // "agent", "qpos"
   std::vector<int> shape;
   std::vector<double> low, high;
+  std::vector<std::string> names = {};  // "joint1"; none of privileged parts
 };
+
+// How names of a tool's numbers begin, in actions and observations: "left_tool_", and of a robot
+// with one tool "tool_".
+std::string tool_prefix(const robots::Tool& tool);
 
 // A thing that an episode is about, as it stands: the truth, for those who may know.
 struct EnvironmentItem {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "support/pool_ground.h"
 
@@ -55,6 +56,8 @@ TEST_P(EachEnvironment, NumbersAreNamedAndObservationsStayWithinTheirBounds) {
     std::size_t at = 0;
     for (const environments::ObservationPart& part : environment->observation_parts()) {
       ASSERT_EQ(part.low.size(), environments::count_of(part)) << part.name;
+      const std::set<std::string> names(part.names.begin(), part.names.end());
+      EXPECT_EQ(names.size(), part.group == "privileged" ? 0 : part.low.size()) << part.name;
       for (std::size_t n = 0; n < environments::count_of(part); ++n, ++at) {
         EXPECT_GE(seen[at], static_cast<float>(part.low[n])) << part.name;
         EXPECT_LE(seen[at], static_cast<float>(part.high[n])) << part.name;

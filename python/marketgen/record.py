@@ -1,0 +1,134 @@
+"""Demonstrations as a LeRobot dataset, from the command line: marketgen.record().
+
+    python -m marketgen.record tasks.jsonl -o unloading --policy oracle --success-only
+    python -m marketgen.record pool/checkout -o numbers --cameras none --count 20
+    python -m marketgen.record tasks.jsonl --check unloading
+
+Ends as the program's commands do: 0 done, 1 a dataset that does not replay, 2 bad usage or input, 3 it could not be finished, 130
+interrupted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+
+from . import _core
+from .errors import Error
+from .recording import Recording, record, replay_check
+from .recording.video import CODECS
+
+EVERY_S = 10.0  # between lines where standard error is no terminal
+
+
+def main(words: list[str] | None = None) -> int:
+    given = _parser().parse_args(words)
+    try:
+        return _check(given) if given.check else _record(given)
+    except Error as error:
+        print(f"error[{error.code}] {error.where}: {error.message}", file=sys.stderr)
+        return 1 if error.code == "episode.not_repeated" else _core.exit_status_of(error.code)
+    except KeyboardInterrupt:
+        again = "" if given.check else "; what is finished is kept: go on with --resume"
+        print(f"interrupted{again}", file=sys.stderr)
+        return _core.exit_status_of("internal.interrupted")
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python -m marketgen.record",
+        description="Acts episodes out and writes what happened as a LeRobot dataset v3.0 (docs/demonstrations.md).",
+        epilog="example: python -m marketgen.record tasks.jsonl -o unloading --policy oracle --success-only",
+    )
+    add = parser.add_argument
+    add("episodes", metavar="EPISODES", help="a file of `marketgen episodes`, or a set that comes with the program: pool/checkout")
+    out = parser.add_mutually_exclusive_group(required=True)
+    out.add_argument("-o", "--output", metavar="DATASET", help="the folder to make; until it is done DATASET.unfinished")
+    out.add_argument("--check", metavar="DATASET", help="instead: execute the actions of a dataset and compare the states")
+    add("--policy", default="oracle", help="oracle, classical, ... or FILE.py:NAME (default: %(default)s)")
+    add("--cameras", metavar="NAMES", help="scene_camera,wrist_camera; none: numbers alone (default: all that the robot has)")
+    add("--size", default="256x256", help="of the pictures (default: %(default)s)")
+    add("--quality", default="fast", choices=("fast", "balanced", "best"), help="of the pictures (default: %(default)s)")
+    add("--control-mode", default="pd_joint_pos", metavar="MODE", help="what an action is (default: %(default)s)")
+    add("--realism", default="ideal", help="ideal, standard, hard or a file (default: %(default)s)")
+    add("--codec", default="h264", choices=tuple(CODECS), help="of the videos (default: %(default)s)")
+    add("--success-only", action="store_true", help="leave out episodes that did not reach all their goals")
+    add("--count", type=int, default=0, metavar="N", help="stop when so many are in the dataset (default: all)")
+    add("--shard", default="", metavar="I/N", help="the I-th of N parts of the file, a dataset of its own")
+    add("--resume", action="store_true", help="go on with a recording that was broken off")
+    add("--quiet", action="store_true", help="no progress")
+    return parser
+
+
+def _record(given: argparse.Namespace) -> int:
+    made = record(
+        given.episodes,
+        given.output,
+        given.policy,
+        cameras=_cameras(given.cameras),
+        size=_size(given.size),
+        quality=given.quality,
+        control_mode=given.control_mode,
+        realism=given.realism,
+        codec=given.codec,
+        success_only=given.success_only,
+        count=given.count,
+        shard=given.shard,
+        resume=given.resume,
+        progress=None if given.quiet else _Told(),
+    )
+    print(summary_of(made))
+    return 0
+
+
+def _check(given: argparse.Namespace) -> int:
+    realism = given.realism if given.realism.endswith(".json") else None
+    frames = replay_check(given.check, given.episodes, realism=realism, progress=None if given.quiet else _Told())
+    print(f"{given.check}: the actions of {frames:,} frames lead to the same states, bit for bit")
+    return 0
+
+
+def summary_of(made: Recording) -> str:
+    """For people: what there is, how fast it went, and what recording cost beyond acting."""
+    lines = [f"{made.folder}: {made.episodes} episodes, {made.succeeded} of them successful, {made.frames:,} frames"]
+    if made.acted_now:
+        spent = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in made.seconds.items() if name != "all")
+        lines.append(
+            f"{made.acted_now} acted out in {made.seconds['all']:.0f} s: {made.episodes_an_hour:.0f} an hour, "
+            f"{made.times_as_long:.2f} times as long as without recording ({spent})"
+        )
+    return "\n".join(lines)
+
+
+def _cameras(text: str | None) -> tuple[str, ...] | None:
+    if text is None:
+        return None
+    return () if text == "none" else tuple(text.split(","))
+
+
+def _size(text: str) -> tuple[int, int]:
+    width, _, height = text.partition("x")
+    if not (width.isdecimal() and height.isdecimal()):
+        raise Error("usage.bad_flag", "--size", f"{text!r}: expected WIDTHxHEIGHT, as 256x256")
+    return int(width), int(height)
+
+
+class _Told:
+    """Progress on standard error: one line that is overwritten on a terminal, else a line now and then."""
+
+    def __init__(self) -> None:
+        self._terminal, self._last = sys.stderr.isatty(), -EVERY_S
+
+    def __call__(self, done: int, total: int, text: str) -> None:
+        line = f"{done}/{total} {text}"[:100]
+        now = time.monotonic()
+        if self._terminal:
+            print(f"\r\x1b[K{line}", end="\n" if done == total else "", file=sys.stderr, flush=True)
+        elif done == total or now - self._last >= EVERY_S:
+            self._last = now
+            print(line, file=sys.stderr, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,189 @@
+"""One episode, acted out and recorded."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import json
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from .. import _core
+from ..errors import Error
+from ..policies import ProgramPolicy
+from ..policy_process import PolicyFailed, PolicyFile, PolicyHere
+from ..stages import Stages
+from .features import ACTION, DONE, FRAME, REWARD, STATE, SUCCESS, TIME, Numbers
+from .statistics import PictureCounts
+from .video import Encoder
+
+FPS = 20  # of control, in every environment of ours
+
+
+class Stopwatch:
+    """Seconds by what they were spent on: "pictures", "video", "files"; None: on all together."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+
+    @contextlib.contextmanager
+    def on(self, what: str) -> Iterator[None]:
+        began = time.perf_counter()
+        try:
+            yield
+        finally:
+            self.seconds[what] = self.seconds.get(what, 0.0) + time.perf_counter() - began
+
+
+@dataclasses.dataclass
+class Take:
+    """An episode as it went. `numbers`: the features of features.acted(), a row a frame."""
+
+    numbers: dict[str, np.ndarray]
+    videos: dict[str, bytes]  # by camera
+    counts: dict[str, PictureCounts]
+    task: str
+    result: dict[str, Any]  # market-result/1
+    state_hash: str  # of the physics at the end
+
+
+class Player:
+    """Whoever acts in an environment: a policy of the program by its name, or one in Python.
+
+    Raises what the policy does, as Error episode.policy_failed.
+    """
+
+    def __init__(self, policy: Any, env: Any, stages: Stages):
+        self._env, self._stages = env, stages
+        self._of_program = ProgramPolicy(env, policy) if isinstance(policy, str) else None
+        self._in_python = policy if isinstance(policy, PolicyHere) else None
+
+    def begin(self, info: dict[str, Any], seen: Any) -> None:
+        if self._in_python is not None:
+            self._ask("begin", self._stages.task(self._env, info), seen)
+
+    def act(self, seen: Any) -> np.ndarray:
+        """In float32, as it is kept: what is executed is what a reader of the dataset has."""
+        if self._of_program is not None:
+            return self._of_program(seen)
+        try:
+            return np.asarray(self._ask("act", seen), np.float32)
+        except (TypeError, ValueError):
+            raise Error("episode.bad_action", "policy", "what it answered is no array of numbers") from None
+
+    def _ask(self, method: str, *arguments: Any) -> Any:
+        assert self._in_python is not None
+        try:
+            return self._in_python.ask(method, *arguments)
+        except PolicyFailed as fault:
+            raise Error(fault.code, "policy", fault.message) from fault
+
+
+def player_of(policy: Any) -> str | PolicyHere:
+    """What Player takes, of what record() was given: a name, FILE.py:NAME, a function, a class, an object with act()."""
+    if isinstance(policy, str) and ":" not in policy:
+        return policy
+    found = PolicyFile.of_text(policy) if isinstance(policy, str) else policy
+    if not (isinstance(found, PolicyFile) or callable(getattr(found, "act", None)) or callable(found)):
+        raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
+    try:
+        return PolicyHere(found)
+    except Exception as fault:  # of the user's code, which is run here
+        raise Error("episode.policy_failed", "policy", f"{type(fault).__name__}: {fault}") from fault
+
+
+class _Reel:
+    """One camera's pictures of the episode that runs."""
+
+    def __init__(self, new_encoder: Callable[[], Encoder]):
+        self.encoder, self.counts = new_encoder(), PictureCounts()
+
+    def add(self, rgb: np.ndarray) -> None:
+        self.encoder.add(rgb)
+        self.counts.add(rgb)
+
+
+def act_out(
+    env: Any,
+    episode: str,
+    player: Player,
+    kinds: dict[str, Numbers],
+    new_encoder: Callable[[], Encoder],
+    watch: Stopwatch,
+) -> Take:
+    """From reset to its end. Raises Error physics.failed, episode.*; then nothing is kept of it."""
+    reels = {camera: _Reel(new_encoder) for camera in env.cameras}
+    rows: dict[str, list[Any]] = {name: [] for name in kinds}
+    try:
+        info = _run(env, episode, player, rows, reels, watch)
+        with watch.on("video"):
+            videos = {camera: reel.encoder.finish() for camera, reel in reels.items()}
+    except BaseException:
+        for reel in reels.values():
+            reel.encoder.close()
+        raise
+    frames = len(rows[ACTION])
+    rows[SUCCESS][-1] = info["success"]
+    rows[FRAME] = list(range(frames))
+    rows[TIME] = [frame / FPS for frame in range(frames)]
+    return Take(
+        numbers={name: kind.rows(rows[name]) for name, kind in kinds.items()},
+        videos=videos,
+        counts={camera: reel.counts for camera, reel in reels.items()},
+        task=info["instruction"],
+        result=info["result"],
+        state_hash=env.state_hash(),
+    )
+
+
+def _run(
+    env: Any,
+    episode: str,
+    player: Player,
+    rows: dict[str, list[Any]],
+    reels: dict[str, _Reel],
+    watch: Stopwatch,
+) -> dict[str, Any]:
+    """The `info` of the last step."""
+    with _pictures_timed(env, watch):
+        seen, info = env.reset(seed=0, options={"episode": episode})
+        player.begin(info, seen)
+        over = False
+        while not over:
+            action = player.act(seen)
+            rows[ACTION].append(action)
+            rows[STATE].append(env.robot_numbers())
+            with watch.on("video"):
+                for camera, reel in reels.items():
+                    reel.add(seen["sensor_data"][camera]["rgb"])
+            seen, reward, terminated, truncated, info = env.step(action)
+            over = terminated or truncated
+            rows[REWARD].append(reward)
+            rows[DONE].append(over)
+            rows[SUCCESS].append(False)
+    return info
+
+
+@contextlib.contextmanager
+def _pictures_timed(env: Any, watch: Stopwatch) -> Iterator[None]:
+    """What observing takes beyond the simulation is all pictures."""
+    observe = env.observation
+
+    def timed() -> Any:
+        with watch.on("pictures"):
+            return observe()
+
+    env.observation = timed
+    try:
+        yield
+    finally:
+        del env.observation
+
+
+def id_of(episode: str) -> tuple[str, int]:
+    """Its id and seed."""
+    told = json.loads(episode)
+    return told["id"], told["seed"]
