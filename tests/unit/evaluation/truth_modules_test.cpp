@@ -188,12 +188,12 @@ TEST(AisleTruth, ACanIsFoundWhereItStands) {
   ASSERT_FALSE(spots.empty());
   const oracle::TrueShelfChoice choice(*world);
   const Pose near{base_from_store * can.position + Vec3{0.03, 0, 0}, can.rotation};
-  const perception::FittedPose again = choice.again(look, views, near);
+  const perception::FittedPose again = choice.again({&look}, views, near);
   EXPECT_EQ(again.evidence.score, 1);
   EXPECT_LT(length(world->world_from_base() * again.base_from_product.position - can.position),
             0.031);
   const Pose far{near.position + Vec3{0, 0, 1}, near.rotation};
-  EXPECT_EQ(choice.again(look, views, far).evidence.score, 0);
+  EXPECT_EQ(choice.again({&look}, views, far).evidence.score, 0);
   // What no picture shows is not told.
   EXPECT_TRUE(choice.find({&look, {}}, {}, boards, spots).empty());
 
