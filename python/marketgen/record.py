@@ -13,6 +13,7 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+import types
 
 from . import _core
 from .errors import Error
@@ -130,5 +131,13 @@ class _Told:
             print(line, file=sys.stderr, flush=True)
 
 
+class _CallableModule(types.ModuleType):
+    """`import marketgen.record` puts this module where marketgen has the function of that name: it does what that does."""
+
+    def __call__(self, *arguments, **options) -> Recording:
+        return record(*arguments, **options)
+
+
 if __name__ == "__main__":
     sys.exit(main())
+sys.modules[__name__].__class__ = _CallableModule

@@ -417,3 +417,9 @@ def test_nothing_of_that_is_needed_before():
     program = "import sys; sys.modules |= dict.fromkeys(('pyarrow', 'av', 'gymnasium')); import marketgen, marketgen.record as door; door.main(['--help'])"
     done = subprocess.run([sys.executable, "-c", program], env={**os.environ, "PYTHONPATH": PACKAGE}, capture_output=True, text=True, timeout=60)
     assert done.returncode == 0 and "LeRobot" in done.stdout, done.stderr
+
+
+def test_importing_the_module_leaves_the_function_callable():
+    program = "import marketgen.record; marketgen.record('nowhere.jsonl', 'dataset')"
+    ended = subprocess.run([sys.executable, "-c", program], env={**os.environ, "PYTHONPATH": PACKAGE}, capture_output=True, text=True, timeout=60)
+    assert "input.not_found nowhere.jsonl" in ended.stderr, ended.stderr
