@@ -98,7 +98,7 @@ Result<void> compare_speed(const scene::Scene& scene,
   const std::vector<Covered> room = covered_by(speed, {floor.outline});
   const std::vector<Covered> slow = covered_by(speed, busy), narrow = covered_by(speed, aisles);
   return every_cell(speed, where, [&](std::size_t cell) -> const char* {
-    const int limit = speed.values[cell];
+    const std::int8_t limit = speed.values[cell];
     const bool must = room[cell] == Covered::wholly && slow[cell] == Covered::wholly;
     const bool may = slow[cell] != Covered::none || narrow[cell] != Covered::none;
     if (limit < 0 || limit >= 100 || (limit > 0 && room[cell] == Covered::none))
