@@ -1,0 +1,69 @@
+// The frozen set that comes with the program is whole, opens, and is what it is said to be.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+
+#include "environments/episode_ground.h"
+#include "episodes/episode_sets.h"
+#include "io/file.h"
+
+namespace marketgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path shipped_data = fs::path(MARKETGEN_SOURCE_DIR) / "data";
+const fs::path v1_folder = shipped_data / "benchmark/v1";
+constexpr std::size_t v1_stores = 10, v1_episodes_a_store = 100;
+
+class FrozenBenchmark : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto file = episodes::find_episode_file("v1/checkout", shipped_data);
+    ASSERT_TRUE(file.ok()) << to_string(file.error());
+    const auto ground = environments::EpisodeGround::of_file(*file);
+    ASSERT_TRUE(ground.ok()) << to_string(ground.error());
+    ground_ = *ground;
+  }
+  std::shared_ptr<environments::EpisodeGround> ground_;
+};
+
+TEST_F(FrozenBenchmark, HasAHundredEpisodesOfEachOfItsStores) {
+  EXPECT_EQ(ground_->stores().size(), v1_stores);
+  std::map<std::string, std::size_t> of_store;
+  for (const episodes::EpisodeSpec& spec : ground_->episodes()) {
+    ++of_store[spec.scene_hash];
+    EXPECT_EQ(spec.track, episodes::Track::checkout);
+    EXPECT_FALSE(spec.certificate.witness.empty()) << spec.id;
+    EXPECT_EQ(spec.instruction.find(spec.goals.front().sku), std::string::npos) << spec.id;
+  }
+  for (const episodes::EpisodeStore& store : ground_->stores())
+    EXPECT_EQ(of_store[store.scene_hash], v1_episodes_a_store) << store.scene_hash;
+}
+
+TEST_F(FrozenBenchmark, ItsFirstAndLastEpisodesOpen) {
+  for (const episodes::EpisodeSpec* spec :
+       {&ground_->episodes().front(), &ground_->episodes().back()}) {
+    const auto world = ground_->arena().open(*spec);
+    EXPECT_TRUE(world.ok()) << spec->id << ": " << to_string(world.error());
+  }
+}
+
+TEST_F(FrozenBenchmark, ItsStoresAreInItsFiles) {
+  for (const episodes::EpisodeStore& store : ground_->stores()) {
+    ASSERT_TRUE(store.scene) << store.scene_hash;
+    EXPECT_EQ(io::sha256_of_file(store.scene->file).value(), store.scene->sha256);
+  }
+}
+
+TEST_F(FrozenBenchmark, SumsAreThoseOfAllItsFiles) {
+  std::istringstream sums(io::read_file(v1_folder / "SHA256SUMS").value());
+  std::size_t files = 0;
+  for (std::string sum, name; sums >> sum >> name; ++files)
+    EXPECT_EQ(io::sha256_of_file(v1_folder / name).value(), sum) << name;
+  EXPECT_EQ(files, 1 + v1_stores);
+}
+
+}  // namespace
+}  // namespace marketgen
