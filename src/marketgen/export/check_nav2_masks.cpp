@@ -50,9 +50,7 @@ std::vector<Covered> covered_by(const ReadMap& map, const std::vector<PolygonMm>
     for (int row = std::max(0, place(bounds.y0, map.origin[1]) - 1); row <= north; ++row) {
       for (int column = std::max(0, place(bounds.x0, map.origin[0]) - 1); column <= east;
            ++column) {
-        Covered& cell =
-            covered[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
-                    static_cast<std::size_t>(column)];
+        Covered& cell = covered[map.index(column, row)];
         cell = std::max(cell, cover_of_cell(map, column, row, polygon));
       }
     }

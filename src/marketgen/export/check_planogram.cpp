@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "catalog/gtin.h"
 #include "export/exporter.h"
 #include "io/csv.h"
 #include "io/file.h"
@@ -89,19 +90,6 @@ Result<ReadPosition> position_in(const io::CsvRow& row, const Columns& columns) 
   return read;
 }
 
-// A GTIN-13 whose last digit is right (GS1 General Specifications, 7.9), or none: what is sold by
-// weight has no number.
-bool is_gtin(const std::string& text) {
-  if (text.empty()) return true;
-  if (text.size() != 13) return false;
-  int sum = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] < '0' || text[i] > '9') return false;
-    sum += (text[i] - '0') * (i % 2 == 0 ? 1 : 3);
-  }
-  return sum % 10 == 0;
-}
-
 Result<void> check_counts(const ReadPosition& row) {
   if (row.units < 0 || row.units > row.capacity)
     return mismatch(row.place,
@@ -125,7 +113,9 @@ Result<void> check_position(const ReadPosition& row,
   if (found == products.end())
     return mismatch(row.place, "the store has no product \"" + row.sku + "\"");
   const catalog::Product& product = *found->second;
-  if (!is_gtin(row.gtin) || row.gtin != product.ean)
+  // None: what is sold by weight has no number.
+  const bool is_gtin = row.gtin.empty() || catalog::is_ean13(row.gtin);
+  if (!is_gtin || row.gtin != product.ean)
     return mismatch(row.place, "\"" + row.gtin + "\" is not the GTIN of \"" + row.sku + "\"");
   if (!std::ranges::equal(row.size_mm, product.size_mm))
     return mismatch(row.place, "\"" + row.sku + "\" is of another size");

@@ -11,17 +11,17 @@ namespace {
 struct Likeness {
   double min_share = 0, max_share = 0;  // of each side
   std::size_t most = 0;
+  bool same_category = false;
 };
-constexpr Likeness much_its_size{0.7, 1.3, 20}, as_large_or_larger{0.7, 2.5, 150};
+constexpr Likeness much_its_size{0.7, 1.3, 20, true}, as_large_or_larger{0.7, 2.5, 150, false};
 
-template <typename MayBe>
 std::vector<const catalog::Product*> most_alike(const catalog::Product& product,
                                                 const std::vector<catalog::Product>& rows,
-                                                const Likeness& likeness,
-                                                const MayBe& may_be) {
+                                                const Likeness& likeness) {
   std::vector<std::pair<double, const catalog::Product*>> alike;
   for (const catalog::Product& other : rows) {
-    if (product.sku == other.sku || !may_be(other)) continue;
+    if (product.sku == other.sku) continue;
+    if (likeness.same_category && product.category != other.category) continue;
     double off = 0;
     bool fits = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -44,15 +44,12 @@ std::vector<const catalog::Product*> most_alike(const catalog::Product& product,
 
 std::vector<const catalog::Product*> rivals_of(const catalog::Product& product,
                                                const std::vector<catalog::Product>& rows) {
-  return most_alike(product, rows, much_its_size, [&](const catalog::Product& other) {
-    return other.category == product.category;
-  });
+  return most_alike(product, rows, much_its_size);
 }
 
 std::vector<const catalog::Product*> rivals_of_any_kind(const catalog::Product& product,
                                                         const std::vector<catalog::Product>& rows) {
-  return most_alike(
-      product, rows, as_large_or_larger, [](const catalog::Product&) { return true; });
+  return most_alike(product, rows, as_large_or_larger);
 }
 
 }  // namespace marketgen::perception

@@ -64,8 +64,8 @@ std::vector<double> AisleBody::state() const {
   return robots::with_followers(robot, std::move(q));
 }
 
-motion::Configuration AisleBody::stowed_arm() const {
-  return robots::values_of(*setup_.robot->find_group(pick_.group), setup_.driving);
+motion::Configuration AisleBody::stowed_arm(const std::string& group) const {
+  return robots::values_of(*setup_.robot->find_group(group), setup_.driving);
 }
 
 bool AisleBody::holds_it() const {
@@ -96,7 +96,7 @@ Result<void> AisleBody::may_hold(const assets::ProductBody& body,
                                  const skills::ShelfPick& pick) const {
   skills::DropQuestion question;
   question.group = pick.group;
-  question.stow = robots::values_of(*setup_.robot->find_group(pick.group), setup_.driving);
+  question.stow = stowed_arm(pick.group);
   question.inside = inside_;
   question.tool = pick.tool;
   question.held = &body;
@@ -187,7 +187,7 @@ skills::StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) 
           .world_from_base = agent::store_from_base(now_.base),
           .group = pick_.group,
           .around = around(points),
-          .stow = stowed_arm(),
+          .stow = stowed_arm(pick_.group),
           .inside = inside_};
 }
 

@@ -65,7 +65,7 @@ class AisleBody {
   Result<void> go_home(const std::vector<Vec3f>& points);  // the empty arm, to its stowed posture
 
  private:
-  motion::Configuration stowed_arm() const;
+  motion::Configuration stowed_arm(const std::string& group) const;
   motion::Obstacles around(const std::vector<Vec3f>& points) const;
   skills::StowQuestion stow_question(const std::vector<Vec3f>& points) const;
   double room_behind_m() const;

@@ -36,13 +36,13 @@ perception::WantedProduct ShelfGoal::wanted_afar() const {
   return {look, rivals, wanted - fetched, words};
 }
 
-Result<perception::WantedProduct> ShelfGoal::wanted_close(const agent::KnownProducts& products,
+Result<perception::WantedProduct> ShelfGoal::wanted_close(agent::KnownProducts& products,
                                                           perception::LookLibrary& looks) {
   if (close_rivals.empty()) {
-    const std::vector<catalog::Product>& rows = products.rows();
-    const auto own = std::ranges::find(rows, sku, &catalog::Product::sku);
-    MARKETGEN_TRY(close_rivals,
-                  looks_of(perception::rivals_of_any_kind(*own, rows), products, looks));
+    MARKETGEN_TRY(const agent::KnownProduct* known, products.product(sku));
+    MARKETGEN_TRY(
+        close_rivals,
+        looks_of(perception::rivals_of_any_kind(known->product, products.rows()), products, looks));
   }
   return perception::WantedProduct{look, close_rivals, wanted - fetched, words};
 }

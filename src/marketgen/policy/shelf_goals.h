@@ -25,8 +25,9 @@ struct ShelfGoal {
   // As it is looked for from where many shelves are seen.
   perception::WantedProduct wanted_afar() const;
   // From before its shelf, where prints are large enough to tell it from whatever else it may be.
-  // What that looks like is learnt when it is asked for first. Errors: of LookLibrary::of.
-  Result<perception::WantedProduct> wanted_close(const agent::KnownProducts& products,
+  // What that looks like is learnt when it is asked for first. Errors: of KnownProducts::product
+  // and LookLibrary::of.
+  Result<perception::WantedProduct> wanted_close(agent::KnownProducts& products,
                                                  perception::LookLibrary& looks);
 };
 
