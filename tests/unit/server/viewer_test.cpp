@@ -399,11 +399,11 @@ TEST_F(ViewedStore, ServesThePageAndNothingBeside) {
 
 TEST(Serving, RefusesBeforeAnyWork) {
   const auto code = [](const server::ServeOptions& options) {
-    const auto served = server::serve(options, committed_catalog(), [](const std::string&) {});
+    const auto served =
+        server::serve(options, {"/nowhere"}, committed_catalog(), [](const std::string&) {});
     return served.ok() ? std::string("ok") : served.error().code;
   };
   server::ServeOptions options;
-  options.folders = {"/nowhere"};
   options.host = "0.0.0.0";
   EXPECT_EQ(code(options), "usage.bad_flag");
   options.token = "short";
