@@ -242,6 +242,12 @@ test("products are coloured by what they cost, with a legend, and are themselves
   await page.waitForTimeout(1500);
   await take(page, "heat");
   assert.notEqual(await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join()), before);
+  for (const [name, legend] of [["mass", /^≤ \d+\.\d\d kg≥ \d+\.\d\d kg$/], ["pickRate", /^≤ \d+ %≥ \d+ %$/]]) {
+    await page.getByLabel("Colour the products by").selectOption(name);
+    assert.match(await page.locator(".legend").textContent(), legend);
+    await page.waitForTimeout(500);
+    await take(page, `heat-${name}`);
+  }
   await page.getByLabel("Colour the products by").selectOption("");
   assert.equal(await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join()), before);
   assert.equal(await page.locator(".legend").isHidden(), true);
