@@ -62,6 +62,7 @@ HttpReply error_reply(int status, const Error& error) {
 
 int status_of(const Error& error) {
   if (error.code == "server.not_found") return 404;
+  if (error.code == "server.edit_taken") return 409;
   return error.code.starts_with("server.") || error.code.starts_with("input.") ? 400 : 500;
 }
 

@@ -49,11 +49,13 @@ Result<void> serve(const ServeOptions& options,
   MARKETGEN_CHECK(check_host(options));
   MARKETGEN_TRY(const std::filesystem::path page, page_folder());
   MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(options.folders, std::move(rows)));
-  MARKETGEN_TRY(const std::unique_ptr<Viewer> viewer, Viewer::open(std::move(stores), page));
+  MARKETGEN_TRY(const std::unique_ptr<Viewer> viewer,
+                Viewer::open(std::move(stores), page, {.may_edit = !options.read_only}));
   HttpServerOptions http;
   http.host = options.host;
   http.port = options.port;
   http.token = options.token;
+  http.limits.may_write = !options.read_only;
   MARKETGEN_TRY(const std::unique_ptr<HttpServer> server,
                 HttpServer::start(http, [&](const HttpAsk& ask) { return viewer->answer(ask); }));
   opened(server->address() + (options.token.empty() ? "" : "?token=" + options.token));

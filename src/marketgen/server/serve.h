@@ -14,6 +14,7 @@ struct ServeOptions {
   std::string host = "127.0.0.1";
   int port = 0;       // 0: any free one
   std::string token;  // needed for a host other than loopback
+  bool read_only = false;
 };
 
 // Calls `opened` with the address once it answers, then serves until it is interrupted, and returns

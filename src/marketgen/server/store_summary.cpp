@@ -43,23 +43,6 @@ std::vector<ViewCamera> cameras_of(const scene::Scene& scene) {
   return cameras;
 }
 
-std::vector<ViewFixture> fixtures_of(const scene::Scene& scene) {
-  std::vector<ViewFixture> rows;
-  for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
-    const layout::Fixture& f = scene.layout.fixtures[i];
-    rows.push_back({i,
-                    f.id,
-                    f.kind,
-                    f.zone,
-                    f.run,
-                    numbers(scene::world_from_fixture(scene, i).position),
-                    {f.width_mm * 1e-3, f.depth_mm * 1e-3, f.height_mm * 1e-3},
-                    f.yaw_deg,
-                    f.levels});
-  }
-  return rows;
-}
-
 std::vector<ViewJoint> joints_of(const scene::Scene& scene) {
   std::vector<ViewJoint> rows;
   for (std::uint32_t i = 0; i < scene.joints.size(); ++i) {
@@ -76,6 +59,25 @@ std::vector<ViewJoint> joints_of(const scene::Scene& scene) {
                     joint.lower,
                     joint.upper,
                     joint.states});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<ViewFixture> fixtures_of(const scene::Scene& scene) {
+  std::vector<ViewFixture> rows;
+  for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
+    const layout::Fixture& f = scene.layout.fixtures[i];
+    rows.push_back({i,
+                    f.id,
+                    f.kind,
+                    f.zone,
+                    f.run,
+                    numbers(scene::world_from_fixture(scene, i).position),
+                    {f.width_mm * 1e-3, f.depth_mm * 1e-3, f.height_mm * 1e-3},
+                    f.yaw_deg,
+                    f.levels});
   }
   return rows;
 }
@@ -99,8 +101,6 @@ std::vector<ViewSku> skus_of(const scene::Scene& scene) {
   return rows;
 }
 
-}  // namespace
-
 StoreLine line_of(int number, const store::Store& store) {
   return {number,
           store.manifest.name,
@@ -109,12 +109,13 @@ StoreLine line_of(int number, const store::Store& store) {
           store.scene.products.size()};
 }
 
-StoreSummary summary_of(int number, const store::Store& store) {
+StoreSummary summary_of(int number, const store::Store& store, bool may_edit) {
   const scene::Scene& scene = store.scene;
   const plan::Shell& shell = scene.layout.shell;
   const render::raytrace::Room room = render::raytrace::room_of(shell);
   StoreSummary summary;
   summary.store = number;
+  summary.may_edit = may_edit;
   summary.name = store.manifest.name;
   summary.folder = folder_name(store);
   summary.seed = store.manifest.seed;

@@ -116,6 +116,7 @@ struct ViewSku {
 
 struct StoreSummary {
   int store = 0;
+  bool may_edit = false;
   std::string name, folder;
   std::uint64_t seed = 0;
   std::string profile, scene_hash, look_hash, prompt;
@@ -134,6 +135,7 @@ struct StoreSummary {
 
   static constexpr auto fields =
       field_list(field("store", &StoreSummary::store, "its number in addresses"),
+                 field("may_edit", &StoreSummary::may_edit, "the server takes edits"),
                  field("name", &StoreSummary::name, "its name"),
                  field("folder", &StoreSummary::folder, "last part of its folder's path"),
                  field("seed", &StoreSummary::seed, "seed it was made with"),
@@ -155,7 +157,10 @@ struct StoreSummary {
                  field("skus", &StoreSummary::skus, "rows of the store's catalogue"));
 };
 
+// By row of the scene.
+std::vector<ViewFixture> fixtures_of(const scene::Scene& scene);
+std::vector<ViewSku> skus_of(const scene::Scene& scene);
 StoreLine line_of(int number, const store::Store& store);
-StoreSummary summary_of(int number, const store::Store& store);
+StoreSummary summary_of(int number, const store::Store& store, bool may_edit);
 
 }  // namespace marketgen::server
