@@ -129,11 +129,14 @@ class DeltaBase::Goods {
 };
 
 std::vector<DeltaBase::FixtureLook> DeltaBase::looks_of(const scene::Scene& scene) {
+  std::vector<std::uint64_t> printed;  // on a tag of the SKU
+  for (const catalog::Product& product : scene.catalog)
+    printed.push_back(hash64(io::write_json_line(product)));
   std::vector<std::string> tags(scene.fixtures.size());
   for (const scene::PriceLabel& label : scene.price_labels) {
     const scene::SceneShelf& shelf = scene.shelves[label.shelf];
     std::string& text = tags[shelf.fixture];
-    text += io::write_json_line(scene.catalog[label.sku]);
+    add_bits(text, printed[label.sku]);
     add_bits(text, shelf.level);
     add_bits(text, shelf.side);
     add_bits(text, label.x_m);

@@ -44,8 +44,8 @@ class DeltaBase {
   std::unordered_map<std::uint64_t, std::uint32_t> products_;       // rows by hash
 };
 
-// The shapes of some of a scene's fixtures in the form of room.bin: in plain colours, without price
-// tags. Lamps have their light, all else has none yet.
+// The shapes of some of a scene's fixtures, each once, and where they stand: in plain colours,
+// without price tags. Lamps have their light, all else has none yet.
 void pack_fixture_shapes(const scene::Scene& scene,
                          const std::vector<std::uint32_t>& rows,
                          PackedSections& sections);

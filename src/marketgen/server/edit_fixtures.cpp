@@ -1,8 +1,9 @@
 // The shapes of fixtures that an edit has moved or made, without waiting for the renderer.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <span>
-#include <utility>
+#include <string>
 
 #include "assets/print/color.h"
 #include "server/edit_delta.h"
@@ -23,6 +24,24 @@ assets::FixturePart shape_of_part(const scene::ScenePart& part) {
   return shape;
 }
 
+// A box without the bevel that it has from near: a third of the corners.
+Mesh plain_mesh(const scene::ScenePart& part) {
+  const assets::FixturePart shape = shape_of_part(part);
+  Mesh mesh;
+  if (shape.shape != assets::PartShape::box) {
+    assets::add_part_mesh(mesh, shape, 0);
+    return mesh;
+  }
+  const Vec3f half = shape.half_size;
+  add_box(mesh, half * -1.0F, half, 0, 0);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    mesh.positions[i] = to_float(shape.fixture_from_part * to_double(mesh.positions[i]));
+    mesh.normals[i] = to_float(rotate(shape.fixture_from_part.rotation, to_double(mesh.normals[i])));
+    mesh.uvs[i] = {};
+  }
+  return mesh;
+}
+
 // A part in a catalogue material has that material's ground colour.
 Vec3f plain_color(const scene::Scene& scene, const scene::ScenePart& part) {
   const Vec3f own{part.color[0], part.color[1], part.color[2]};
@@ -40,7 +59,6 @@ ViewVertex look_of_part(const scene::Scene& scene, const scene::ScenePart& part)
   const Vec3f color = plain_color(scene, part);
   ViewVertex look;
   look.finish = {byte_of(part.roughness), byte_of(part.metallic), 0, 0};
-  look.owner = {static_cast<std::uint16_t>(part.fixture), no_row};
   if (part.kind == assets::SurfaceKind::emissive)
     look.glow = color * lamp_light;
   else
@@ -48,68 +66,95 @@ ViewVertex look_of_part(const scene::Scene& scene, const scene::ScenePart& part)
   return look;
 }
 
-// What is drawn at once: all solid parts, all panes.
+// The parts as bytes, without the rows of their fixture and joint: equal modules have equal bytes.
+std::string content_of(const scene::Scene& scene, const scene::SceneFixture& fixture) {
+  std::string bytes;
+  for (std::uint32_t i = 0; i < fixture.part_count; ++i) {
+    scene::ScenePart part = scene.parts[fixture.first_part + i];
+    part.fixture = 0;
+    part.joint = -1;
+    bytes.append(reinterpret_cast<const char*>(&part), sizeof part);
+  }
+  return bytes;
+}
+
+// Each shape once, in its fixture's frame, and where it stands.
 class FixtureShapes {
  public:
   explicit FixtureShapes(const scene::Scene& scene) : scene_(scene) {}
 
-  void add(std::uint32_t fixture) {
+  void place(std::uint32_t fixture) {
     const scene::SceneFixture& row = scene_.fixtures[fixture];
-    const Pose place = scene::world_from_fixture(scene_, fixture);
-    for (std::uint32_t i = 0; i < row.part_count; ++i)
-      add(scene_.parts[row.first_part + i], place);
+    const auto [known, is_new] =
+        shapes_.try_emplace(content_of(scene_, row), static_cast<std::uint32_t>(shapes_.size()));
+    if (is_new) add_shape(row);
+    for (const std::uint32_t value : {known->second, fixture})
+      places_.push_back(value);
+    at_.insert(at_.end(), row.position_m.begin(), row.position_m.end());
+    turns_.push_back(static_cast<std::uint8_t>(row.quarter_turns));
   }
 
-  void pack(PackedSections& sections) {
-    ViewMesh mesh;
-    nlohmann::ordered_json batches = nlohmann::ordered_json::array();
-    for (auto& [part, layer] : {std::pair{&solid_, "solid"}, std::pair{&glass_, "glass"}}) {
-      if (part->indices.empty()) continue;
-      batches.push_back({{"first_index", mesh.indices.size()},
-                         {"index_count", part->indices.size()},
-                         {"layer", layer},
-                         {"texture", -1}});
-      mesh.append(*part);
-    }
-    mesh.pack(sections);
+  void pack(PackedSections& sections) const {
+    mesh_.pack(sections);
     std::vector<std::uint8_t> light, finish;
-    std::vector<std::uint16_t> owner;
-    for (const ViewVertex& v : mesh.vertices) {
+    for (const ViewVertex& v : mesh_.vertices) {
       for (const float channel : {v.glow.x, v.glow.y, v.glow.z, 0.0F})
         light.push_back(packed_light(channel));
       finish.insert(finish.end(), v.finish.begin(), v.finish.end());
-      owner.insert(owner.end(), v.owner.begin(), v.owner.end());
     }
     sections.add("light", 4, std::span<const std::uint8_t>(light));
     sections.add("finish", 4, std::span<const std::uint8_t>(finish));
-    sections.add("owner", 2, std::span<const std::uint16_t>(owner));
-    sections.note("batches", std::move(batches));
-    sections.note("textures", nlohmann::ordered_json::array());
+    sections.add("shapes", 5, std::span<const std::uint32_t>(ranges_));
+    sections.add("places", 2, std::span<const std::uint32_t>(places_));
+    sections.add("place_at", 3, std::span<const float>(at_));
+    sections.add("place_turns", 1, std::span<const std::uint8_t>(turns_));
   }
 
  private:
-  void add(const scene::ScenePart& part, const Pose& world_from_fixture) {
-    Mesh mesh;
-    assets::add_part_mesh(mesh, shape_of_part(part), 0);
+  void add_shape(const scene::SceneFixture& row) {
+    const std::array<std::size_t, 2> first{mesh_.vertices.size(), mesh_.indices.size()};
+    mesh_.begin_part();
+    add_parts(row, false);
+    const std::size_t solid = mesh_.indices.size() - first[1];
+    add_parts(row, true);
+    for (const std::size_t value : {first[0],
+                                    mesh_.vertices.size() - first[0],
+                                    first[1],
+                                    solid,
+                                    mesh_.indices.size() - first[1] - solid})
+      ranges_.push_back(static_cast<std::uint32_t>(value));
+  }
+
+  void add_parts(const scene::SceneFixture& row, bool glass) {
+    for (std::uint32_t i = row.first_part; i < row.first_part + row.part_count; ++i) {
+      const scene::ScenePart& part = scene_.parts[i];
+      if ((part.kind == assets::SurfaceKind::glass) == glass) add(part);
+    }
+  }
+
+  void add(const scene::ScenePart& part) {
+    const Mesh mesh = plain_mesh(part);
     const ViewVertex look = look_of_part(scene_, part);
-    ViewMesh& to = part.kind == assets::SurfaceKind::glass ? glass_ : solid_;
     for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
       Corners corners;
       for (std::size_t k = 0; k < 3; ++k) {
         corners[k] = look;
-        corners[k].position = to_float(world_from_fixture * to_double(mesh.positions[triangle[k]]));
-        corners[k].normal =
-            to_float(rotate(world_from_fixture.rotation, to_double(mesh.normals[triangle[k]])));
+        corners[k].position = mesh.positions[triangle[k]];
+        corners[k].normal = mesh.normals[triangle[k]];
       }
       for_short_triangles(corners, [&](const Corners& piece) {
         for (const ViewVertex& corner : piece)
-          to.indices.push_back(to.add(corner));
+          mesh_.indices.push_back(mesh_.add(corner));
       });
     }
   }
 
   const scene::Scene& scene_;
-  ViewMesh solid_, glass_;
+  std::map<std::string, std::uint32_t> shapes_;
+  ViewMesh mesh_;
+  std::vector<std::uint32_t> ranges_, places_;
+  std::vector<float> at_;
+  std::vector<std::uint8_t> turns_;
 };
 
 }  // namespace
@@ -119,7 +164,7 @@ void pack_fixture_shapes(const scene::Scene& scene,
                          PackedSections& sections) {
   FixtureShapes shapes(scene);
   for (const std::uint32_t row : rows)
-    shapes.add(row);
+    shapes.place(row);
   shapes.pack(sections);
 }
 
