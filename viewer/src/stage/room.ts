@@ -75,6 +75,11 @@ export class Room {
     }
   }
 
+  // What other things take their light from.
+  get lit(): { position: Float32Array; normal: Int8Array; light: Uint8Array } {
+    return { position: this.arrays.position, normal: this.packed.i8("normal", 4), light: this.packed.u8("light", 4) };
+  }
+
   // Moves a door, lid or drawer, and what it carries. The light on it stays that of its first place.
   move(joint: number, to: number): void {
     const moved = this.moving.move(joint, to);
