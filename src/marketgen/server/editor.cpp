@@ -73,12 +73,12 @@ std::vector<std::string> kinds_of(const catalog::Catalog& catalog) {
 
 }  // namespace
 
-int edit_status_of(const Error& error) {
-  constexpr std::array<std::string_view, 8> of_the_edit{
-      "layout.", "plan.", "json.", "brief.", "scene.", "catalog.", "assets.", "usage."};
-  const bool refused = std::ranges::any_of(
-      of_the_edit, [&](std::string_view module) { return error.code.starts_with(module); });
-  return refused ? 422 : status_of(error);
+bool is_refused_edit(const Error& error) {
+  constexpr std::array<std::string_view, 7> of_the_edit{
+      "layout.", "plan.", "brief.", "scene.", "catalog.", "assets.", "usage."};
+  return std::ranges::any_of(of_the_edit, [&](std::string_view module) {
+    return error.code.starts_with(module);
+  });
 }
 
 Result<EditSession*> Editor::session() {

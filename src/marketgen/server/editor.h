@@ -50,7 +50,8 @@ class Editor {
   std::unique_ptr<DeltaBase> delta_;
 };
 
-// A status that says whose fault it is: 422 for what the core refuses of an edit.
-int edit_status_of(const Error& error);
+// Whether it says why the core does not do an edit. That is an answer like others: a person tries
+// out what fits, and browsers complain of every status that is none of success.
+bool is_refused_edit(const Error& error);
 
 }  // namespace marketgen::server

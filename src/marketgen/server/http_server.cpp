@@ -61,8 +61,6 @@ std::string_view phrase_of(int status) {
       return "Conflict";
     case 413:
       return "Content Too Large";
-    case 422:
-      return "Unprocessable Content";
     case 429:
       return "Too Many Requests";
     default:

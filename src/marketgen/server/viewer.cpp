@@ -220,7 +220,8 @@ Result<HttpReply> Viewer::of_edit(Opened& store, const HttpAsk& ask, const Words
   if (ask.method == "POST") {
     const Result<HttpReply> reply = store.editor->post(words.size() == 1 ? words[0] : "", ask);
     if (reply.ok()) return reply;
-    return error_reply(edit_status_of(reply.error()), reply.error());
+    const int status = is_refused_edit(reply.error()) ? 200 : status_of(reply.error());
+    return error_reply(status, reply.error());
   }
   if (words.empty()) return store.editor->status();
   const EditSession::Now now = store.editor->now();

@@ -16,6 +16,12 @@ const noJoint = 0xffffffff;
 const ofTheEdit = /^\/(products|fixtures|search)\b/;
 const labelOrMesh = /^\/skus\/(\d+)(\/.*)$/;
 
+async function isRefusal(answer: Response): Promise<boolean> {
+  if (!answer.headers.get("Content-Type")?.startsWith("application/json")) return false;
+  const body = (await answer.clone().json()) as object;
+  return "error" in body;
+}
+
 export class EditClient extends Client {
   private names: RowNames | undefined;
   private mine = "";
@@ -51,7 +57,10 @@ export class EditClient extends Client {
     return names ? hits.map((hit) => ({ ...hit, sku_row: names.skuOfServer[hit.sku_row]! })) : hits;
   }
 
+  // Errors: server.edit_taken while another page edits.
   async begin(): Promise<Packed<EditHead>> {
+    const status = await this.json<{ taken: boolean }>("/edit");
+    if (status.taken && !this.keptToken()) throw new ServerError("server.edit_taken", "another page edits this store");
     const packed = await this.change("begin", {}, this.keptToken());
     this.mine = packed.head.token;
     this.keepToken(this.mine);
@@ -99,7 +108,8 @@ export class EditClient extends Client {
     } catch (error) {
       throw new ServerError(unreachable, String(error), verb);
     }
-    if (!answer.ok) throw await errorOf(answer);
+    // What the core refuses is an answer with an error in it.
+    if (!answer.ok || (await isRefusal(answer))) throw await errorOf(answer);
     return answer;
   }
 
