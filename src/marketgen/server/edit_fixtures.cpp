@@ -36,7 +36,8 @@ Mesh plain_mesh(const scene::ScenePart& part) {
   add_box(mesh, half * -1.0F, half, 0, 0);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     mesh.positions[i] = to_float(shape.fixture_from_part * to_double(mesh.positions[i]));
-    mesh.normals[i] = to_float(rotate(shape.fixture_from_part.rotation, to_double(mesh.normals[i])));
+    mesh.normals[i] =
+        to_float(rotate(shape.fixture_from_part.rotation, to_double(mesh.normals[i])));
     mesh.uvs[i] = {};
   }
   return mesh;
