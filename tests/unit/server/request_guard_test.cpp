@@ -8,7 +8,9 @@ namespace {
 using Clock = server::RequestGuard::Clock;
 
 server::HttpAsk ask(const std::string& host, const std::string& origin = "") {
-  server::HttpAsk asked{.method = "GET", .path = "/api/stores", .query = {}, .headers = {}};
+  server::HttpAsk asked;
+  asked.method = "GET";
+  asked.path = "/api/stores";
   asked.headers["host"] = host;
   if (!origin.empty()) asked.headers["origin"] = origin;
   return asked;
