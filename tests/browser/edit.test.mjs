@@ -19,8 +19,8 @@ const plan = {
     width_mm: 14000,
     depth_mm: 11000,
     openings: [
-      { id: "door", kind: "entrance", wall: "south", offset_mm: 9500, width_mm: 2000 },
-      { id: "way_out", kind: "exit", wall: "south", offset_mm: 3500, width_mm: 2000 },
+      { id: "door", kind: "entrance", wall: "south", center: 0.75, width_mm: 2000 },
+      { id: "way_out", kind: "exit", wall: "south", center: 0.3, width_mm: 2000 },
     ],
   },
   nodes: [

@@ -48,8 +48,8 @@ TEST(EditLease, IsOnePagesAtATime) {
 const char* const plan_text = R"({
   "schema": "market-plan/1", "name": "Edited",
   "shell": {"width_mm": 16000, "depth_mm": 12000,
-    "openings": [{"id": "door", "kind": "entrance", "wall": "south", "offset_mm": 11000, "width_mm": 2000},
-                 {"id": "way_out", "kind": "exit", "wall": "south", "offset_mm": 3500, "width_mm": 2000}]},
+    "openings": [{"id": "door", "kind": "entrance", "wall": "south", "center": 0.75, "width_mm": 2000},
+                 {"id": "way_out", "kind": "exit", "wall": "south", "center": 0.28, "width_mm": 2000}]},
   "nodes": [{"id": "root", "split": "y", "ratio": 0.4, "gap_mm": 2000, "children": ["front", "back"]},
             {"id": "front", "zone": "tills"},
             {"id": "back", "split": "x", "ratio": 0.5, "gap_mm": 2000, "children": ["west", "east"]},
