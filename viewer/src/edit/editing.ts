@@ -31,6 +31,7 @@ interface Opened {
   readonly table: GoodsTable;
   readonly light: Uint8Array;
   readonly skus: number;
+  readonly floors: string; // as JSON
   readonly nearGoods: NearLight;
   readonly nearRoom: NearLight;
 }
@@ -184,7 +185,7 @@ export class Editing {
     const light = storedLight!.cube;
     const nearGoods = new NearLight(1, 18);
     for (let row = 0; row < table.count; row++) nearGoods.add(table.position[row * 3]!, table.position[row * 3 + 1]!, table.position[row * 3 + 2]!, 0, light, row * 18);
-    return (this.opened = { table, light, skus: this.summary.skus.length, nearGoods, nearRoom: nearRoom(this.stage.room!) });
+    return (this.opened = { table, light, skus: this.summary.skus.length, floors: JSON.stringify(this.summary.zones), nearGoods, nearRoom: nearRoom(this.stage.room!) });
   }
 
   private async take(packed: Packed<EditHead>): Promise<void> {
@@ -232,7 +233,7 @@ export class Editing {
 
   private async takeRoom(packed: Packed<EditHead>, base: Opened): Promise<void> {
     const { stage, summary } = this;
-    stage.room!.revise(packed.u16("fixture_rows", 1), packed.u8("fixture_tags", 1));
+    stage.room!.revise(packed.u16("fixture_rows", 1), packed.u8("fixture_tags", 1), JSON.stringify(packed.head.floors) === base.floors);
     const sections = editedRoom(packed, base.nearRoom);
     const annexe = sections && (await Room.create(sections, [], stage.shared));
     stage.annexe?.dispose();

@@ -98,20 +98,24 @@ export class Room {
   }
 
   // After an edit: `rows`, by row as the room came, are the fixtures' rows now, 65535 for those that no longer stand so; `tags`: 0 where
-  // a fixture's print no longer holds. Undefined: all as it came.
-  revise(rows: Uint16Array | undefined, tags: Uint8Array | undefined): void {
+  // a fixture's print no longer holds. `signs`: those that hang over zones still hold.
+  revise(rows: Uint16Array, tags: Uint8Array, signs: boolean): void {
     const { parts } = this.divided!;
     const { owner } = this.arrays;
     this.firstOwner ??= owner.slice();
     if (this.firstFixtures.length === 0) this.firstFixtures = parts.map(({ fixture }) => fixture);
-    const rowOf = (first: number): number => (rows && first !== none ? rows[first]! : first);
+    const rowOf = (first: number): number => (first !== none ? rows[first]! : first);
     for (let i = 0; i < owner.length; i += 2) owner[i] = rowOf(this.firstOwner[i]!);
     this.gone.clear();
     parts.forEach((part, i) => {
       const first = this.firstFixtures[i]!;
-      if (first < 0) return;
+      const { print } = this.surfaces[part.surface]!;
+      if (first < 0) {
+        if (print && !signs) this.gone.add(i);
+        return;
+      }
       const row = rowOf(first);
-      const stale = tags?.[first] === 0 && this.surfaces[part.surface]!.print;
+      const stale = tags[first] === 0 && print;
       if (row === none || stale) this.gone.add(i);
       part.fixture = row === none ? first : row;
     });
