@@ -147,9 +147,9 @@ Result<int> edit(const EditFlags& flags) {
     store::EditOptions options;
     options.folder = flags.folder.empty() ? store::next_edit_folder(flags.store)
                                           : std::filesystem::path(flags.folder);
-    options.patches = std::move(said.patches);
-    options.source = source_of(flags);
-    options.words = flags.words;
+    options.step.patches = std::move(said.patches);
+    options.step.source = source_of(flags);
+    options.step.words = flags.words;
     options.previews = !flags.no_previews;
     MARKETGEN_TRY(store::Edited edited,
                   store::edit_store(store, options, catalog, progress_for(flags.common)));

@@ -40,7 +40,7 @@ Result<void> view(const ViewFlags& flags) {
 
 Run add_view(CLI::App& app) {
   auto flags = std::make_shared<ViewFlags>();
-  CLI::App* command = app.add_subcommand("view", "Show stores in a browser, until Ctrl-C");
+  CLI::App* command = app.add_subcommand("view", "Show and edit stores in a browser, until Ctrl-C");
   command->add_option("folders", flags->folders, "store folders")->required();
   constexpr int max_port = 65535;
   command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
@@ -53,9 +53,10 @@ Run add_view(CLI::App& app) {
                    "numeric address to listen on; any but loopback needs --token")
       ->capture_default_str();
   command->add_option("--token", flags->serve.token, "secret that every request must carry");
+  command->add_flag("--read-only", flags->serve.read_only, "stores are shown, not edited");
   command->add_flag("--embed",
                     flags->serve.embed,
-                    "pages that this machine serves, as Jupyter's, may show it in a frame");
+                    "pages that this machine serves, as Jupyter's, may show it in a frame; not edited");
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
       "Example:  marketgen view shop\n"

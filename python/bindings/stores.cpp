@@ -112,9 +112,9 @@ nb::tuple edit(const StoreHandle& handle,
   store::EditOptions options;
   options.folder =
       folder ? std::filesystem::path(*folder) : store::next_edit_folder(handle.store->folder);
-  options.patches = value_or_raise(plan::read_patches(patches, "patches"));
-  options.source = words.empty() ? "patches" : "say";
-  options.words = words;
+  options.step.patches = value_or_raise(plan::read_patches(patches, "patches"));
+  options.step.source = words.empty() ? "patches" : "say";
+  options.step.words = words;
   options.previews = previews;
   const store::Edited edited = value_or_raise(telling(progress, [&](Progress& told) {
     return store::edit_store(*handle.store, options, *handle.catalog, told);

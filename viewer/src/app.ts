@@ -6,7 +6,8 @@ import { lookingAt, type Pose } from "./camera/pose";
 import { add, distance, type Vec3 } from "./camera/vector";
 import { readAddress, writeAddress, type ViewState } from "./state/address";
 import { layerNames, type LayerName } from "./state/layers";
-import type { Client } from "./store/client";
+import type { EditClient } from "./edit/client";
+import { Editing } from "./edit/editing";
 import type { Hit, StoreCamera, Summary } from "./store/contract";
 import { elevationOf } from "./stage/elevation";
 import { fronts, facingOf, rotationOf } from "./stage/goods_table";
@@ -58,6 +59,7 @@ export class App {
   private heat: HeatName | undefined;
   private readonly layersPanel: LayersPanel;
   private readonly elevation: ElevationPanel;
+  private readonly editing: Editing;
   private tape: Vec3[] = [];
   private product: number | undefined;
   private fixture: number | undefined;
@@ -67,7 +69,7 @@ export class App {
   private choosing: AbortController | undefined;
 
   constructor(
-    private readonly client: Client,
+    private readonly client: EditClient,
     private readonly stage: Stage,
     private readonly summary: Summary,
     private readonly speech: Speech,
@@ -91,9 +93,10 @@ export class App {
     this.help = new Help(speech);
     const layerActions = { toggle: (layer: LayerName) => this.toggleLayer(layer), heat: (name: HeatName | undefined) => this.setHeat(name), close: () => this.openLayers(false) };
     this.layersPanel = new LayersPanel(speech, layerActions, summary.violations.map(({ message }) => message));
+    this.editing = this.makeEditing();
     this.toolbar = this.makeToolbar();
     this.hands = this.makeHands();
-    document.body.append(element("div", { class: "crosshair" }), this.marks.layer, this.search.panel, this.card.panel, this.elevation.panel, this.layersPanel.panel, this.toolbar.bar, this.help.dialog);
+    document.body.append(element("div", { class: "crosshair" }), this.marks.layer, this.search.panel, this.card.panel, this.elevation.panel, this.layersPanel.panel, this.editing.panel.panel, this.toolbar.bar, this.help.dialog);
     document.title = `${summary.name} · MarketGen`;
     speech.bind(() => {
       stage.canvas.setAttribute("aria-label", speech.say("view3d"));
@@ -161,6 +164,33 @@ export class App {
     });
   }
 
+  private makeEditing(): Editing {
+    const { client, stage, summary, speech, status } = this;
+    return new Editing(client, stage, summary, speech, status, {
+      changing: () => {
+        this.deselect();
+        if (this.search.query) this.search.clear();
+        if (!this.elevation.panel.hidden) this.elevation.close();
+      },
+      changed: () => {
+        this.navigator.room = roomOf(summary);
+        this.search.showCounts();
+        this.layersPanel.setViolations(summary.violations.map(({ message }) => message));
+        this.showLayers();
+        this.showHeat();
+      },
+      closed: () => {
+        this.stage.canvas.focus({ preventScroll: true });
+        this.showTools();
+      },
+    });
+  }
+
+  private toggleEditing(): void {
+    this.editing.toggle();
+    this.showTools();
+  }
+
   private makeToolbar(): Toolbar {
     const actions = {
       mode: (mode: Mode) => this.enter(mode),
@@ -168,6 +198,7 @@ export class App {
       measure: () => this.toggleMeasure(),
       zones: () => this.toggleLayer("zones"),
       layers: () => this.openLayers(!this.layersPanel.isOpen),
+      ...(this.summary.may_edit && { edit: () => this.toggleEditing() }),
       picture: () => void this.savePicture(),
       share: () => void this.share(),
       theme: () => this.theme.toggle(),
@@ -196,6 +227,7 @@ export class App {
     else if (event.key === "m" || event.key === "M") this.toggleMeasure();
     else if (event.key === "z" || event.key === "Z") this.toggleLayer("zones");
     else if (event.key === "l" || event.key === "L") this.openLayers(!this.layersPanel.isOpen);
+    else if (event.key === "r" || event.key === "R") this.toggleEditing();
     else if (event.key === "p" || event.key === "P") void this.savePicture();
     else if (event.key === "Escape") this.escape();
     else if (event.key === "Enter" && !onButton) this.click(this.stage.canvas.clientWidth / 2, this.stage.canvas.clientHeight / 2);
@@ -472,7 +504,7 @@ export class App {
   private showTools(): void {
     if (this.navigator.mode === "top") this.stage.setLens(topFov);
     else if (this.stage.camera.fov === topFov) this.stage.setLens(this.usualFov());
-    this.toolbar.show({ mode: this.navigator.mode, measuring: this.measuring, zones: this.layers.has("zones"), layers: this.layersPanel.isOpen });
+    this.toolbar.show({ mode: this.navigator.mode, measuring: this.measuring, zones: this.layers.has("zones"), layers: this.layersPanel.isOpen, edit: this.editing.panel.isOpen });
   }
 }
 

@@ -1,7 +1,7 @@
 // Starts the page: the summary first, then the picture, then everything else as it comes.
 import { App } from "./app";
 import { loadGoods, loadRest } from "./loader";
-import { Client } from "./store/client";
+import { EditClient } from "./edit/client";
 import { Stage } from "./stage/stage";
 import { element } from "./ui/dom";
 import { Speech } from "./ui/speech";
@@ -23,7 +23,7 @@ async function start(): Promise<void> {
   const watched = ((window as Watched).marketgen = { stage, times } as NonNullable<Watched["marketgen"]>);
 
   const address = new URLSearchParams(location.search);
-  const client = new Client(Number(address.get("store") ?? 0) || 0, address.get("token"));
+  const client = new EditClient(Number(address.get("store") ?? 0) || 0, address.get("token"));
   try {
     status.work(0.05, speech.say("loading"));
     const summary = await client.summary();

@@ -1,6 +1,7 @@
 #include "server/http_message.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -62,7 +63,11 @@ HttpReply error_reply(int status, const Error& error) {
 
 int status_of(const Error& error) {
   if (error.code == "server.not_found") return 404;
-  return error.code.starts_with("server.") || error.code.starts_with("input.") ? 400 : 500;
+  if (error.code == "server.edit_taken") return 409;
+  constexpr std::array<std::string_view, 3> of_the_request{"server.", "input.", "json."};
+  const bool bad = std::ranges::any_of(
+      of_the_request, [&](std::string_view module) { return error.code.starts_with(module); });
+  return bad ? 400 : 500;
 }
 
 std::optional<std::string> decoded(std::string_view text, bool plus_is_blank) {

@@ -16,6 +16,7 @@ struct HttpAsk {
   std::string path;                            // decoded, begins with '/'; no query
   std::map<std::string, std::string> query;    // decoded; of a name given twice the last
   std::map<std::string, std::string> headers;  // names in lower case
+  std::string body;                            // of POST
   std::string_view header(const std::string& name) const;  // empty when there is none
 };
 
@@ -41,8 +42,8 @@ std::shared_ptr<const HttpBody> made_body(std::string type, std::string bytes);
 HttpReply json_reply(const std::string& json);
 // {"error": {"code", "where", "message"}}
 HttpReply error_reply(int status, const Error& error);
-// The status that belongs to an error's code: 404 server.not_found, 400 for other server.* codes,
-// 500 for everything else.
+// The status that belongs to an error's code: 404 server.not_found, 409 server.edit_taken, 400 for
+// other server.*, input.* and json.* codes, 500 for everything else.
 int status_of(const Error& error);
 
 // "%20" and '+' as blanks. Nothing when a '%' is not followed by two hex digits, or for a NUL.

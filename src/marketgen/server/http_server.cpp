@@ -18,9 +18,9 @@
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
+#include <boost/beast/http/string_body.hpp>
 
 #include "base/text.h"
 #include "io/gzip.h"
@@ -58,6 +58,8 @@ std::string_view phrase_of(int status) {
       return "Not Found";
     case 405:
       return "Method Not Allowed";
+    case 409:
+      return "Conflict";
     case 413:
       return "Content Too Large";
     case 429:
@@ -124,12 +126,19 @@ HttpAsk unread() {
   return ask;
 }
 
+HttpReply unreadable(error_code failed) {
+  const bool too_long = failed == http::error::body_limit;
+  return error_reply(
+      too_long ? 413 : 400,
+      {"server.bad_request", "request", "is not HTTP, or too long: " + failed.message()});
+}
+
 // An address of IPv6 as it stands before a port.
 std::string in_brackets(const std::string& host) {
   return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-using Request = http::request<http::empty_body>;
+using Request = http::request<http::string_body>;
 
 Result<HttpAsk> ask_of(const Request& request) {
   HttpAsk ask;
@@ -142,6 +151,7 @@ Result<HttpAsk> ask_of(const Request& request) {
   if (question != std::string::npos) {
     MARKETGEN_TRY(ask.query, query_of(std::string_view(target).substr(question + 1)));
   }
+  ask.body = request.body();
   return ask;
 }
 
@@ -198,6 +208,7 @@ struct HttpServer::State {
 
   Result<void> listen();
   void accept();
+  bool takes_body(const Request& request) const;
   Outgoing answer_to(const Request& request) const;
 };
 
@@ -220,17 +231,29 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   void read() {
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(state_.options.max_request_bytes));
+    parser_->body_limit(static_cast<std::uint64_t>(state_.options.max_body_bytes));
     expire();
     http::async_read_header(stream_,
                             buffer_,
                             *parser_,
                             [self = this->shared_from_this()](error_code failed, std::size_t) {
-                              self->on_read(failed);
+                              self->on_head(failed);
                             });
   }
 
  private:
   void expire() { stream_.expires_after(std::chrono::milliseconds(state_.options.timeout_ms)); }
+
+  // A body is read where one is taken; what is refused by its head is answered without it.
+  void on_head(error_code failed) {
+    if (failed || !state_.takes_body(parser_->get())) return on_read(failed);
+    http::async_read(stream_,
+                     buffer_,
+                     *parser_,
+                     [self = this->shared_from_this()](error_code broken, std::size_t) {
+                       self->on_read(broken);
+                     });
+  }
 
   void on_read(error_code failed) {
     // What is no HTTP is told so; who has gone or takes too long is left.
@@ -240,12 +263,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     if (failed && !not_http) return;
     stream_.expires_never();  // our own time does not count
     asio::post(state_.makers, [self = this->shared_from_this(), failed] {
-      self->out_ = failed ? outgoing(unread(),
-                                     error_reply(400,
-                                                 {"server.bad_request",
-                                                  "request",
-                                                  "is not HTTP, or too long: " + failed.message()}),
-                                     {true, self->state_.options.embed})
+      self->out_ = failed ? outgoing(unread(), unreadable(failed), {true, self->state_.options.embed})
                           : self->state_.answer_to(self->parser_->get());
       asio::dispatch(self->stream_.get_executor(), [self] { self->write(self->out_.head, true); });
     });
@@ -278,7 +296,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   State& state_;
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
-  std::optional<http::request_parser<http::empty_body>> parser_;
+  std::optional<http::request_parser<http::string_body>> parser_;
   Outgoing out_;
 };
 
@@ -288,9 +306,16 @@ Outgoing HttpServer::State::answer_to(const Request& request) const {
   const Result<HttpAsk> ask = ask_of(request);
   if (!ask.ok()) return outgoing(unread(), error_reply(400, ask.error()), {true, options.embed});
   // A body that nobody reads would be taken for the next request.
-  const bool close = !request.keep_alive() || request.has_content_length() || request.chunked();
+  const bool has_body = request.has_content_length() || request.chunked();
+  const bool close = !request.keep_alive() || (has_body && !takes_body(request));
   std::optional<HttpReply> refused = guard->refusal(*ask);
   return outgoing(*ask, refused ? *std::move(refused) : handler(*ask), {close, options.embed});
+}
+
+// Of a known length, and to a server that takes any.
+bool HttpServer::State::takes_body(const Request& request) const {
+  return options.limits.may_write && request.method() == http::verb::post &&
+         request.has_content_length();
 }
 
 void HttpServer::State::accept() {

@@ -7,19 +7,12 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "server/edit_lease.h"
 
 namespace marketgen::server {
 namespace {
 
 constexpr std::string_view bearer = "Bearer ";
-
-// Takes as long whatever the texts share, so that a token cannot be guessed byte by byte.
-bool same_secret(std::string_view a, std::string_view b) {
-  unsigned char differ = a.size() == b.size() ? 0 : 1;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    differ |= static_cast<unsigned char>((i < a.size() ? a[i] : '\0') ^ b[i]);
-  return differ == 0;
-}
 
 HttpReply refused(int status, std::string where, std::string message) {
   return error_reply(status, {"server.refused", std::move(where), std::move(message)});
@@ -28,7 +21,16 @@ HttpReply refused(int status, std::string where, std::string message) {
 }  // namespace
 
 RequestGuard::RequestGuard(GuardRules rules)
-    : rules_(std::move(rules)), tokens_(rules_.burst), last_(Clock::now()) {}
+    : rules_(std::move(rules)),
+      reads_{rules_.requests_per_s, rules_.burst, rules_.burst, Clock::now()},
+      writes_{rules_.writes_per_s, rules_.write_burst, rules_.write_burst, Clock::now()} {}
+
+// A form of another site can post as well, but no JSON without asking first (CORS).
+bool RequestGuard::is_write(const HttpAsk& ask) const {
+  if (ask.method != "POST" || !rules_.may_write) return false;
+  const std::vector<std::string> parts = parts_of(ask.path);
+  return parts.size() == 5 && parts[0] == "api" && parts[1] == "stores" && parts[3] == "edit";
+}
 
 // Who has the token may come by whatever name this machine has in his network: no other page has
 // it.
@@ -48,24 +50,30 @@ bool RequestGuard::has_token(const HttpAsk& ask) const {
   return query != ask.query.end() && same_secret(query->second, rules_.token);
 }
 
-bool RequestGuard::within_rate(Clock::time_point now) {
+bool RequestGuard::within_rate(Bucket& bucket, Clock::time_point now) {
   const std::scoped_lock lock(mutex_);
-  const double passed_s = std::chrono::duration<double>(now - last_).count();
-  last_ = std::max(last_, now);
-  tokens_ = std::min(rules_.burst, tokens_ + std::max(0.0, passed_s) * rules_.requests_per_s);
-  if (tokens_ < 1) return false;
-  tokens_ -= 1;
+  const double passed_s = std::chrono::duration<double>(now - bucket.last).count();
+  bucket.last = std::max(bucket.last, now);
+  bucket.tokens = std::min(bucket.most, bucket.tokens + std::max(0.0, passed_s) * bucket.per_s);
+  if (bucket.tokens < 1) return false;
+  bucket.tokens -= 1;
   return true;
 }
 
 std::optional<HttpReply> RequestGuard::refusal(const HttpAsk& ask, Clock::time_point now) {
-  if (!within_rate(now)) {
+  const bool writes = is_write(ask);
+  if (!within_rate(reads_, now) || (writes && !within_rate(writes_, now))) {
     HttpReply busy = refused(429, "requests", "too many requests: wait a second and go on slower");
     busy.retry_after_s = 1;
     return busy;
   }
-  if (ask.method != "GET" && ask.method != "HEAD")
-    return refused(405, ask.method, "only GET and HEAD are answered");
+  if (ask.method != "GET" && ask.method != "HEAD" && !writes)
+    return refused(405,
+                   ask.method,
+                   "only GET and HEAD are answered here, and POST below /api/stores/N/edit/ where "
+                   "the server may edit");
+  if (writes && !ask.header("content-type").starts_with("application/json"))
+    return refused(403, "Content-Type", "what is posted is application/json");
   if (!is_own_host(ask.header("host")))
     return refused(403,
                    "Host",

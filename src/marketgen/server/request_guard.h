@@ -17,7 +17,9 @@ struct GuardRules {
   int port = 0;       // that it listens on
   std::string token;  // empty: none is needed
   double requests_per_s = 500;
-  double burst = 3000;  // requests at once: a page asks for many labels when it opens
+  double burst = 3000;     // requests at once: a page asks for many labels when it opens
+  bool may_write = false;  // POST below /api/stores/N/edit/
+  double writes_per_s = 20, write_burst = 60;  // of the requests, those that post
 };
 
 class RequestGuard {
@@ -26,18 +28,23 @@ class RequestGuard {
   explicit RequestGuard(GuardRules rules);
 
   // Nothing: let it pass. 403 for a foreign Host or Origin or a missing token, 405 for anything but
-  // GET and HEAD, 429 for too many requests. Thread-safe.
+  // GET and HEAD (and POST of JSON where one may write), 429 for too many requests. Thread-safe.
   std::optional<HttpReply> refusal(const HttpAsk& ask, Clock::time_point now = Clock::now());
 
  private:
   bool is_own_host(std::string_view host) const;
   bool has_token(const HttpAsk& ask) const;
-  bool within_rate(Clock::time_point now);
+  // Fills with time, and is emptied by requests.
+  struct Bucket {
+    double per_s, most, tokens;
+    Clock::time_point last;
+  };
+  bool is_write(const HttpAsk& ask) const;
+  bool within_rate(Bucket& bucket, Clock::time_point now);
 
   GuardRules rules_;
   std::mutex mutex_;
-  double tokens_ = 0;
-  Clock::time_point last_;
+  Bucket reads_, writes_;
 };
 
 }  // namespace marketgen::server

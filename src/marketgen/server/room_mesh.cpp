@@ -23,8 +23,6 @@ using render::raytrace::TriangleRecord;
 using render::raytrace::TriangleSet;
 using render::raytrace::World;
 
-// The renderer's probes stand 0.6 m apart in the room and 0.45 m along shelves.
-constexpr float max_edge_m = 0.6F;
 constexpr float cell_m = 12;  // of a batch: what is behind the viewer need not be drawn
 
 enum class Layer { solid, glass, ceiling };
@@ -32,16 +30,6 @@ constexpr std::array<std::string_view, 3> layer_names{"solid", "glass", "ceiling
 
 // What is drawn at once: layer, texture file, cell.
 using BatchKey = std::tuple<int, int, int, int>;
-using Corners = std::array<ViewVertex, 3>;
-
-ViewVertex between(const ViewVertex& a, const ViewVertex& b) {
-  ViewVertex middle = a;
-  middle.position = (a.position + b.position) * 0.5F;
-  const Vec3f normal = a.normal + b.normal;
-  middle.normal = length(normal) > 0 ? normalized(normal) : a.normal;
-  middle.uv = {(a.uv.x + b.uv.x) / 2, (a.uv.y + b.uv.y) / 2};
-  return middle;
-}
 
 class RoomMesh {
  public:
@@ -113,7 +101,8 @@ class RoomMesh {
         corners[k].uv = textures_.uv_in_file(record.material, record.uvs[k]);
         corners[k].owner = owner;
       }
-      cut(corners, layer, textures_.file_of(record.material));
+      const int texture = textures_.file_of(record.material);
+      for_short_triangles(corners, [&](const Corners& piece) { keep(piece, layer, texture); });
     }
   }
 
@@ -131,22 +120,6 @@ class RoomMesh {
                     srgb_byte(material.color.z),
                     255};
     return look;
-  }
-
-  // Halves the longest edge until none is too long.
-  void cut(const Corners& corners, Layer layer, int texture) {
-    std::size_t longest = 0;
-    float length_m = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float edge = length(corners[(k + 1) % 3].position - corners[k].position);
-      if (edge > length_m) std::tie(longest, length_m) = std::pair(k, edge);
-    }
-    if (length_m <= max_edge_m) return keep(corners, layer, texture);
-    const std::size_t next = (longest + 1) % 3;
-    Corners first = corners, second = corners;
-    first[next] = second[longest] = between(corners[longest], corners[next]);
-    cut(first, layer, texture);
-    cut(second, layer, texture);
   }
 
   void keep(const Corners& corners, Layer layer, int texture) {

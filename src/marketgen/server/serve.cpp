@@ -57,13 +57,15 @@ Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& option
                                                       store::OpenedStores stores) {
   MARKETGEN_CHECK(check_host(options));
   MARKETGEN_TRY(const std::filesystem::path page, page_folder());
+  const bool may_edit = !options.read_only && !options.embed;
   auto parts = std::make_unique<Parts>();
-  MARKETGEN_TRY(parts->viewer, Viewer::open(std::move(stores), page));
+  MARKETGEN_TRY(parts->viewer, Viewer::open(std::move(stores), page, {.may_edit = may_edit}));
   HttpServerOptions http;
   http.host = options.host;
   http.port = options.port;
   http.token = options.token;
   http.embed = options.embed;
+  http.limits.may_write = may_edit;
   MARKETGEN_TRY(parts->server,
                 HttpServer::start(http, [&viewer = *parts->viewer](const HttpAsk& ask) {
                   return viewer.answer(ask);

@@ -46,21 +46,11 @@ std::vector<ViewCamera> cameras_of(const scene::Scene& scene) {
   return cameras;
 }
 
-std::vector<ViewFixture> fixtures_of(const scene::Scene& scene) {
-  std::vector<ViewFixture> rows;
-  for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
-    const layout::Fixture& f = scene.layout.fixtures[i];
-    rows.push_back({i,
-                    f.id,
-                    f.kind,
-                    f.zone,
-                    f.run,
-                    numbers(scene::world_from_fixture(scene, i).position),
-                    {f.width_mm * 1e-3, f.depth_mm * 1e-3, f.height_mm * 1e-3},
-                    f.yaw_deg,
-                    f.levels});
-  }
-  return rows;
+double pick_rate(const std::vector<CardGrasp>& grasps) {
+  double best = not_studied;
+  for (const CardGrasp& grasp : grasps)
+    best = std::max(best, grasp.tries == 0 ? 0 : grasp.held / static_cast<double>(grasp.tries));
+  return best;
 }
 
 std::vector<ViewJoint> joints_of(const scene::Scene& scene) {
@@ -83,11 +73,23 @@ std::vector<ViewJoint> joints_of(const scene::Scene& scene) {
   return rows;
 }
 
-double pick_rate(const std::vector<CardGrasp>& grasps) {
-  double best = not_studied;
-  for (const CardGrasp& grasp : grasps)
-    best = std::max(best, grasp.tries == 0 ? 0 : grasp.held / static_cast<double>(grasp.tries));
-  return best;
+}  // namespace
+
+std::vector<ViewFixture> fixtures_of(const scene::Scene& scene) {
+  std::vector<ViewFixture> rows;
+  for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
+    const layout::Fixture& f = scene.layout.fixtures[i];
+    rows.push_back({i,
+                    f.id,
+                    f.kind,
+                    f.zone,
+                    f.run,
+                    numbers(scene::world_from_fixture(scene, i).position),
+                    {f.width_mm * 1e-3, f.depth_mm * 1e-3, f.height_mm * 1e-3},
+                    f.yaw_deg,
+                    f.levels});
+  }
+  return rows;
 }
 
 std::vector<ViewSku> skus_of(const scene::Scene& scene,
@@ -113,8 +115,6 @@ std::vector<ViewSku> skus_of(const scene::Scene& scene,
   return rows;
 }
 
-}  // namespace
-
 StoreLine line_of(int number, const store::Store& store) {
   return {number,
           store.manifest.name,
@@ -126,12 +126,14 @@ StoreLine line_of(int number, const store::Store& store) {
 StoreSummary summary_of(int number,
                         const store::Store& store,
                         const GraspFacts& grasps,
-                        const std::vector<catalog::FrictionRow>& frictions) {
+                        const std::vector<catalog::FrictionRow>& frictions,
+                        bool may_edit) {
   const scene::Scene& scene = store.scene;
   const plan::Shell& shell = scene.layout.shell;
   const render::raytrace::Room room = render::raytrace::room_of(shell);
   StoreSummary summary;
   summary.store = number;
+  summary.may_edit = may_edit;
   summary.name = store.manifest.name;
   summary.folder = folder_name(store);
   summary.seed = store.manifest.seed;

@@ -123,6 +123,7 @@ struct ViewSku {
 
 struct StoreSummary {
   int store = 0;
+  bool may_edit = false;
   std::string name, folder;
   std::uint64_t seed = 0;
   std::string profile, scene_hash, look_hash, prompt;
@@ -141,6 +142,7 @@ struct StoreSummary {
 
   static constexpr auto fields =
       field_list(field("store", &StoreSummary::store, "its number in addresses"),
+                 field("may_edit", &StoreSummary::may_edit, "the server takes edits"),
                  field("name", &StoreSummary::name, "its name"),
                  field("folder", &StoreSummary::folder, "last part of its folder's path"),
                  field("seed", &StoreSummary::seed, "seed it was made with"),
@@ -162,10 +164,16 @@ struct StoreSummary {
                  field("skus", &StoreSummary::skus, "rows of the store's catalogue"));
 };
 
+// By row of the scene.
+std::vector<ViewFixture> fixtures_of(const scene::Scene& scene);
+std::vector<ViewSku> skus_of(const scene::Scene& scene,
+                             const GraspFacts& grasps,
+                             const std::vector<catalog::FrictionRow>& frictions);
 StoreLine line_of(int number, const store::Store& store);
 StoreSummary summary_of(int number,
                         const store::Store& store,
                         const GraspFacts& grasps,
-                        const std::vector<catalog::FrictionRow>& frictions);
+                        const std::vector<catalog::FrictionRow>& frictions,
+                        bool may_edit);
 
 }  // namespace marketgen::server

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "base/hash.h"
 
@@ -11,6 +13,8 @@ namespace marketgen::server {
 namespace {
 
 constexpr float max_light = 4;  // times white
+// The renderer's probes stand 0.6 m apart in the room and 0.45 m along shelves.
+constexpr float max_edge_m = 0.6F;
 
 void append(std::string& bytes, const auto& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -38,6 +42,15 @@ bool same(const ViewVertex& a, const ViewVertex& b) {
          a.owner == b.owner && same(a.glow, b.glow);
 }
 
+ViewVertex between(const ViewVertex& a, const ViewVertex& b) {
+  ViewVertex middle = a;
+  middle.position = (a.position + b.position) * 0.5F;
+  const Vec3f normal = a.normal + b.normal;
+  middle.normal = length(normal) > 0 ? normalized(normal) : a.normal;
+  middle.uv = {(a.uv.x + b.uv.x) / 2, (a.uv.y + b.uv.y) / 2};
+  return middle;
+}
+
 template <class Number, std::size_t Components, class Of>
 void pack_rows(PackedSections& sections,
                std::string_view name,
@@ -53,6 +66,21 @@ void pack_rows(PackedSections& sections,
 }
 
 }  // namespace
+
+void for_short_triangles(const Corners& corners, const std::function<void(const Corners&)>& piece) {
+  std::size_t longest = 0;
+  float length_m = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float edge = length(corners[(k + 1) % 3].position - corners[k].position);
+    if (edge > length_m) std::tie(longest, length_m) = std::pair(k, edge);
+  }
+  if (length_m <= max_edge_m) return piece(corners);
+  const std::size_t next = (longest + 1) % 3;
+  Corners first = corners, second = corners;
+  first[next] = second[longest] = between(corners[longest], corners[next]);
+  for_short_triangles(first, piece);
+  for_short_triangles(second, piece);
+}
 
 std::uint32_t ViewMesh::add(const ViewVertex& vertex) {
   const std::uint64_t hash = hash_of(vertex);

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct ViewVertex {
   std::array<std::uint16_t, 2> owner{no_row, no_row};     // fixture, joint
   Vec3f glow;  // light that it gives by itself, exposed; zero: it is lit
 };
+
+using Corners = std::array<ViewVertex, 3>;
+
+// Halves a triangle's longest edge until none is too long for light that is stored at corners, and
+// hands each piece on.
+void for_short_triangles(const Corners& corners, const std::function<void(const Corners&)>& piece);
 
 // Vertices that are alike in everything are one.
 class ViewMesh {

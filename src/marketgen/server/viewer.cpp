@@ -11,9 +11,11 @@
 #include "base/build_info.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "catalog/user_products.h"
 #include "export/label_picture.h"
 #include "io/json.h"
 #include "io/png.h"
+#include "server/editor.h"
 #include "server/page_files.h"
 #include "server/store_summary.h"
 #include "server/view_files.h"
@@ -85,35 +87,66 @@ struct Viewer::Opened {
   int number = 0;
   std::shared_ptr<const store::Store> store;
   HttpReply summary, goods;
+  std::once_flag begun;
   std::unique_ptr<ViewBuild> build;
+  std::unique_ptr<Editor> editor;
 };
 
-Viewer::Viewer(store::OpenedStores stores, std::filesystem::path page)
-    : catalog_(std::move(stores.catalog)), page_(std::move(page)), drawing_(thread_count()) {
-  for (std::shared_ptr<const store::Store>& store : stores.stores) {
-    auto opened = std::make_unique<Opened>();
-    opened->number = static_cast<int>(stores_.size());
-    opened->store = std::move(store);
-    stores_.push_back(std::move(opened));
-  }
+// Begins it where nobody has asked yet: stores that an edit has saved may never be looked at.
+ViewBuild& Viewer::build_of(Opened& store) {
+  std::call_once(store.begun,
+                 [&] { store.build = std::make_unique<ViewBuild>(store.store, building_); });
+  return *store.build;
 }
+
+Viewer::Viewer(store::OpenedStores stores, std::filesystem::path page, ViewerOptions options)
+    : catalog_(std::move(stores.catalog)),
+      rows_(std::make_shared<const catalog::Catalog>(std::move(stores.rows))),
+      options_(options),
+      page_(std::move(page)),
+      drawing_(thread_count()) {}
 
 Viewer::~Viewer() = default;
 
 Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
-                                             std::filesystem::path page) {
-  std::unique_ptr<Viewer> viewer(new Viewer(std::move(stores), std::move(page)));
+                                             std::filesystem::path page,
+                                             ViewerOptions options) {
+  std::vector<std::shared_ptr<const store::Store>> opened = std::move(stores.stores);
+  std::unique_ptr<Viewer> viewer(new Viewer(std::move(stores), std::move(page), options));
   MARKETGEN_TRY(viewer->search_, StoreSearch::open(viewer->catalog_));
   MARKETGEN_TRY(viewer->grasps_, read_grasp_facts());
-  for (const std::unique_ptr<Opened>& opened : viewer->stores_) {
-    const store::Store& store = *opened->store;
-    opened->summary = json_reply(io::write_json_line(
-        summary_of(opened->number, store, viewer->grasps_, viewer->catalog_.frictions)));
-    ViewFile goods = goods_table(store.scene);
-    opened->goods = {.body = make_body(goods.type, std::move(goods.bytes))};
-    opened->build = std::make_unique<ViewBuild>(opened->store, viewer->building_);
-  }
+  for (std::shared_ptr<const store::Store>& store : opened)
+    viewer->add(std::move(store));
+  for (const std::unique_ptr<Opened>& store : viewer->stores_)
+    viewer->build_of(*store);
   return viewer;
+}
+
+int Viewer::add(std::shared_ptr<const store::Store> store) {
+  const std::unique_lock lock(listing_);
+  auto opened = std::make_unique<Opened>();
+  opened->number = static_cast<int>(stores_.size());
+  opened->summary = json_reply(io::write_json_line(
+      summary_of(opened->number, *store, grasps_, rows_->frictions, options_.may_edit)));
+  ViewFile goods = goods_table(store->scene);
+  opened->goods = {.body = make_body(goods.type, std::move(goods.bytes))};
+  const auto rows = store->manifest.own
+                        ? std::make_shared<const catalog::Catalog>(
+                              catalog::with_own_products(*rows_, *store->manifest.own))
+                        : rows_;
+  if (options_.may_edit)
+    opened->editor =
+        std::make_unique<Editor>(store, rows, grasps_, [this, rows](const std::filesystem::path& folder) {
+          return add_saved(folder, *rows);
+        });
+  opened->store = std::move(store);
+  stores_.push_back(std::move(opened));
+  return stores_.back()->number;
+}
+
+Result<int> Viewer::add_saved(const std::filesystem::path& folder, const catalog::Catalog& rows) {
+  MARKETGEN_TRY(store::Store store, store::open_store(folder, rows));
+  return add(std::make_shared<const store::Store>(std::move(store)));
 }
 
 HttpReply Viewer::answer(const HttpAsk& ask) {
@@ -121,33 +154,52 @@ HttpReply Viewer::answer(const HttpAsk& ask) {
   return reply.ok() ? *reply : error_reply(status_of(reply.error()), reply.error());
 }
 
+HttpReply Viewer::list() const {
+  const std::shared_lock lock(listing_);
+  StoreList list{.program = program_version, .stores = {}};
+  for (const std::unique_ptr<Opened>& opened : stores_)
+    list.stores.push_back(line_of(opened->number, *opened->store));
+  return json_reply(io::write_json_line(list));
+}
+
+// None ever goes away.
+Result<Viewer::Opened*> Viewer::opened(const HttpAsk& ask, const std::string& number) const {
+  const std::shared_lock lock(listing_);
+  MARKETGEN_TRY(const std::uint32_t row, row_of(ask, number, stores_.size()));
+  return stores_[row].get();
+}
+
 Result<HttpReply> Viewer::reply_to(const HttpAsk& ask) {
   const Words words = parts_of(ask.path);
   if (words.empty() || words[0] != "api") return page_file(page_, ask.path);
   if (words.size() < 2 || words[1] != "stores") return no_address(ask);
-  if (words.size() == 2) {
-    StoreList list{.program = program_version, .stores = {}};
-    for (const std::unique_ptr<Opened>& opened : stores_)
-      list.stores.push_back(line_of(opened->number, *opened->store));
-    return json_reply(io::write_json_line(list));
-  }
-  MARKETGEN_TRY(const std::uint32_t number, row_of(ask, words[2], stores_.size()));
-  return of_store(*stores_[number], ask, Words(words.begin() + 3, words.end()));
+  if (words.size() == 2) return list();
+  MARKETGEN_TRY(Opened* const store, opened(ask, words[2]));
+  return of_store(*store, ask, Words(words.begin() + 3, words.end()));
 }
 
 Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Words& words) {
-  const scene::Scene& scene = store.store->scene;
   if (words.empty()) return store.summary;
   const std::string& what = words[0];
-  if (words.size() == 1) {
+  if (what == "edit") return of_edit(store, ask, Words(words.begin() + 1, words.end()));
+  if (words.size() == 1 && what != "search") {
     if (what == "goods.bin") return store.goods;
     if (what == "state") return state(store);
-    if (what == "search") return search(store, ask);
-    MARKETGEN_TRY(const ViewBuild::Body body, store.build->file(what));
+    MARKETGEN_TRY(const ViewBuild::Body body, build_of(store).file(what));
     return HttpReply{.body = body};
   }
-  if (what == "skus") return of_sku(store, ask, words);
-  if (words.size() > 2) return no_address(ask);
+  if (what != "textures" || words.size() > 2) return of_scene(store.store->scene, ask, words);
+  MARKETGEN_TRY(const ViewBuild::Body body, build_of(store).file(what + "/" + words[1]));
+  return HttpReply{.body = body};
+}
+
+Result<HttpReply> Viewer::of_scene(const scene::Scene& scene,
+                                   const HttpAsk& ask,
+                                   const Words& words) {
+  const std::string& what = words[0];
+  if (what == "skus" && words.size() > 1) return of_sku(scene, ask, words);
+  if (what == "search" && words.size() == 1) return search(scene, ask);
+  if (words.size() != 2) return no_address(ask);
   if (what == "products") {
     MARKETGEN_TRY(const std::uint32_t row, row_of(ask, words[1], scene.products.size()));
     return json_reply(io::write_json_line(product_card(scene, row, grasps_, catalog_.frictions)));
@@ -156,17 +208,32 @@ Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Word
     MARKETGEN_TRY(const std::uint32_t row, row_of(ask, words[1], scene.fixtures.size()));
     return json_reply(io::write_json_line(fixture_card(scene, row)));
   }
-  if (what == "tags") return tag(store, ask, words[1]);
-  if (what != "textures") return no_address(ask);
-  MARKETGEN_TRY(const ViewBuild::Body body, store.build->file(what + "/" + words[1]));
-  return HttpReply{.body = body};
+  return what == "tags" ? tag(scene, ask, words[1]) : no_address(ask);
 }
 
-Result<HttpReply> Viewer::of_sku(Opened& store, const HttpAsk& ask, const Words& words) {
-  const scene::Scene& scene = store.store->scene;
+// Reads show the store as the edit has it now.
+Result<HttpReply> Viewer::of_edit(Opened& store, const HttpAsk& ask, const Words& words) {
+  if (!store.editor)
+    return Error{"server.refused",
+                 ask.path,
+                 "stores are not edited here: start `marketgen view` without --read-only"};
+  if (ask.method == "POST") {
+    const Result<HttpReply> reply = store.editor->post(words.size() == 1 ? words[0] : "", ask);
+    if (reply.ok()) return reply;
+    const int status = is_refused_edit(reply.error()) ? 200 : status_of(reply.error());
+    return error_reply(status, reply.error());
+  }
+  if (words.empty()) return store.editor->status();
+  const EditSession::Now now = store.editor->now();
+  return of_scene(now ? now->store.scene : store.store->scene, ask, words);
+}
+
+Result<HttpReply> Viewer::of_sku(const scene::Scene& scene,
+                                 const HttpAsk& ask,
+                                 const Words& words) {
   MARKETGEN_TRY(const std::uint32_t sku, row_of(ask, words[1], scene.catalog.size()));
   if (words.size() != 3) return no_address(ask);
-  if (words[2] == "label.png") return label(store, sku, ask);
+  if (words[2] == "label.png") return label(scene, sku, ask);
   if (words[2] != "mesh.bin") return no_address(ask);
   const auto given = ask.query.find("detail");
   const auto detail =
@@ -178,42 +245,44 @@ Result<HttpReply> Viewer::of_sku(Opened& store, const HttpAsk& ask, const Words&
   return reply_with(std::move(mesh).value());
 }
 
-Result<HttpReply> Viewer::label(const Opened& store, std::uint32_t sku, const HttpAsk& ask) {
+Result<HttpReply> Viewer::label(const scene::Scene& scene, std::uint32_t sku, const HttpAsk& ask) {
   MARKETGEN_TRY(
       const std::uint64_t px,
       number_in(ask, "px", usual_label_px, label_heights_px.front(), label_heights_px.back()));
   if (std::ranges::find(label_heights_px, static_cast<int>(px)) == label_heights_px.end())
     return Error{"server.bad_request", "px", "is not 64, 128, 256, 512 or 1024"};
   const Turn turn(drawing_);
-  return png_reply(
-      exporters::exported_label(store.store->scene.catalog[sku], static_cast<int>(px)));
+  return png_reply(exporters::exported_label(scene.catalog[sku], static_cast<int>(px)));
 }
 
-Result<HttpReply> Viewer::tag(const Opened& store, const HttpAsk& ask, const std::string& name) {
+Result<HttpReply> Viewer::tag(const scene::Scene& scene,
+                              const HttpAsk& ask,
+                              const std::string& name) {
   constexpr std::string_view ending = ".png";
   if (!name.ends_with(ending)) return no_address(ask);
   const std::string_view row = std::string_view(name).substr(0, name.size() - ending.size());
-  MARKETGEN_TRY(const std::uint32_t sku, row_of(ask, row, store.store->scene.catalog.size()));
+  MARKETGEN_TRY(const std::uint32_t sku, row_of(ask, row, scene.catalog.size()));
   MARKETGEN_TRY(const std::uint64_t promotion, number_in(ask, "promotion", 0, 0, 1));
   MARKETGEN_TRY(const std::uint64_t px, number_in(ask, "px", usual_tag_px, min_tag_px, max_tag_px));
   const Turn turn(drawing_);
-  return png_reply(exporters::exported_price_tag(
-      store.store->scene.catalog[sku], promotion != 0, static_cast<int>(px)));
+  return png_reply(
+      exporters::exported_price_tag(scene.catalog[sku], promotion != 0, static_cast<int>(px)));
 }
 
-Result<HttpReply> Viewer::search(const Opened& store, const HttpAsk& ask) {
+Result<HttpReply> Viewer::search(const scene::Scene& scene, const HttpAsk& ask) {
   const auto words = ask.query.find("q");
   if (words == ask.query.end() || words->second.empty())
     return Error{"server.bad_request", "q", "say what to look for: search?q=oat milk"};
   MARKETGEN_TRY(const std::uint64_t hits, number_in(ask, "max", usual_hits, 1, max_hits));
   MARKETGEN_TRY(const SearchAnswer answer,
-                search_->find(store.store->scene, words->second, static_cast<std::size_t>(hits)));
+                search_->find(scene, words->second, static_cast<std::size_t>(hits)));
   return json_reply(io::write_json_line(answer));
 }
 
-Result<HttpReply> Viewer::state(const Opened& store) {
-  const std::optional<Error> error = store.build->error();
-  if (!error) return json_reply(io::write_json_line(store.build->status()));
+Result<HttpReply> Viewer::state(Opened& store) {
+  const ViewBuild& build = build_of(store);
+  const std::optional<Error> error = build.error();
+  if (!error) return json_reply(io::write_json_line(build.status()));
   return error_reply(500, *error);
 }
 

@@ -1,12 +1,13 @@
 // The viewer of stores: every address of its server and what it answers. docs/viewer.md lists them.
 //
-// What sessions add later (editing, replay, driving, over websockets) gets a folder and addresses
-// of its own below /api/stores/N/; the answers here stay read-only.
+// What writes has addresses of its own below /api/stores/N/edit (editor.h); the other answers only
+// read.
 #pragma once
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <semaphore>
+#include <shared_mutex>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,17 @@
 
 namespace marketgen::server {
 
+struct ViewerOptions {
+  bool may_edit = true;
+};
+
 class Viewer {
  public:
   // Begins to build what the page draws. Errors: those of StoreSearch::open and
   // read_grasp_facts().
   static Result<std::unique_ptr<Viewer>> open(store::OpenedStores stores,
-                                              std::filesystem::path page);
+                                              std::filesystem::path page,
+                                              ViewerOptions options = {});
   ~Viewer();
 
   // Thread-safe.
@@ -33,22 +39,34 @@ class Viewer {
  private:
   struct Opened;
   using Words = std::vector<std::string>;
-  Viewer(store::OpenedStores stores, std::filesystem::path page);
+  Viewer(store::OpenedStores stores, std::filesystem::path page, ViewerOptions options);
 
   Result<HttpReply> reply_to(const HttpAsk& ask);
+  HttpReply list() const;
+  Result<Opened*> opened(const HttpAsk& ask, const std::string& number) const;
   Result<HttpReply> of_store(Opened& store, const HttpAsk& ask, const Words& words);
-  Result<HttpReply> of_sku(Opened& store, const HttpAsk& ask, const Words& words);
-  Result<HttpReply> search(const Opened& store, const HttpAsk& ask);
-  Result<HttpReply> tag(const Opened& store, const HttpAsk& ask, const std::string& name);
-  Result<HttpReply> label(const Opened& store, std::uint32_t sku, const HttpAsk& ask);
-  static Result<HttpReply> state(const Opened& store);
+  // What does not wait for a build: search, cards, shapes and labels.
+  Result<HttpReply> of_scene(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
+  Result<HttpReply> of_edit(Opened& store, const HttpAsk& ask, const Words& words);
+  Result<HttpReply> of_sku(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
+  Result<HttpReply> search(const scene::Scene& scene, const HttpAsk& ask);
+  Result<HttpReply> tag(const scene::Scene& scene, const HttpAsk& ask, const std::string& name);
+  Result<HttpReply> label(const scene::Scene& scene, std::uint32_t sku, const HttpAsk& ask);
+  Result<HttpReply> state(Opened& store);
+  ViewBuild& build_of(Opened& store);
+  // A store that takes part from now on; its number.
+  int add(std::shared_ptr<const store::Store> store);
+  Result<int> add_saved(const std::filesystem::path& folder, const catalog::Catalog& rows);
 
   catalog::Catalog catalog_;
+  std::shared_ptr<const catalog::Catalog> rows_;  // without the stores' own goods
+  ViewerOptions options_;
   std::filesystem::path page_;
   std::unique_ptr<StoreSearch> search_;
   GraspFacts grasps_;
   std::mutex building_;
   std::counting_semaphore<> drawing_;  // labels and meshes at a time
+  mutable std::shared_mutex listing_;  // of stores_, which grows when an edit is saved
   std::vector<std::unique_ptr<Opened>> stores_;
 };
 

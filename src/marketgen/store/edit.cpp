@@ -115,17 +115,6 @@ Result<void> require_rest_kept(const Store& store,
   return {};
 }
 
-// The store's report; measured anew when its file is gone, which no digest protects.
-Result<StoreReport> report_before(const Store& store, const catalog::Catalog& catalog) {
-  if (Result<StoreReport> report = read_report(store.folder); report.ok()) return report;
-  MARKETGEN_TRY(audit::Audit audit,
-                audit::audit_store(store.scene, catalog, store.manifest.requirements));
-  StoreReport report;
-  report.requirements = std::move(audit.requirements);
-  report.rules = std::move(audit.rules);
-  return report;
-}
-
 // With what was measured anew; what was said about the brief stays true.
 StoreReport report_after(StoreReport before,
                          audit::Audit audit,
@@ -149,14 +138,71 @@ std::vector<std::string> lost_wishes(const StoreReport& before, const StoreRepor
 }
 
 // Brief, wishes and edits; this one is the last.
-void keep_history(Manifest& now, const Manifest& before, const EditOptions& options) {
+void keep_history(Manifest& now, const Manifest& before, const EditStep& step) {
   now.brief = before.brief;
   now.requirements = before.requirements;
   now.edits = before.edits.value_or(std::vector<StoreEdit>{});
-  now.edits->push_back({options.words, options.patches.patches, before.scene_hash});
+  now.edits->push_back({step.words, step.patches.patches, before.scene_hash});
+}
+
+Result<EditedStore> edited_in(Stages& stages,
+                              const Store& store,
+                              const StoreReport& report,
+                              const EditStep& step,
+                              const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(Replanned now, stages.run("layout", [&] {
+    return replan(store, step.patches, step.source, catalog);
+  }));
+  if (!now.offences.empty()) return error_of(now.offences.front());
+  MARKETGEN_TRY(scene::Scene scene, stages.run("scene", [&] {
+    return scene::build_scene(
+        now.layout, now.plan, catalog, Seed(store.manifest.seed).child(scene_stream));
+  }));
+  EditedStore edited;
+  edited.changes = changes_between(store.scene, scene);
+  MARKETGEN_CHECK(require_rest_kept(store, now, edited.changes, catalog));
+  MARKETGEN_TRY(audit::Audit audit, stages.run("audit", [&] {
+    return audit::audit_store(scene, catalog, store.manifest.requirements);
+  }));
+  const std::vector<layout::Violation> offences = newly_broken(report.rules, audit.rules);
+  if (!offences.empty()) return error_of(offences.front());
+  edited.store.folder = store.folder;
+  edited.store.manifest = manifest_of(now.plan, scene, catalog, store.manifest.seed);
+  keep_history(edited.store.manifest, store.manifest, step);
+  edited.report =
+      report_after(report, std::move(audit), scene::unstocked_products(scene, now.plan, catalog));
+  edited.lost = lost_wishes(report, edited.report);
+  edited.store.plan = std::move(now.plan);
+  edited.store.scene = std::move(scene);
+  return edited;
+}
+
+Result<Created> saved_in(io::FolderDraft& draft,
+                         Stages& stages,
+                         const EditedStore& edited,
+                         bool previews,
+                         const catalog::Catalog& catalog) {
+  return save_store(draft,
+                    edited.store.plan,
+                    edited.store.scene,
+                    {edited.store.manifest, edited.report},
+                    previews,
+                    catalog,
+                    stages);
 }
 
 }  // namespace
+
+// The store's report; measured anew when its file is gone, which no digest protects.
+Result<StoreReport> report_before(const Store& store, const catalog::Catalog& catalog) {
+  if (Result<StoreReport> report = read_report(store.folder); report.ok()) return report;
+  MARKETGEN_TRY(audit::Audit audit,
+                audit::audit_store(store.scene, catalog, store.manifest.requirements));
+  StoreReport report;
+  report.requirements = std::move(audit.requirements);
+  report.rules = std::move(audit.rules);
+  return report;
+}
 
 Error error_of(const layout::Violation& offence) {
   std::string message = fmt::format("{}: {}", offence.code, offence.message);
@@ -191,39 +237,45 @@ Result<Replanned> replan(const Store& store,
   return now;
 }
 
+Result<EditedStore> edited_store(const Store& store,
+                                 const StoreReport& report,
+                                 const EditStep& step,
+                                 const catalog::Catalog& catalog,
+                                 Progress& progress) {
+  Stages stages(progress);
+  return edited_in(stages, store, report, step, catalog);
+}
+
+Result<Created> save_edited(const EditedStore& edited,
+                            const std::filesystem::path& folder,
+                            bool previews,
+                            const catalog::Catalog& catalog,
+                            Progress& progress) {
+  MARKETGEN_TRY(io::FolderDraft draft, io::FolderDraft::begin(folder));
+  Stages stages(progress);
+  return saved_in(draft, stages, edited, previews, catalog);
+}
+
+Result<bool> follows_from_plan(const Store& store, const catalog::Catalog& catalog) {
+  const Seed seed = Seed(store.manifest.seed).child(layout_stream);
+  MARKETGEN_TRY(const layout::Repaired repaired, layout::repair_plan(store.plan, catalog, seed));
+  if (io::write_json_line(repaired.plan) != io::write_json_line(store.plan)) return false;
+  const Result<layout::Layout> plain = layout::make_layout(store.plan, catalog, seed);
+  if (!plain.ok() && plain.error().code == "layout.impossible") return false;
+  if (!plain.ok()) return plain.error();
+  return io::write_json_line(*plain) == io::write_json_line(store.scene.layout);
+}
+
 Result<Edited> edit_store(const Store& store,
                           const EditOptions& options,
                           const catalog::Catalog& catalog,
                           Progress& progress) {
   MARKETGEN_TRY(io::FolderDraft draft, io::FolderDraft::begin(options.folder));
   Stages stages(progress);
-  MARKETGEN_TRY(const Replanned now, stages.run("layout", [&] {
-    return replan(store, options.patches, options.source, catalog);
-  }));
-  if (!now.offences.empty()) return error_of(now.offences.front());
-  MARKETGEN_TRY(const scene::Scene scene, stages.run("scene", [&] {
-    return scene::build_scene(
-        now.layout, now.plan, catalog, Seed(store.manifest.seed).child(scene_stream));
-  }));
-  Edited edited;
-  edited.changes = changes_between(store.scene, scene);
-  MARKETGEN_CHECK(require_rest_kept(store, now, edited.changes, catalog));
-  MARKETGEN_TRY(audit::Audit audit, stages.run("audit", [&] {
-    return audit::audit_store(scene, catalog, store.manifest.requirements);
-  }));
-  MARKETGEN_TRY(const StoreReport before, report_before(store, catalog));
-  const std::vector<layout::Violation> offences = newly_broken(before.rules, audit.rules);
-  if (!offences.empty()) return error_of(offences.front());
-  Created created;
-  created.manifest = manifest_of(now.plan, scene, catalog, store.manifest.seed);
-  keep_history(created.manifest, store.manifest, options);
-  created.report =
-      report_after(before, std::move(audit), scene::unstocked_products(scene, now.plan, catalog));
-  edited.lost = lost_wishes(before, created.report);
-  MARKETGEN_TRY(
-      edited.created,
-      save_store(draft, now.plan, scene, std::move(created), options.previews, catalog, stages));
-  return edited;
+  MARKETGEN_TRY(const StoreReport report, report_before(store, catalog));
+  MARKETGEN_TRY(EditedStore edited, edited_in(stages, store, report, options.step, catalog));
+  MARKETGEN_TRY(Created created, saved_in(draft, stages, edited, options.previews, catalog));
+  return Edited{std::move(created), std::move(edited.changes), std::move(edited.lost)};
 }
 
 std::filesystem::path next_edit_folder(const std::filesystem::path& store) {

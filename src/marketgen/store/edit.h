@@ -37,11 +37,48 @@ Result<Replanned> replan(const Store& store,
 // The broken rule as an error, with what helps: layout.violation.
 Error error_of(const layout::Violation& offence);
 
-struct EditOptions {
-  std::filesystem::path folder;  // must not exist, or be empty
+// The store's report; measured anew when its file is gone, which no digest protects.
+Result<StoreReport> report_before(const Store& store, const catalog::Catalog& catalog);
+
+// What is done to a store in one step.
+struct EditStep {
   plan::PatchSet patches;
   std::string source;  // of the patches, for errors: "shelves.json"
   std::string words;   // that were said, for the manifest
+};
+
+// A store after an edit, in memory. Its folder is that of the store it was made from, and its
+// manifest has the edit but no digests.
+struct EditedStore {
+  Store store;
+  StoreReport report;
+  SceneChanges changes;
+  std::vector<std::string> lost;  // wishes that were met before and no longer are
+};
+
+// `report` is the store's own. Errors: of replan; layout.violation when a hard rule is newly
+// broken; scene.wrong_version when the store cannot be made again from this catalogue by this
+// version.
+Result<EditedStore> edited_store(const Store& store,
+                                 const StoreReport& report,
+                                 const EditStep& step,
+                                 const catalog::Catalog& catalog,
+                                 Progress& progress = silent_progress());
+
+// Writes it as a folder that must not exist, or be empty. Errors: io.*.
+Result<Created> save_edited(const EditedStore& edited,
+                            const std::filesystem::path& folder,
+                            bool previews,
+                            const catalog::Catalog& catalog,
+                            Progress& progress = silent_progress());
+
+// Whether `generate --plan` with the store's plan and seed makes this layout. It does not where
+// zones that an edit let stand were furnished otherwise than the plan alone has them.
+Result<bool> follows_from_plan(const Store& store, const catalog::Catalog& catalog);
+
+struct EditOptions {
+  std::filesystem::path folder;  // must not exist, or be empty
+  EditStep step;
   bool previews = true;
 };
 
@@ -51,9 +88,7 @@ struct Edited {
   std::vector<std::string> lost;  // wishes that were met before and no longer are
 };
 
-// Errors: of replan; layout.violation when a hard rule is newly broken; scene.wrong_version when
-// the store cannot be made again from this catalogue by this version. Nothing is left behind when
-// it fails.
+// Errors: of edited_store and save_edited. Nothing is left behind when it fails.
 Result<Edited> edit_store(const Store& store,
                           const EditOptions& options,
                           const catalog::Catalog& catalog,

@@ -7,7 +7,7 @@
 namespace marketgen::store {
 
 Result<OpenedStores> open_stores(const std::vector<std::string>& folders, catalog::Catalog rows) {
-  OpenedStores opened{{}, std::move(rows)};
+  OpenedStores opened{{}, rows, std::move(rows)};
   for (const std::string& folder : folders) {
     MARKETGEN_TRY(Store store, open_store(folder, opened.catalog));
     const auto same = [&](const std::shared_ptr<const Store>& other) {

@@ -11,6 +11,7 @@ namespace marketgen::store {
 struct OpenedStores {
   std::vector<std::shared_ptr<const Store>> stores;
   catalog::Catalog catalog;  // with the rows of the stores' own goods
+  catalog::Catalog rows;     // without
 };
 
 // `rows` is what they are made of. Errors: usage.bad_flag when two folders are the same store;

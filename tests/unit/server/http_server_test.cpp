@@ -21,6 +21,7 @@ server::HttpReply echo(const server::HttpAsk& ask) {
     return {.body = server::make_body("image/jpeg", std::string(large_bytes, 'x'))};
   if (ask.path == "/text")
     return {.body = server::make_body("text/plain", std::string(100'000, 'a'))};
+  if (ask.method == "POST") return server::json_reply(ask.body);
   return server::json_reply("{\"path\": \"" + ask.path + "\"}");
 }
 
@@ -59,6 +60,53 @@ TEST_F(HttpServer, SaysThatAPortIsTaken) {
   ASSERT_FALSE(second.ok());
   EXPECT_EQ(second.error().code, "server.cannot_listen");
   EXPECT_NE(second.error().where.find(std::to_string(port_)), std::string::npos);
+}
+
+std::string post_request(int port, const std::string& body, const std::string& more) {
+  return "POST /api/stores/0/edit/say HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
+         "\r\nContent-Type: application/json\r\n" + more + "\r\n" + body;
+}
+std::string of_length(std::size_t bytes) {
+  return "Content-Length: " + std::to_string(bytes) + "\r\n";
+}
+
+TEST_F(HttpServer, TakesBodiesWhereOneMayWrite) {
+  server::HttpServerOptions options;
+  options.limits.may_write = true;
+  start(options);
+  RawClient client(port_);
+  const std::string body = "{\"words\": \"" + std::string(60'000, 'a') + "\"}";
+  for (int i = 0; i < 2; ++i) {  // the connection lives on
+    client.send(post_request(port_, body, of_length(body.size())));
+    EXPECT_EQ(client.answer().body, body);
+  }
+  RawClient parts(port_);
+  parts.send(post_request(port_, body.substr(0, 100), of_length(body.size())));
+  parts.send(body.substr(100));
+  EXPECT_EQ(parts.answer().body, body);
+  EXPECT_TRUE(lives());
+}
+
+TEST_F(HttpServer, RefusesBodiesThatAreTooLongOrOfNoLength) {
+  server::HttpServerOptions options;
+  options.limits.may_write = true;
+  start(options);
+  RawClient large(port_);
+  large.send(post_request(port_, "", of_length(65'537)));
+  EXPECT_EQ(large.answer().status, 413);
+  RawClient chunked(port_);
+  chunked.send(post_request(port_, "5\r\nhello\r\n0\r\n\r\n", "Transfer-Encoding: chunked\r\n"));
+  EXPECT_EQ(chunked.answer().body, "") << "not read";
+  RawClient cut(port_);  // says more than it sends, and goes
+  cut.send(post_request(port_, "{", of_length(1000)));
+  EXPECT_TRUE(lives());
+}
+
+TEST_F(HttpServer, RefusesBodiesWhereNobodyWrites) {
+  start();
+  RawClient client(port_);
+  client.send(post_request(port_, "{}", of_length(2)));
+  EXPECT_EQ(client.answer().status, 405);
 }
 
 TEST_F(HttpServer, KeepsConnections) {

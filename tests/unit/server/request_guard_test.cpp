@@ -8,7 +8,9 @@ namespace {
 using Clock = server::RequestGuard::Clock;
 
 server::HttpAsk ask(const std::string& host, const std::string& origin = "") {
-  server::HttpAsk asked{.method = "GET", .path = "/api/stores", .query = {}, .headers = {}};
+  server::HttpAsk asked;
+  asked.method = "GET";
+  asked.path = "/api/stores";
   asked.headers["host"] = host;
   if (!origin.empty()) asked.headers["origin"] = origin;
   return asked;
@@ -50,6 +52,50 @@ TEST(RequestGuard, RefusesForeignOrigins) {
                              "http://127.0.0.1:9000",
                              "http://127.0.0.1:8123@evil.example"})
     EXPECT_EQ(status(guard, ask("127.0.0.1:8123", origin)), 403) << origin;
+}
+
+server::HttpAsk edit(const std::string& method = "POST",
+                     const std::string& type = "application/json",
+                     const std::string& origin = "") {
+  server::HttpAsk asked = ask("127.0.0.1:8123", origin);
+  asked.method = method;
+  asked.path = "/api/stores/0/edit/patches";
+  asked.headers["content-type"] = type;
+  return asked;
+}
+
+TEST(RequestGuard, LetsEditsPassWhereOneMayEdit) {
+  server::GuardRules may = rules();
+  may.may_write = true;
+  server::RequestGuard guard(may);
+  EXPECT_EQ(status(guard, edit()), 200);
+  EXPECT_EQ(status(guard, edit("POST", "application/json; charset=utf-8")), 200);
+  EXPECT_EQ(status(guard, edit("POST", "application/json", "http://127.0.0.1:8123")), 200);
+  EXPECT_EQ(status(guard, edit("POST", "application/json", "http://evil.example")), 403);
+  for (const char* type : {"", "text/plain", "application/x-www-form-urlencoded"})
+    EXPECT_EQ(status(guard, edit("POST", type)), 403) << "a form of another site: " << type;
+  for (const char* method : {"PUT", "DELETE", "OPTIONS"})
+    EXPECT_EQ(status(guard, edit(method)), 405) << method;
+  for (const char* path : {"/", "/api/stores/0", "/api/stores/0/edit", "/api/stores/0/edit/a/b"}) {
+    server::HttpAsk elsewhere = edit();
+    elsewhere.path = path;
+    EXPECT_EQ(status(guard, elsewhere), 405) << path;
+  }
+  server::RequestGuard reads(rules());
+  EXPECT_EQ(status(reads, edit()), 405) << "--read-only";
+}
+
+TEST(RequestGuard, LimitsHowOftenOneWrites) {
+  server::GuardRules may = rules();
+  may.may_write = true;
+  may.write_burst = 3;
+  server::RequestGuard guard(may);
+  const Clock::time_point now = Clock::now();
+  for (int i = 0; i < 3; ++i)
+    EXPECT_FALSE(guard.refusal(edit(), now));
+  EXPECT_EQ(guard.refusal(edit(), now)->status, 429);
+  EXPECT_FALSE(guard.refusal(ask("127.0.0.1:8123"), now)) << "reading goes on";
+  EXPECT_FALSE(guard.refusal(edit(), now + std::chrono::seconds(1)));
 }
 
 TEST(RequestGuard, OnlyReads) {

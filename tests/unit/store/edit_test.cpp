@@ -82,8 +82,8 @@ Result<store::Edited> edited(const store::Store& from, const std::string& text) 
   static int number = 0;
   store::EditOptions options;
   options.folder = parent() / ("edit-" + std::to_string(++number));
-  options.patches = patches(text);
-  options.source = "p.json";
+  options.step.patches = patches(text);
+  options.step.source = "p.json";
   options.previews = false;
   last_folder() = options.folder;
   return store::edit_store(from, options, committed_catalog());
@@ -228,14 +228,59 @@ TEST(Edits, ThatAreTakenBackGiveTheSameStore) {
 TEST(Edits, ThatBreakAHardRuleWriteNothing) {
   store::EditOptions options;
   options.folder = parent() / "refused";
-  options.patches = patches(R"({"drop_zone": {"zone": "tills"}})");
-  options.source = "p.json";
+  options.step.patches = patches(R"({"drop_zone": {"zone": "tills"}})");
+  options.step.source = "p.json";
   const auto edit = store::edit_store(shop(), options, committed_catalog());
   ASSERT_FALSE(edit.ok());
   EXPECT_EQ(edit.error().code, "layout.violation");
   EXPECT_NE(edit.error().message.find("CHECKOUT_MISSING"), std::string::npos)
       << edit.error().message;
   EXPECT_FALSE(fs::exists(options.folder));
+}
+
+// An editor keeps a store in memory from edit to edit: saved at last, it is what a chain of folders
+// would have come to.
+TEST(Edits, InMemoryComeToTheSameFolder) {
+  const char* first = R"({"set_ratio": {"node": "west", "ratio": 0.55}})";
+  const char* second = R"({"set_fixture": {"zone": "canned", "levels": 6}})";
+  const auto one = edited(shop(), first);
+  ASSERT_TRUE(one.ok()) << to_string(one.error());
+  const auto two = edited(opened_last(*one), second);
+  ASSERT_TRUE(two.ok()) << to_string(two.error());
+
+  const auto report = store::report_before(shop(), committed_catalog());
+  ASSERT_TRUE(report.ok());
+  const auto held =
+      store::edited_store(shop(), *report, {patches(first), "p.json", ""}, committed_catalog());
+  ASSERT_TRUE(held.ok()) << to_string(held.error());
+  EXPECT_EQ(held->changes.products, one->changes.products);
+  const auto again = store::edited_store(
+      held->store, held->report, {patches(second), "p.json", ""}, committed_catalog());
+  ASSERT_TRUE(again.ok()) << to_string(again.error());
+  const auto saved = store::save_edited(*again, parent() / "held", false, committed_catalog());
+  ASSERT_TRUE(saved.ok()) << to_string(saved.error());
+  EXPECT_EQ(io::write_json(saved->manifest), io::write_json(two->created.manifest));
+  EXPECT_FALSE(store::save_edited(*again, parent() / "held", false, committed_catalog()).ok())
+      << "a folder that is there is not written over";
+}
+
+// That is what `generate --plan` makes, or it is said that it does not.
+TEST(Edits, SayWhetherTheirPlanAloneMakesThem) {
+  for (const Example& example : examples()) {
+    const auto edit = edited(shop(), example.patch);
+    ASSERT_TRUE(edit.ok()) << example.operation << to_string(edit.error());
+    const store::Store now = opened_last(*edit);
+    const auto follows = store::follows_from_plan(now, committed_catalog());
+    ASSERT_TRUE(follows.ok()) << to_string(follows.error());
+    store::CreateOptions options;
+    options.folder = last_folder().string() + "-again";
+    options.plan_file = now.folder / "plan.json";
+    options.seed = now.manifest.seed;
+    options.previews = false;
+    const auto made = store::create_store(options, committed_catalog());
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    EXPECT_EQ(*follows, made->manifest.scene_hash == now.manifest.scene_hash) << example.operation;
+  }
 }
 
 TEST(Edits, GetTheNextFreeName) {

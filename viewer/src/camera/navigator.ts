@@ -47,7 +47,7 @@ export class Navigator {
   private velocity: Vec3 = [0, 0, 0];
 
   constructor(
-    readonly room: Room,
+    public room: Room,
     public mode: Mode,
     pose: Pose,
     around: number,

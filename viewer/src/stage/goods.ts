@@ -121,6 +121,27 @@ export class Goods {
     this.changed();
   }
 
+  // Takes over shapes, labels and their pictures from what was shown before: the same SKUs, and perhaps more that have none.
+  takeOver(from: Goods): void {
+    this.far = from.far;
+    this.sheets = from.sheets;
+    this.materials = from.materials;
+    if (from.standIns.pictures) this.standIns.setPortraits(from.standIns.pictures);
+    if (this.far) for (const shown of this.shown) shown.triangles = this.trianglesOf(shown.cell, this.far);
+    this.changed();
+  }
+
+  // Without what another may have taken over.
+  dispose(): void {
+    this.group.removeFromParent();
+    this.standIns.dispose();
+    for (const { built } of this.shown) built?.dispose();
+  }
+
+  get storedLight(): GoodsLight | undefined {
+    return this.light;
+  }
+
   // Chooses what is seen; `spare`: for so many triangles, what is built is kept. False: more is to be built; call again in the next frame.
   update(sight: Sight, { meshes: budget, plainFrom }: Effort, spare: number): boolean {
     const { eye } = sight;
@@ -147,10 +168,12 @@ export class Goods {
     return missing.length === 0;
   }
 
+  // Infinitely many where a pack has no mesh: its cell is shown by stand-ins.
   private trianglesOf(cell: Cell, meshes: MeshSet): number {
     let count = 0;
     for (let i = cell.first; i < cell.deep; i++) {
       const range = meshes.range(this.table.sku[this.table.order[i]!]!);
+      if (range.vertices === 0) return Infinity;
       count += (range.opaque + range.clear) / 3;
     }
     return count;

@@ -1,7 +1,7 @@
 // All products as flat arrays, ordered so that what is drawn together lies together: by cell (a fixture's goods that face one way)
 // and in each cell by how deep they stand behind others.
 import type { Summary } from "../store/contract";
-import type { Packed } from "../store/packed";
+import type { Sections } from "../store/packed";
 
 export const facesAnyway = 4; // a heap: its goods face all ways
 export const deepFrom = 3; // products with so many before them are hardly seen
@@ -22,6 +22,7 @@ export interface GoodsTable {
   readonly rotation: Int16Array; // x y z w, / 32767
   readonly sku: Uint16Array;
   readonly fixture: Uint16Array; // 65535: none
+  readonly shelf: Uint16Array; // row; 65535: none
   readonly facing: Uint32Array; // row; 4,294,967,295: none
   readonly tint: Uint8Array; // / 200
   readonly rank: Uint8Array; // how many stand before it on its shelf
@@ -108,7 +109,7 @@ function cellOf(rows: number[], facing: number, first: number, table: Omit<Goods
   return { first, deep: deep < first ? end : deep, end, facing, fixture: table.fixture[rows[0]!]!, low, high };
 }
 
-export function readGoods(packed: Packed<unknown>, skus: Summary["skus"]): GoodsTable {
+export function readGoods(packed: Sections, skus: Summary["skus"]): GoodsTable {
   const position = packed.f32("position", 3);
   const count = position.length / 3;
   const base = {
@@ -117,11 +118,12 @@ export function readGoods(packed: Packed<unknown>, skus: Summary["skus"]): Goods
     rotation: packed.i16("rotation", 4),
     sku: packed.u16("sku", 1),
     fixture: packed.u16("fixture", 1),
+    shelf: packed.u16("shelf", 1),
     facing: packed.u32("facing", 1),
     tint: packed.u8("tint", 3),
     rank: new Uint8Array(count),
   };
-  const shelf = packed.u16("shelf", 1);
+  const { shelf } = base;
   const size = (row: number): readonly [number, number, number] => skus[base.sku[row]!]!.size_m;
   const facing = new Uint8Array(count);
   for (let row = 0; row < count; row++) facing[row] = facingOf(rotationOf(base, row));

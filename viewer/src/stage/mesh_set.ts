@@ -27,9 +27,11 @@ export class MeshSet {
     this.ranges = packed.u32("range", 6);
   }
 
+  // Of SKUs that came after the set was made: nothing.
   range(sku: number): Range {
     const r = this.ranges;
     const i = sku * 6;
+    if (i >= r.length) return { firstVertex: 0, vertices: 0, firstIndex: 0, opaque: 0, clear: 0 };
     return { firstVertex: r[i]!, vertices: r[i + 1]!, firstIndex: r[i + 2]!, opaque: r[i + 3]!, clear: r[i + 4]! };
   }
 }

@@ -10,7 +10,7 @@ import {
   type Texture,
 } from "three";
 import type { Joint, RoomHead } from "../store/contract";
-import type { Packed } from "../store/packed";
+import type { Sections } from "../store/packed";
 import { boundsOf, divideRoom, type Batch, type RoomParts } from "./room_parts";
 import { MovingParts } from "./moving_parts";
 import { roomMaterial, type Shared } from "./shading";
@@ -25,10 +25,12 @@ export interface RoomArrays {
 const coarserFrom = [1, 3, 8] as const; // times as far as what is drawn finely: where each coarser fineness begins
 const layers = ["solid", "glass", "ceiling"] as const;
 type Layer = (typeof layers)[number];
+const none = 65535; // no fixture
 
 interface Surface {
   readonly layer: Layer;
   readonly texture: number;
+  readonly print: boolean; // its pictures are not repeated: price tags, signs
   readonly mesh: Mesh;
   shown: Uint32Array;
   filled: number;
@@ -43,9 +45,12 @@ export class Room {
   private readonly materials = new Map<string, RawShaderMaterial>();
   private divided: RoomParts | undefined;
   private ceilingShown = true;
+  private firstOwner: Uint16Array | undefined; // before an edit gave fixtures other rows
+  private firstFixtures: readonly number[] = []; // of the parts
+  private readonly gone = new Set<number>(); // parts that an edit took away
 
   private constructor(
-    private readonly packed: Packed<RoomHead>,
+    private readonly packed: Sections & { readonly head: RoomHead },
     joints: readonly Joint[],
     private readonly shared: Shared,
   ) {
@@ -54,7 +59,7 @@ export class Room {
     this.layerOf = new Uint8Array(this.arrays.index.length / 3);
   }
 
-  static async create(packed: Packed<RoomHead>, joints: readonly Joint[], shared: Shared): Promise<Room> {
+  static async create(packed: Sections & { readonly head: RoomHead }, joints: readonly Joint[], shared: Shared): Promise<Room> {
     const room = new Room(packed, joints, shared);
     await room.divide();
     return room;
@@ -68,6 +73,11 @@ export class Room {
     for (const surface of this.surfaces) {
       if (surface.texture === row) surface.mesh.material = this.materialOf(row, texture, surface.layer);
     }
+  }
+
+  // What other things take their light from.
+  get lit(): { position: Float32Array; normal: Int8Array; light: Uint8Array } {
+    return { position: this.arrays.position, normal: this.packed.i8("normal", 4), light: this.packed.u8("light", 4) };
   }
 
   // Moves a door, lid or drawer, and what it carries. The light on it stays that of its first place.
@@ -87,9 +97,46 @@ export class Room {
     this.ceilingShown = show;
   }
 
+  // After an edit: `rows`, by row as the room came, are the fixtures' rows now, 65535 for those that no longer stand so; `tags`: 0 where
+  // a fixture's print no longer holds. `signs`: those that hang over zones still hold.
+  revise(rows: Uint16Array, tags: Uint8Array, signs: boolean): void {
+    const { parts } = this.divided!;
+    const { owner } = this.arrays;
+    this.firstOwner ??= owner.slice();
+    if (this.firstFixtures.length === 0) this.firstFixtures = parts.map(({ fixture }) => fixture);
+    const rowOf = (first: number): number => (first !== none ? rows[first]! : first);
+    for (let i = 0; i < owner.length; i += 2) owner[i] = rowOf(this.firstOwner[i]!);
+    this.gone.clear();
+    parts.forEach((part, i) => {
+      const first = this.firstFixtures[i]!;
+      const { print } = this.surfaces[part.surface]!;
+      if (first < 0) {
+        if (print && !signs) this.gone.add(i);
+        return;
+      }
+      const row = rowOf(first);
+      const stale = tags[first] === 0 && print;
+      if (row === none || stale) this.gone.add(i);
+      part.fixture = row === none ? first : row;
+    });
+  }
+
+  // What is left of a fixture that stands so no more.
+  private isGone(index: number): boolean {
+    const vertex = this.arrays.index[index]!;
+    return this.firstOwner !== undefined && this.firstOwner[vertex * 2] !== none && this.arrays.owner[vertex * 2] === none;
+  }
+
+  dispose(): void {
+    this.group.removeFromParent();
+    for (const { mesh } of this.surfaces) mesh.geometry.dispose();
+    for (const material of this.materials.values()) material.dispose();
+  }
+
   // Whether a ray passes a triangle: through glass, and through a ceiling that is not shown. `index`: its first.
   isPassed(index: number): boolean {
     const layer = layers[this.layerOf[index / 3]!];
+    if (this.isGone(index)) return true;
     return layer === "glass" || (layer === "ceiling" && !this.ceilingShown);
   }
 
@@ -97,8 +144,9 @@ export class Room {
   update(sight: Sight, fineWithin: number): void {
     const { parts, indices } = this.divided!;
     for (const surface of this.surfaces) surface.filled = 0;
-    for (const part of parts) {
+    for (const [number, part] of parts.entries()) {
       const surface = this.surfaces[part.surface]!;
+      if (this.gone.has(number)) continue;
       if (surface.layer === "ceiling" && !this.ceilingShown) continue;
       if (!sight.sees(part.low, part.high, part.fixture)) continue;
       const level = fineness(sight.distance(part.low, part.high), fineWithin);
@@ -123,7 +171,7 @@ export class Room {
     const plan = batches.map((batch): Batch => {
       this.layerOf.fill(layers.indexOf(batch.layer), batch.first_index / 3, (batch.first_index + batch.index_count) / 3);
       const exact = batch.texture >= 0 && !(textures[batch.texture]?.repeat ?? false);
-      return { first: batch.first_index, count: batch.index_count, surface: this.surfaceOf(batch.layer, batch.texture, attributes), exact };
+      return { first: batch.first_index, count: batch.index_count, surface: this.surfaceOf(batch, exact, attributes), exact };
     });
     const source = { ...this.arrays, normal: packed.i8("normal", 4), color: packed.u8("color", 4) };
     this.divided = await divideRoom(source, plan);
@@ -135,7 +183,7 @@ export class Room {
     });
   }
 
-  private surfaceOf(layer: Layer, texture: number, attributes: Record<string, BufferAttribute>): number {
+  private surfaceOf({ layer, texture }: { layer: Layer; texture: number }, print: boolean, attributes: Record<string, BufferAttribute>): number {
     const known = this.surfaces.findIndex((surface) => surface.layer === layer && surface.texture === texture);
     if (known >= 0) return known;
     const geometry = new BufferGeometry();
@@ -145,7 +193,7 @@ export class Room {
     mesh.frustumCulled = false;
     if (layer === "glass") mesh.renderOrder = 500;
     this.group.add(mesh);
-    return this.surfaces.push({ layer, texture, mesh, shown: new Uint32Array(0), filled: 0 }) - 1;
+    return this.surfaces.push({ layer, texture, print, mesh, shown: new Uint32Array(0), filled: 0 }) - 1;
   }
 
   private materialOf(row: number, texture: Texture | null, layer: Layer): RawShaderMaterial {

@@ -17,7 +17,7 @@ type Corner = readonly [number, number, number];
 
 export interface Part {
   readonly surface: number; // which of the batches' materials
-  readonly fixture: number; // -1: the shell
+  fixture: number; // -1: the shell
   readonly joint: number; // that carries it; -1: none
   low: Corner;
   high: Corner;

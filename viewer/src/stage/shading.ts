@@ -179,7 +179,9 @@ in vec4 light;
 in float across;
 out vec3 vBase, vResponse;
 out vec2 vUv;
+out float vPlain; // 1: it has no picture
 void main() {
+  vPlain = 1.0 - color.a;
   vec2 eye = cameraPosition.xy - position.xy;
   vec3 at = position;
   at.xy += vec2(-eye.y, eye.x) * (across / max(length(eye), 1e-3));
@@ -199,6 +201,7 @@ uniform sampler2D pictures;
 uniform float uDim;
 in vec3 vBase, vResponse;
 in vec2 vUv;
+in float vPlain;
 out vec4 outColor;
 void main() {
   vec3 base = vBase;
@@ -211,7 +214,7 @@ void main() {
 #ifdef CUT
   if (picture.a < 0.5) discard;
 #endif
-  base *= picture.rgb / max(picture.a, 0.01);
+  base *= vPlain > 0.5 ? vec3(1.0) : picture.rgb / max(picture.a, 0.01);
 #endif
   outColor = vec4(shown(base, vResponse, uDim), 1.0);
 }

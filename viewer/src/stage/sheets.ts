@@ -43,7 +43,7 @@ export class Sheets {
 
   // Nearest first.
   want(near: readonly Near[]): void {
-    this.wanted = near.slice(0, this.layers.length);
+    this.wanted = near.filter(({ sku }) => sku < this.places.count).slice(0, this.layers.length);
     const distances = new Map(near.map(({ sku, distance }) => [sku, distance]));
     for (const layer of this.layers) if (layer) layer.distance = distances.get(layer.sku) ?? Infinity;
     this.ask();

@@ -14,6 +14,7 @@ const skusInRow = 512;
 
 export class SkuPlaces {
   readonly texture: DataTexture;
+  readonly count: number; // of SKUs
   private readonly texels: Float32Array;
 
   // `tiles`: page, u0, v0, u1, v1 a SKU, of pages that fill `fill` of their layer in each direction.
@@ -21,7 +22,7 @@ export class SkuPlaces {
     tiles: Float32Array,
     fill: readonly (readonly [number, number])[],
   ) {
-    const count = tiles.length / 5;
+    const count = (this.count = tiles.length / 5);
     const rows = Math.max(Math.ceil(count / skusInRow), 1);
     this.texels = new Float32Array(rows * skusInRow * 8);
     for (let sku = 0; sku < count; sku++) {

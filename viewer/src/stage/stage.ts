@@ -61,6 +61,7 @@ export class Stage {
   readonly figures: Figures = { frames: 0, calls: 0, triangles: 0 };
   goods: Goods | undefined;
   room: Room | undefined;
+  annexe: Room | undefined; // fixtures that an edit has made
   overlays: Overlays | undefined;
   sight = new Sight([]);
   ceilingHeight = 3;
@@ -195,7 +196,7 @@ export class Stage {
     this.sight.look(this.camera);
     const effort = this.effort(still);
     const done = this.goods?.update(this.sight, effort, this.pace.resting.meshes) ?? true;
-    this.room?.update(this.sight, effort.fineWithin);
+    for (const room of [this.room, this.annexe]) room?.update(this.sight, effort.fineWithin);
     return done;
   }
 
@@ -221,13 +222,17 @@ export class Stage {
   pickAt(x: number, y: number): Picked | undefined {
     const goods = this.goods;
     if (!goods) return undefined;
-    return pick(this.rayAt(x, y), {
-      table: goods.table,
-      skus: goods.skus,
-      meshes: goods.farMeshes,
-      room: this.room?.arrays,
-      roomHidden: (index) => this.room?.isPassed(index) ?? false,
-    });
+    const ray = this.rayAt(x, y);
+    const [first, second] = [this.room, this.annexe].map((room) =>
+      pick(ray, {
+        table: goods.table,
+        skus: goods.skus,
+        meshes: goods.farMeshes,
+        room: room?.arrays,
+        roomHidden: (index) => room?.isPassed(index) ?? false,
+      }),
+    );
+    return first && second && second.distance < first.distance ? second : (first ?? second);
   }
 
   // Where a point of the store is on the canvas, or undefined when it is behind the eye.

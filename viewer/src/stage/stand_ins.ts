@@ -114,6 +114,18 @@ export class StandIns {
     this.group.add(...this.draws.map(({ mesh }) => mesh));
   }
 
+  // What a table that takes this one's place wears from the start.
+  get pictures(): Portraits | undefined {
+    return this.portraits;
+  }
+
+  dispose(): void {
+    for (const { mesh } of this.draws) {
+      mesh.geometry.dispose();
+      (mesh.material as RawShaderMaterial).dispose();
+    }
+  }
+
   get triangles(): number {
     return (this.draws[0].filled + this.draws[1].filled) / 3;
   }
@@ -248,7 +260,7 @@ export class StandIns {
       const form = portraits?.forms[type] ?? Form.solid;
       forms[i] = form === Form.round && !box.round ? Form.cut : form;
       for (let side = 0; side < sides.length; side++) this.writeSide(i * corners + side * 4, side, box);
-      if (portraits) this.writePictures(i, type, portraits);
+      if (portraits && type < portraits.forms.length) this.writePictures(i, type, portraits);
     });
     this.writeColors();
     const turns = [Side.front, Side.top]; // what a round pack has
@@ -260,12 +272,14 @@ export class StandIns {
 
   private writeColors(): void {
     const { order, sku, tint } = this.table;
-    const colors = this.skus.map(({ color }) => (this.portraits ? 0xffffff : Number.parseInt(color.slice(1), 16)));
+    const pictured = (type: number): boolean => type < (this.portraits?.forms.length ?? 0);
+    const colors = this.skus.map(({ color }, type) => (pictured(type) ? 0xffffff : Number.parseInt(color.slice(1), 16)));
     order.forEach((row, i) => {
       const color = colors[sku[row]!]!;
       const own = [16, 8, 0].map((shift, k) => Math.min(((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545, 255));
       const [r, g, b] = this.painted ? this.painted.subarray(row * 3, row * 3 + 3) : own;
-      for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([r!, g!, b!, 255], v * 4);
+      const alpha = !this.portraits || pictured(sku[row]!) ? 255 : 0;
+      for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([r!, g!, b!, alpha], v * 4);
     });
   }
 

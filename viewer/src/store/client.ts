@@ -19,7 +19,7 @@ interface ErrorBody {
   error?: { code?: unknown; where?: unknown; message?: unknown };
 }
 
-async function errorOf(answer: Response): Promise<ServerError> {
+export async function errorOf(answer: Response): Promise<ServerError> {
   const text = (value: unknown, otherwise: string): string => (typeof value === "string" ? value : otherwise);
   let body: ErrorBody = {};
   try {

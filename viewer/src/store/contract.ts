@@ -3,6 +3,7 @@ type Triple = readonly [number, number, number];
 
 export interface Summary {
   readonly store: number;
+  readonly may_edit: boolean;
   readonly name: string;
   readonly folder: string;
   readonly scene_hash: string;

@@ -20,7 +20,45 @@ interface Section {
 
 export class PackedError extends Error {}
 
-export class Packed<Head> {
+// Named arrays, wherever they come from.
+export interface Sections {
+  f32(name: string, components: number): Float32Array;
+  u32(name: string, components: number): Uint32Array;
+  u16(name: string, components: number): Uint16Array;
+  i16(name: string, components: number): Int16Array;
+  u8(name: string, components: number): Uint8Array;
+  i8(name: string, components: number): Int8Array;
+}
+
+export class MemorySections implements Sections {
+  constructor(private readonly arrays: Readonly<Record<string, Numbers>>) {}
+  f32(name: string): Float32Array {
+    return this.array(name) as Float32Array;
+  }
+  u32(name: string): Uint32Array {
+    return this.array(name) as Uint32Array;
+  }
+  u16(name: string): Uint16Array {
+    return this.array(name) as Uint16Array;
+  }
+  i16(name: string): Int16Array {
+    return this.array(name) as Int16Array;
+  }
+  u8(name: string): Uint8Array {
+    return this.array(name) as Uint8Array;
+  }
+  i8(name: string): Int8Array {
+    return this.array(name) as Int8Array;
+  }
+
+  private array(name: string): Numbers {
+    const found = this.arrays[name];
+    if (!found) throw new PackedError(`there is no section ${name}`);
+    return found;
+  }
+}
+
+export class Packed<Head> implements Sections {
   readonly head: Head;
   private readonly sections: Record<string, Section>;
   private readonly data: number;

@@ -1,5 +1,8 @@
+import { editChinese, editEnglish } from "../edit/strings";
+
 // Every word of the page, in each of its languages. `{name}` stands for what is filled in.
 const english = {
+  ...editEnglish,
   title: "MarketGen store",
   loading: "Loading the store…",
   loadingGoods: "Placing {count} products…",
@@ -101,6 +104,7 @@ export type TextKey = keyof typeof english;
 type Texts = Record<TextKey, string>;
 
 const chinese: Texts = {
+  ...editChinese,
   title: "MarketGen 店铺",
   loading: "正在载入店铺…",
   loadingGoods: "正在摆放 {count} 件商品…",

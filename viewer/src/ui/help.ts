@@ -17,6 +17,8 @@ const rows: readonly (readonly [string | TextKey, TextKey])[] = [
   ["M", "keysMeasure"],
   ["Z", "keysZones"],
   ["L", "layers"],
+  ["R", "keysEdit"],
+  ["Ctrl Z, Ctrl ⇧ Z", "keysUndo"],
   ["P", "keysPicture"],
   ["Esc", "keysClose"],
 ];

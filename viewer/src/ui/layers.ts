@@ -16,30 +16,38 @@ export class LayersPanel {
   private readonly boxes = new Map<LayerName, HTMLInputElement>();
   private readonly messages = element("ul", { class: "messages" });
 
+  private readonly texts: (() => void)[] = [];
   private readonly choice = element("select", {});
   private readonly legend = element("div", { class: "legend" });
 
   constructor(
     private readonly speech: Speech,
     actions: LayerActions,
-    violations: readonly string[],
+    private violations: readonly string[],
   ) {
     const heading = element("h2", {});
     const entries = layerNames.map((name) => {
       const box = element("input", { attributes: { type: "checkbox" }, on: { change: () => actions.toggle(name) } });
       const text = element("span", {});
       this.boxes.set(name, box);
-      speech.bind(() => (text.textContent = countedText(speech, name, violations.length)));
+      this.texts.push(() => (text.textContent = countedText(speech, name, this.violations.length)));
       return element("label", {}, box, text);
     });
-    for (const message of violations) this.messages.append(element("li", { text: message }));
+    this.setViolations(violations);
     this.panel.append(heading, ...entries, this.messages, this.heatChoice(actions), this.legend);
     this.panel.addEventListener("keydown", (event) => event.key === "Escape" && actions.close());
     this.panel.hidden = true;
     speech.bind(() => {
+      for (const say of this.texts) say();
       heading.textContent = speech.say("layers");
       this.panel.setAttribute("aria-label", speech.say("layers"));
     });
+  }
+
+  setViolations(violations: readonly string[]): void {
+    this.violations = violations;
+    this.messages.replaceChildren(...violations.map((message) => element("li", { text: message })));
+    for (const say of this.texts) say();
   }
 
   get isOpen(): boolean {

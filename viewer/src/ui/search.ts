@@ -18,6 +18,7 @@ export class SearchPanel {
   readonly panel: HTMLElement;
   private readonly input: HTMLInputElement;
   private readonly clearButton: HTMLButtonElement;
+  readonly showCounts: () => void; // anew, after the summary has changed
   private readonly note: HTMLElement;
   private readonly list: HTMLElement;
   private hits: readonly Hit[] = [];
@@ -42,13 +43,16 @@ export class SearchPanel {
     this.panel = element("section", { class: "search panel" }, element("header", {}, name, counts), field, this.note, this.list);
     this.clearButton.hidden = this.note.hidden = this.list.hidden = true;
     this.listen();
-    speech.bind(() => {
+    this.showCounts = () => {
       const { products, skus, fixtures } = summary.counts;
       counts.textContent = speech.say("counts", {
         products: speech.number(products),
         skus: speech.number(skus),
         fixtures: speech.number(fixtures),
       });
+    };
+    speech.bind(() => {
+      this.showCounts();
       this.input.placeholder = speech.say("search");
       this.input.setAttribute("aria-label", `${speech.say("search")}: ${speech.say("searchHint")}`);
       this.clearButton.setAttribute("aria-label", speech.say("clear"));

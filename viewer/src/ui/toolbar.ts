@@ -12,13 +12,14 @@ export interface ToolbarActions {
   measure(): void;
   zones(): void;
   layers(): void;
+  edit?(): void; // where the server takes edits
   picture(): void;
   share(): void;
   theme(): void;
   help(): void;
 }
 
-const keys: Partial<Record<TextKey, string>> = { orbit: "1", walk: "2", fly: "3", top: "4", measure: "M", zones: "Z", layers: "L", screenshot: "P", help: "?" };
+const keys: Partial<Record<TextKey, string>> = { orbit: "1", walk: "2", fly: "3", top: "4", measure: "M", zones: "Z", layers: "L", edit: "R", screenshot: "P", help: "?" };
 
 export class Toolbar {
   readonly bar: HTMLElement;
@@ -43,17 +44,19 @@ export class Toolbar {
       this.button("measure", "measure", () => actions.measure()),
       this.button("zones", "zones", () => actions.zones()),
       this.button("layers", "layers", () => actions.layers()),
+      actions.edit && this.button("edit", "edit", () => actions.edit?.()),
       this.more(),
     );
     this.bar = element("div", { class: "toolbar panel", attributes: { role: "toolbar" } }, ways, element("span", { class: "divider" }), tools);
     this.bar.addEventListener("keydown", (event) => this.step(event));
   }
 
-  show(state: { mode: Mode; measuring: boolean; zones: boolean; layers: boolean }): void {
+  show(state: { mode: Mode; measuring: boolean; zones: boolean; layers: boolean; edit: boolean }): void {
     for (const mode of modes) this.press(mode, mode === state.mode);
     this.press("measure", state.measuring);
     this.press("zones", state.zones);
     this.press("layers", state.layers);
+    this.press("edit", state.edit);
   }
 
   private more(): HTMLElement {

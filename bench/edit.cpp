@@ -1,0 +1,105 @@
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "base/progress.h"
+#include "bench/bench.h"
+#include "bench/sample_store.h"
+#include "io/gzip.h"
+#include "server/editor.h"
+
+namespace marketgen::bench {
+namespace {
+
+using Json = nlohmann::json;
+
+// A page that edits, without a socket between it and the server.
+class Page {
+ public:
+  Page(std::shared_ptr<const store::Store> store, const catalog::Catalog& catalog)
+      : editor_(std::move(store),
+                std::make_shared<const catalog::Catalog>(catalog),
+                [](const std::filesystem::path&) -> Result<int> { return 0; }) {}
+
+  Result<server::HttpReply> post(const std::string& verb, Json body = Json::object()) {
+    body["token"] = token_;
+    server::HttpAsk ask;
+    ask.method = "POST";
+    ask.body = body.dump();
+    return editor_.post(verb, ask);
+  }
+  // The head of what it is given.
+  Result<Json> begin() {
+    MARKETGEN_TRY(const server::HttpReply reply, post("begin"));
+    MARKETGEN_TRY(const std::string bytes,
+                  reply.body->packed ? io::gunzip(reply.body->bytes, "begin")
+                                     : Result<std::string>(reply.body->bytes));
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 4, sizeof length);
+    Json head = Json::parse(bytes.substr(8, length));
+    token_ = head["token"];
+    return head;
+  }
+
+ private:
+  server::Editor editor_;
+  std::string token_;
+};
+
+Json border(const Json& cut, double by) {
+  return {{"patches",
+           {{{"set_ratio", {{"node", cut["node"]}, {"ratio", cut["ratio"].get<double>() + by}}}}}}};
+}
+
+// The first border that can be moved: cuts come with the whole floor's first, so that much changes.
+Result<Json> movable(Page& page, const Json& cuts) {
+  constexpr double by = -0.02;
+  for (const Json& cut : cuts) {
+    const auto done = page.post("patches", border(cut, by));
+    if (!done.ok()) continue;
+    MARKETGEN_CHECK(page.post("undo"));
+    return border(cut, by);
+  }
+  return Error{"internal.bug", "bench edit", "no border of the store can be moved"};
+}
+
+}  // namespace
+
+Figures run_edit(const catalog::Catalog& catalog) {
+  const ScratchFolder scratch;
+  const store::CreateOptions options = neighbourhood_store(scratch / "store", false);
+  MARKETGEN_CHECK(store::create_store(options, catalog));
+  MARKETGEN_TRY(store::Store opened, store::open_store(options.folder, catalog));
+  const auto products = static_cast<double>(opened.scene.products.size());
+  Page page(std::make_shared<const store::Store>(std::move(opened)), catalog);
+  MARKETGEN_TRY(const Json head, page.begin());
+  MARKETGEN_TRY(const Json patches, movable(page, head["cuts"]));
+
+  constexpr int runs = 9;
+  std::vector<double> preview, change, undo, bytes;
+  for (int run = 0; run <= runs; ++run) {
+    std::size_t sent = 0;
+    const double look = median_seconds(1, [&] { (void)page.post("preview", patches).ok(); });
+    const double start = monotonic_seconds();
+    MARKETGEN_TRY(const server::HttpReply changed, page.post("patches", patches));
+    const double done = monotonic_seconds();
+    MARKETGEN_CHECK(page.post("undo"));
+    const double back = monotonic_seconds();
+    sent = changed.body->bytes.size();
+    if (run == 0) continue;  // not counted
+    preview.push_back(look);
+    change.push_back(done - start);
+    undo.push_back(back - done);
+    bytes.push_back(static_cast<double>(sent) / 1e3);
+  }
+  const std::string machine = machine_name();
+  const auto figure = [&](const char* name, double value, const char* unit, int n) {
+    return Figure{name, value, unit, n, std::nullopt, std::nullopt, machine};
+  };
+  return std::vector<Figure>{figure("edit_products", products, "items", 1),
+                             figure("edit_preview_s", median(preview), "s", runs),
+                             figure("edit_border_s", median(change), "s", runs),
+                             figure("edit_border_sent_kb", median(bytes), "kB", runs),
+                             figure("edit_undo_s", median(undo), "s", runs)};
+}
+
+}  // namespace marketgen::bench

@@ -1,0 +1,214 @@
+// Editing a store in the page of `marketgen view`: Debian's Chromium drags a border, takes it back, saves the store and makes it again.
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { chromium } from "playwright-core";
+
+const program = process.env.MARKETGEN_BINARY ?? join(import.meta.dirname, "../../build/release/marketgen");
+const browserPath = process.env.MARKETGEN_CHROMIUM ?? "/usr/bin/chromium";
+const pictures = process.env.MARKETGEN_BROWSER_PICTURES;
+const patience = 120_000; // milliseconds for the store to be built and shown, on a busy machine
+
+const plan = {
+  schema: "market-plan/1",
+  name: "Edited",
+  shell: {
+    width_mm: 14000,
+    depth_mm: 11000,
+    openings: [
+      { id: "door", kind: "entrance", wall: "south", center: 0.75, width_mm: 2000 },
+      { id: "way_out", kind: "exit", wall: "south", center: 0.3, width_mm: 2000 },
+    ],
+  },
+  nodes: [
+    { id: "root", split: "y", ratio: 0.4, gap_mm: 2000, children: ["front", "back"] },
+    { id: "front", zone: "tills" },
+    { id: "back", split: "x", ratio: 0.5, gap_mm: 2000, children: ["west", "east"] },
+    { id: "west", zone: "snacks" },
+    { id: "east", zone: "drinks" },
+  ],
+  zones: [
+    { id: "tills", type: "checkout", label: "Tills", fixture: { kind: "checkout_lane", count: 2 } },
+    { id: "snacks", type: "snacks", label: "Snacks", fixture: { kind: "gondola", levels: 5 } },
+    { id: "drinks", type: "beverages", label: "Drinks", fixture: { kind: "gondola", levels: 5 } },
+  ],
+};
+
+let folder, store, server, address, browser;
+
+async function addressOf(process) {
+  let said = "";
+  for await (const text of process.stdout) {
+    said += text;
+    const found = /http:\/\/\S+/.exec(said);
+    if (found) return found[0];
+  }
+  throw new Error(`marketgen view ended without an address: ${said}`);
+}
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "marketgen-edit-"));
+  store = join(folder, "shop");
+  writeFileSync(join(folder, "plan.json"), JSON.stringify(plan));
+  execFileSync(program, ["generate", "--plan", join(folder, "plan.json"), "--seed", "3", "--no-previews", "--quiet", "-o", store]);
+  server = spawn(program, ["view", store, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
+  address = await addressOf(server);
+  browser = await chromium.launch({
+    executablePath: browserPath,
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  });
+});
+
+after(async () => {
+  await browser?.close();
+  server?.kill("SIGINT");
+  if (folder) rmSync(folder, { recursive: true, force: true });
+});
+
+async function open(options = {}, at = address) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", reducedMotion: "reduce", ...options });
+  const page = await context.newPage();
+  const faults = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(message.text()));
+  page.on("pageerror", (error) => faults.push(String(error)));
+  await page.goto(at);
+  await page.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
+  return { page, faults, close: () => context.close() };
+}
+
+async function openEditor(page) {
+  await page.locator("canvas").focus();
+  await page.keyboard.press("r");
+  await page.locator(".edit .plan .border").first().waitFor({ state: "attached", timeout: patience });
+}
+
+const steps = (page) => page.locator(".edit .lines li:not(.none)").count();
+const undone = (page) => page.locator(".edit .lines .undone").count();
+const products = (page) => page.evaluate(() => window.marketgen.stage.goods.table.count);
+const idle = (page) => page.waitForFunction(() => document.querySelector(".edit").getAttribute("aria-busy") === "false", null, { timeout: patience });
+
+async function take(page, name) {
+  if (!pictures) return;
+  mkdirSync(pictures, { recursive: true });
+  await page.screenshot({ path: join(pictures, `${name}.png`) });
+}
+
+// Drags the border of a cut by so many pixels.
+async function drag(page, node, dx, dy, letGo = true) {
+  const box = await page.locator(`.plan .border[data-key="cut ${node}"] .line`).evaluate((line) => line.getBoundingClientRect().toJSON());
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 5; i++) await page.mouse.move(x + (dx * i) / 5, y + (dy * i) / 5);
+  if (letGo) await page.mouse.up();
+}
+
+test("a border is dragged, taken back, done again, saved, and the saved plan makes the same store", async () => {
+  const { page, faults, close } = await open();
+  const opened = await products(page);
+  await openEditor(page);
+  await idle(page);
+  await take(page, "edit-open");
+  assert.equal(await steps(page), 0);
+
+  await drag(page, "back", 20, 0);
+  await page.waitForFunction(() => document.querySelectorAll(".edit .lines li:not(.none)").length === 1, null, { timeout: patience });
+  await idle(page);
+  const dragged = await products(page);
+  assert.notEqual(dragged, opened, "another floor, other shelves");
+  assert.equal(await page.evaluate(() => window.marketgen.stage.goods.skus.length > 0 && window.marketgen.stage.annexe !== undefined), true);
+  await take(page, "edit-dragged");
+
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(() => document.querySelector(".edit .lines .undone"), null, { timeout: patience });
+  await idle(page);
+  assert.equal(await products(page), opened);
+  assert.equal(await page.evaluate(() => window.marketgen.stage.annexe), undefined, "nothing is new");
+  await page.keyboard.press("Control+Shift+z");
+  await page.waitForFunction(() => !document.querySelector(".edit .lines .undone"), null, { timeout: patience });
+  await idle(page);
+  assert.equal(await products(page), dragged);
+  assert.equal(await undone(page), 0);
+
+  await page.getByRole("textbox", { name: "Save as" }).fill("dragged");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByText("Saved as dragged.").waitFor({ timeout: patience });
+  const manifest = JSON.parse(readFileSync(join(folder, "dragged", "store.json"), "utf8"));
+  assert.equal(manifest.counts.products, dragged);
+  assert.equal(manifest.edits.length, 1);
+  const again = join(folder, "again");
+  execFileSync(program, ["generate", "--plan", join(folder, "dragged", "plan.json"), "--seed", "3", "--no-previews", "--quiet", "-o", again]);
+  assert.equal(JSON.parse(readFileSync(join(again, "store.json"), "utf8")).scene_hash, manifest.scene_hash);
+
+  await page.getByRole("link", { name: "Open it" }).click();
+  await page.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
+  assert.equal(await products(page), dragged);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a second visitor is told, sees the store as it was opened, and may edit when the first has gone", async () => {
+  const first = await open();
+  await openEditor(first.page);
+  await idle(first.page);
+  const second = await open();
+  await second.page.locator("canvas").focus();
+  await second.page.keyboard.press("r");
+  await second.page.getByText("Somebody else is changing this store").waitFor({ timeout: patience });
+  assert.equal(await second.page.locator(".edit .plan").isVisible(), false);
+  await take(second.page, "edit-second");
+  await first.close();
+  await second.page.getByRole("button", { name: "Try again" }).click();
+  await second.page.locator(".edit .plan .border").first().waitFor({ state: "attached", timeout: patience });
+  assert.deepEqual([...first.faults, ...second.faults], []);
+  await second.close();
+});
+
+test("keys alone: a border by arrows, levels by a field, words, and what cannot be is said", async () => {
+  const { page, faults, close } = await open({ colorScheme: "dark" });
+  await openEditor(page);
+  await idle(page);
+  const before = await steps(page);
+  await page.locator('.plan .border[data-key="cut back"]').focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  assert.match(await page.locator('.plan .border[data-key="cut back"]').getAttribute("class"), /held/);
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.equal(await steps(page), before, "given up");
+
+  await page.locator('.plan .zone[data-zone="drinks"]').focus();
+  await page.keyboard.press("Enter");
+  await page.getByLabel("Levels").selectOption("6");
+  await page.waitForFunction((n) => document.querySelectorAll(".edit .lines li:not(.none)").length === n + 1, before, { timeout: patience });
+  await idle(page);
+  assert.equal(await page.evaluate(() => window.marketgen.app.summary.fixtures.find(({ zone }) => zone === "drinks").levels), 6);
+  await take(page, "edit-dark");
+
+  await page.getByRole("textbox", { name: "Say what shall change" }).fill("swap snacks and drinks");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction((n) => document.querySelectorAll(".edit .lines li:not(.none)").length === n + 2, before, { timeout: patience });
+  await idle(page);
+
+  await page.getByRole("textbox", { name: "Say what shall change" }).fill("quizzical zeppelins yodel");
+  await page.keyboard.press("Enter");
+  await page.getByText("not one word of it asks for a change").waitFor({ timeout: patience });
+  await page.keyboard.press("Escape");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a phone and Chinese", async () => {
+  const { page, faults, close } = await open({ viewport: { width: 390, height: 780 }, locale: "zh-CN" });
+  await openEditor(page);
+  await idle(page);
+  assert.equal(await page.locator(".edit h2").textContent(), "修改此店铺");
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(wide <= 390, `${wide} pixels wide`);
+  await take(page, "edit-phone");
+  assert.deepEqual(faults, []);
+  await close();
+});
