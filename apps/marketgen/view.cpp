@@ -39,6 +39,9 @@ Run add_view(CLI::App& app) {
   auto flags = std::make_shared<ViewFlags>();
   CLI::App* command = app.add_subcommand("view", "Show stores in a browser, until Ctrl-C");
   command->add_option("folders", flags->serve.folders, "store folders")->required();
+  command->add_option("--results",
+                      flags->serve.results,
+                      "folder of an evaluation in one of the stores; may be given several times");
   constexpr int max_port = 65535;
   command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
       ->check(whole_number(0, max_port))
@@ -53,7 +56,8 @@ Run add_view(CLI::App& app) {
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
       "Example:  marketgen view shop\n"
-      "          marketgen view shop other-shop --no-open --port 8080");
+      "          marketgen view shop other-shop --no-open --port 8080\n"
+      "          marketgen view shop --results results   # episodes, with eval --record-motion");
   return [flags] {
     const auto done = view(*flags);
     return done.ok() ? 0 : fail(done.error());

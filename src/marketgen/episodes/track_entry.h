@@ -5,7 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "catalog/catalog.h"
 #include "episodes/episode_spec.h"
+#include "episodes/motion.h"
+#include "episodes/recorded_place.h"
 
 namespace marketgen::episodes {
 
@@ -32,6 +35,12 @@ class TrackEntry {
   // How many things an episode is about, and how many at most one that is drawn.
   virtual int items_of(const EpisodeSpec& spec) const = 0;
   virtual int max_items() const = 0;
+  // Where the motion of one of its episodes happened, in that store. Errors: those of the station's
+  // file; robot.unknown; episode.other_store, the store lacks its lane.
+  virtual Result<RecordedPlace> place_of(const std::filesystem::path& data,
+                                         const Motion& motion,
+                                         std::shared_ptr<const scene::Scene> store,
+                                         const catalog::Catalog& catalog) const = 0;
 };
 
 #define MARKETGEN_TRACK(name, Type) const TrackEntry& name##_entry();

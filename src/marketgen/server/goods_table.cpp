@@ -28,13 +28,6 @@ std::int32_t shelf_of(const scene::Scene& scene, const scene::SceneProduct& item
              : static_cast<std::int32_t>(scene.facings[item.facing].shelf);
 }
 
-std::array<std::int16_t, 4> packed_rotation(const Quaternion& q) {
-  const auto whole = [](double value) {
-    return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0, 1.0) * 32767));
-  };
-  return {whole(q.x), whole(q.y), whole(q.z), whole(q.w)};
-}
-
 std::array<std::uint8_t, 3> packed_tint(std::size_t row, std::uint32_t sku) {
   using render::raytrace::ItemKind;
   const Vec3f tint = render::raytrace::look_of_item(row, sku, ItemKind::packed).tint;

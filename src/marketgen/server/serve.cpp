@@ -49,7 +49,8 @@ Result<void> serve(const ServeOptions& options,
   MARKETGEN_CHECK(check_host(options));
   MARKETGEN_TRY(const std::filesystem::path page, page_folder());
   MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(options.folders, std::move(rows)));
-  MARKETGEN_TRY(const std::unique_ptr<Viewer> viewer, Viewer::open(std::move(stores), page));
+  MARKETGEN_TRY(const std::unique_ptr<Viewer> viewer,
+                Viewer::open(std::move(stores), page, options.results));
   HttpServerOptions http;
   http.host = options.host;
   http.port = options.port;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "export/label_picture.h"
 #include "io/json.h"
 #include "io/png.h"
+#include "server/ask_numbers.h"
 #include "server/page_files.h"
 #include "server/store_summary.h"
 #include "server/view_files.h"
@@ -24,38 +24,7 @@ namespace {
 constexpr std::array label_heights_px{64, 128, 256, 512, 1024};
 constexpr int min_tag_px = 32, max_tag_px = 192, usual_tag_px = 96, usual_label_px = 512;
 constexpr std::uint64_t usual_hits = 50, max_hits = 500;
-
-Error no_address(const HttpAsk& ask) {
-  return {"server.not_found", ask.path, "there is nothing at this address; see docs/viewer.md"};
-}
-
-// All of the text, without a sign.
-std::optional<std::uint64_t> whole(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return value;
-}
-
-Result<std::uint32_t> row_of(const HttpAsk& ask, std::string_view text, std::size_t rows) {
-  const std::optional<std::uint64_t> row = whole(text);
-  if (row && *row < rows) return static_cast<std::uint32_t>(*row);
-  return Error{"server.not_found", ask.path, fmt::format("rows go from 0 to {} here", rows - 1)};
-}
-
-// A number in the query; `usual` when it is not there.
-Result<std::uint64_t> number_in(const HttpAsk& ask,
-                                const std::string& name,
-                                std::uint64_t usual,
-                                std::uint64_t low,
-                                std::uint64_t high) {
-  const auto given = ask.query.find(name);
-  if (given == ask.query.end()) return usual;
-  const std::optional<std::uint64_t> value = whole(given->second);
-  if (value && *value >= low && *value <= high) return *value;
-  return Error{
-      "server.bad_request", name, fmt::format("is not a whole number from {} to {}", low, high)};
-}
+constexpr std::size_t max_places = 10000;
 
 Result<HttpReply> reply_with(ViewFile file) {
   return HttpReply{.body = make_body(std::move(file.type), std::move(file.bytes))};
@@ -86,33 +55,37 @@ struct Viewer::Opened {
   std::shared_ptr<const store::Store> store;
   HttpReply summary, goods;
   std::unique_ptr<ViewBuild> build;
+  bool is_place = false;  // of an episode, and no store
 };
 
-Viewer::Viewer(store::OpenedStores stores, std::filesystem::path page)
-    : catalog_(std::move(stores.catalog)), page_(std::move(page)), drawing_(thread_count()) {
-  for (std::shared_ptr<const store::Store>& store : stores.stores) {
-    auto opened = std::make_unique<Opened>();
-    opened->number = static_cast<int>(stores_.size());
-    opened->store = std::move(store);
-    stores_.push_back(std::move(opened));
-  }
-}
+Viewer::Viewer(catalog::Catalog catalog, std::filesystem::path page)
+    : catalog_(std::move(catalog)), page_(std::move(page)), drawing_(thread_count()) {}
 
 Viewer::~Viewer() = default;
 
 Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
-                                             std::filesystem::path page) {
-  std::unique_ptr<Viewer> viewer(new Viewer(std::move(stores), std::move(page)));
+                                             std::filesystem::path page,
+                                             const std::vector<std::string>& results) {
+  std::unique_ptr<Viewer> viewer(new Viewer(std::move(stores.catalog), std::move(page)));
   MARKETGEN_TRY(viewer->search_, StoreSearch::open(viewer->catalog_));
   MARKETGEN_TRY(viewer->grasps_, read_grasp_facts());
-  for (const std::unique_ptr<Opened>& opened : viewer->stores_) {
-    const store::Store& store = *opened->store;
-    opened->summary = json_reply(io::write_json_line(summary_of(opened->number, store)));
-    ViewFile goods = goods_table(store.scene);
-    opened->goods = {.body = make_body(goods.type, std::move(goods.bytes))};
-    opened->build = std::make_unique<ViewBuild>(opened->store, viewer->building_);
-  }
+  MARKETGEN_TRY(viewer->replays_, Replays::open(results, stores.stores, viewer->catalog_));
+  for (std::shared_ptr<const store::Store>& store : stores.stores)
+    viewer->stores_.push_back(
+        viewer->opened(static_cast<int>(viewer->stores_.size()), std::move(store)));
   return viewer;
+}
+
+std::unique_ptr<Viewer::Opened> Viewer::opened(int number,
+                                               std::shared_ptr<const store::Store> store) {
+  auto opened = std::make_unique<Opened>();
+  opened->number = number;
+  opened->store = std::move(store);
+  opened->summary = json_reply(io::write_json_line(summary_of(number, *opened->store)));
+  ViewFile goods = goods_table(opened->store->scene);
+  opened->goods = {.body = make_body(goods.type, std::move(goods.bytes))};
+  opened->build = std::make_unique<ViewBuild>(opened->store, building_);
+  return opened;
 }
 
 HttpReply Viewer::answer(const HttpAsk& ask) {
@@ -138,6 +111,7 @@ Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Word
   const scene::Scene& scene = store.store->scene;
   if (words.empty()) return store.summary;
   const std::string& what = words[0];
+  if (what == "runs" || what == "places") return of_replay(store, ask, words);
   if (words.size() == 1) {
     if (what == "goods.bin") return store.goods;
     if (what == "state") return state(store);
@@ -159,6 +133,28 @@ Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Word
   if (what != "textures") return no_address(ask);
   MARKETGEN_TRY(const ViewBuild::Body body, store.build->file(what + "/" + words[1]));
   return HttpReply{.body = body};
+}
+
+Result<HttpReply> Viewer::of_replay(Opened& store, const HttpAsk& ask, const Words& words) {
+  if (store.is_place) return no_address(ask);
+  const auto number = static_cast<std::size_t>(store.number);
+  if (words[0] == "runs")
+    return replays_->answer(number, ask, Words(words.begin() + 1, words.end()));
+  if (words.size() < 2) return no_address(ask);
+  MARKETGEN_TRY(const std::uint32_t row, row_of(ask, words[1], max_places));
+  std::shared_ptr<const store::Store> place = replays_->place(number, row);
+  if (place == nullptr) return no_address(ask);
+  Opened* opened_place = nullptr;
+  {
+    const std::scoped_lock lock(opening_);
+    std::unique_ptr<Opened>& kept = places_[row];
+    if (kept == nullptr) {
+      kept = opened(store.number, std::move(place));
+      kept->is_place = true;
+    }
+    opened_place = kept.get();
+  }
+  return of_store(*opened_place, ask, Words(words.begin() + 2, words.end()));
 }
 
 Result<HttpReply> Viewer::of_sku(Opened& store, const HttpAsk& ask, const Words& words) {

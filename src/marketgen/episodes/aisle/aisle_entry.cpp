@@ -1,4 +1,6 @@
 // In-Aisle Item Collection as an entry of episodes/tracks.inc.
+#include <utility>
+
 #include "episodes/aisle/sample_aisle.h"
 #include "episodes/track_entry.h"
 
@@ -26,6 +28,16 @@ class AisleEntry : public TrackEntry {
     return asked;
   }
   int max_items() const override { return max_goals; }
+
+  // The basket is part of the robot.
+  Result<RecordedPlace> place_of(const std::filesystem::path& data,
+                                 const Motion& motion,
+                                 std::shared_ptr<const scene::Scene> store,
+                                 const catalog::Catalog&) const override {
+    MARKETGEN_TRY(const AisleStation station, load_aisle_station(data, motion.tools));
+    MARKETGEN_TRY(robots::Robot robot, load_station_robot(data, station));
+    return RecordedPlace{std::move(store), "", std::move(robot), {}};
+  }
 };
 
 }  // namespace

@@ -10,6 +10,8 @@ namespace {
 
 constexpr render::ActorSurface basket_plastic{{0.42F, 0.03F, 0.025F}, 0.45F, 0};
 
+}  // namespace
+
 render::Actor basket_actor(const CheckoutStation& station) {
   render::ActorBody body;
   body.name = "basket";
@@ -26,8 +28,6 @@ render::Actor basket_actor(const CheckoutStation& station) {
   }
   return {"basket", {std::move(body)}};
 }
-
-}  // namespace
 
 Result<std::unique_ptr<CheckoutView>> CheckoutView::create(const CheckoutWorld& world) {
   std::unique_ptr<CheckoutView> view(new CheckoutView);

@@ -18,6 +18,9 @@ constexpr std::array<std::string_view, 2> names_of(StationCamera) {
   return {"scene_camera", "wrist_camera"};
 }
 
+// The station's basket: one body, in its container's frame.
+render::Actor basket_actor(const CheckoutStation& station);
+
 class CheckoutView {
  public:
   // Of the episode to which `world` was reset. Errors: those of Renderer::create, link_parts.
