@@ -5,17 +5,13 @@
 #include <fmt/format.h>
 
 #include "io/json.h"
-#include "server/ask_numbers.h"
+#include "server/answering.h"
 
 namespace marketgen::server {
 namespace {
 
 constexpr std::size_t kept_open = 8;  // episodes; what is read of one is some megabytes
 constexpr std::uint64_t usual_steps = 1200, max_steps = 12000;  // of motion.bin
-
-Result<HttpReply> reply_with(ViewFile file) {
-  return HttpReply{.body = make_body(std::move(file.type), std::move(file.bytes))};
-}
 
 // A place has all that a page wants of a store, but for a folder.
 std::shared_ptr<const store::Store> store_of(const store::Store& of,

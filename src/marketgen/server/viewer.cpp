@@ -13,7 +13,7 @@
 #include "export/label_picture.h"
 #include "io/json.h"
 #include "io/png.h"
-#include "server/ask_numbers.h"
+#include "server/answering.h"
 #include "server/page_files.h"
 #include "server/store_summary.h"
 #include "server/view_files.h"
@@ -25,10 +25,6 @@ constexpr std::array label_heights_px{64, 128, 256, 512, 1024};
 constexpr int min_tag_px = 32, max_tag_px = 192, usual_tag_px = 96, usual_label_px = 512;
 constexpr std::uint64_t usual_hits = 50, max_hits = 500;
 constexpr std::size_t max_places = 10000;
-
-Result<HttpReply> reply_with(ViewFile file) {
-  return HttpReply{.body = make_body(std::move(file.type), std::move(file.bytes))};
-}
 
 Result<HttpReply> png_reply(const Result<Image>& image) {
   if (!image.ok()) return image.error();

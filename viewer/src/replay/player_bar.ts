@@ -51,7 +51,7 @@ export class PlayerBar {
 
   constructor(
     private readonly words: ReplayWords,
-    private readonly actions: BarActions,
+    actions: BarActions,
     private readonly clock: Clock,
     events: readonly ReplayEvent[],
   ) {

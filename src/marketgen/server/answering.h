@@ -1,4 +1,4 @@
-// Numbers and rows in what is asked.
+// What addresses have in common: numbers and rows in what is asked, files as answers.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -7,8 +7,11 @@
 
 #include "base/result.h"
 #include "server/http_message.h"
+#include "server/view_files.h"
 
 namespace marketgen::server {
+
+Result<HttpReply> reply_with(ViewFile file);
 
 // Of an address that nothing is at.
 Error no_address(const HttpAsk& ask);

@@ -1,7 +1,8 @@
-#include "server/ask_numbers.h"
+#include "server/answering.h"
 
 #include <charconv>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,10 @@ std::optional<std::uint64_t> whole(std::string_view text) {
 }
 
 }  // namespace
+
+Result<HttpReply> reply_with(ViewFile file) {
+  return HttpReply{.body = make_body(std::move(file.type), std::move(file.bytes))};
+}
 
 Error no_address(const HttpAsk& ask) {
   return {"server.not_found", ask.path, "there is nothing at this address; see docs/viewer.md"};

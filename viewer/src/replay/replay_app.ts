@@ -1,0 +1,206 @@
+// The page of a recorded episode: the robot and the goods move as they did.
+import { roomOf } from "../app";
+import { topFov, Navigator } from "../camera/navigator";
+import { modes, type Mode } from "../camera/modes";
+import { lookingAt, type Pose } from "../camera/pose";
+import { add, distance, type Vec3 } from "../camera/vector";
+import type { Summary } from "../store/contract";
+import { screensOf, Sight } from "../stage/sight";
+import type { Stage } from "../stage/stage";
+import { element } from "../ui/dom";
+import { Hands } from "../ui/hands";
+import type { Status } from "../ui/status";
+import { Theme } from "../ui/theme";
+import { Clock } from "./clock";
+import type { Replay } from "./contract";
+import { InfoPanel } from "./info_panel";
+import { nextFrom } from "./marks";
+import { Player } from "./player";
+import { PlayerBar } from "./player_bar";
+import { ReplayHelp } from "./replay_help";
+import type { ReplayWords } from "./words";
+
+const longestFrame = 0.5; // seconds: after a longer pause (a tab in the background) a replay goes on from where it was
+const usualFov = 55;
+const barEvery = 100; // milliseconds between two times that the bar tells while playing
+const relitAtOnce = 2;
+
+// Where one looks from at first, seen from the robot: ahead, to its left, up; and what at.
+const counterView = { from: [1.75, -0.75, 1.05], at: [0.5, 0.05, 0.12] } as const;
+const aisleView = { from: [-1.9, 1.1, 2.6], at: [0.35, 0, 0.75] } as const;
+
+export class ReplayApp {
+  readonly navigator: Navigator;
+  readonly clock: Clock;
+  following = true;
+  waiting = false;
+  private readonly bar: PlayerBar;
+  private readonly info: InfoPanel;
+  private readonly help: ReplayHelp;
+  private readonly hands: Hands;
+  private lastFrame = 0;
+  private lastTold = 0;
+  private shownPose: Pose | undefined;
+  private shownStep = -1;
+  private robotWas: Vec3 | undefined;
+
+  constructor(
+    private readonly stage: Stage,
+    summary: Summary,
+    private readonly replay: Replay,
+    readonly players: readonly Player[],
+    private readonly words: ReplayWords,
+    private readonly status: Status,
+    links: () => readonly HTMLElement[],
+  ) {
+    stage.ceilingHeight = summary.ceiling_m;
+    stage.sight = new Sight(screensOf(summary.fixtures));
+    stage.setLens(usualFov);
+    this.clock = new Clock(replay.steps, replay.step_s);
+    this.navigator = new Navigator(roomOf(summary), "orbit", lookingAt([0, 0, 2], [1, 1, 1]), 2);
+    const theme = new Theme((background) => stage.setBackground(background));
+    const { speech } = words;
+    const seek = (step: number): void => this.seek(step);
+    const actions = { toggle: () => this.toggle(), nudge: (by: 1 | -1) => this.nudge(by), event: (by: 1 | -1) => this.toEvent(by), seek, speed: (to: number) => this.setSpeed(to), follow: () => this.toggleFollow() };
+    this.bar = new PlayerBar(words, actions, this.clock, replay.events);
+    this.help = new ReplayHelp(words);
+    const tools = { theme: () => theme.toggle(), language: () => speech.toggle(), help: () => this.help.open() };
+    const tool = (key: "theme" | "language" | "help"): HTMLElement => element("button", { text: speech.say(key), attributes: { type: "button" }, on: { click: tools[key] } });
+    this.info = new InfoPanel(words, { seek }, replay, () => [...links(), tool("theme"), tool("language"), tool("help")]);
+    this.hands = this.makeHands();
+    document.body.append(this.info.panel, this.bar.bar, this.help.dialog);
+    speech.bind(() => {
+      stage.canvas.setAttribute("aria-label", words.say("view3d"));
+      document.title = `${replay.result.id} · ${replay.run.policy} · MarketGen`;
+      this.tell();
+    });
+  }
+
+  // One turn of the page's loop.
+  frame(now: number): void {
+    const seconds = Math.min((now - this.lastFrame) / 1000, longestFrame);
+    this.lastFrame = now;
+    if (this.waiting) this.waiting = !this.players.every((player) => player.show(this.clock.step));
+    else this.play(seconds, now);
+    this.follow();
+    this.navigator.step(this.navigator.flying ? seconds : Math.min(seconds, 0.1), this.hands.held(this.navigator.mode));
+    const moved = this.navigator.pose !== this.shownPose;
+    if (moved) this.stage.setPose((this.shownPose = this.navigator.pose));
+    const { room } = this.stage;
+    if (room) for (const player of this.players) player.relight(room, relitAtOnce);
+    this.stage.frame(moved || this.clock.playing);
+  }
+
+  seek(step: number): void {
+    this.clock.seek(step);
+    this.tell();
+  }
+
+  private play(seconds: number, now: number): void {
+    const changed = this.clock.advance(seconds);
+    const { step } = this.clock;
+    if (step !== this.shownStep) {
+      this.waiting = !this.players.every((player) => player.show(step));
+      if (this.waiting) this.status.say(this.words.say("waiting"));
+      else this.shownStep = step;
+    }
+    if (changed && (now - this.lastTold > barEvery || !this.clock.playing)) {
+      this.lastTold = now;
+      this.tell();
+    }
+  }
+
+  private tell(): void {
+    this.bar.show(this.following);
+    this.info.show(this.clock.seconds);
+  }
+
+  private toggle(): void {
+    this.clock.toggle();
+    this.tell();
+  }
+
+  private nudge(by: 1 | -1): void {
+    this.clock.nudge(by);
+    this.tell();
+  }
+
+  private toEvent(by: 1 | -1): void {
+    const event = nextFrom(this.replay.events, this.clock.step, by);
+    if (event) this.seek(event.step);
+  }
+
+  private setSpeed(to: number): void {
+    this.clock.speed = to;
+    this.tell();
+  }
+
+  private toggleFollow(): void {
+    this.following = !this.following;
+    this.robotWas = undefined;
+    this.tell();
+  }
+
+  // The eye keeps its place beside the robot.
+  private follow(): void {
+    const player = this.players[0]!;
+    if (this.shownStep < 0) return;
+    const at = player.robotAt;
+    if (!this.shownPose) this.lookAtRobot();
+    const was = this.robotWas ?? at;
+    this.robotWas = at;
+    if (!this.following || this.navigator.flying || this.navigator.mode === "top" || distance(was, at) < 1e-4) return;
+    const { pose } = this.navigator;
+    this.navigator.pose = { ...pose, eye: add(pose.eye, [at[0] - was[0], at[1] - was[1], 0]) };
+  }
+
+  private lookAtRobot(): void {
+    const player = this.players[0]!;
+    const { from, at } = this.replay.place < 0 ? aisleView : counterView;
+    const [fx, fy] = player.heading;
+    const seen = ([ahead, left, up]: Vec3): Vec3 => add(player.robotAt, [fx * ahead - fy * left, fy * ahead + fx * left, up]);
+    const eye = seen(from);
+    const target = seen(at);
+    this.navigator.goTo(lookingAt(eye, target), distance(eye, target), true);
+  }
+
+  private enter(mode: Mode): void {
+    this.navigator.enter(mode, true);
+    if (mode === "top") this.stage.setLens(topFov);
+    else if (this.stage.camera.fov === topFov) this.stage.setLens(usualFov);
+  }
+
+  private makeHands(): Hands {
+    const fov = (): number => (this.stage.camera.fov * Math.PI) / 180;
+    return new Hands(this.stage.canvas, {
+      drag: (dx, dy, pan) => this.navigator.drag(dx, dy, this.stage.canvas.clientHeight, fov(), pan),
+      zoom: (factor) => this.navigator.zoom(factor),
+      click: () => undefined,
+      key: (event) => this.key(event),
+      wake: () => undefined,
+    });
+  }
+
+  private key(event: KeyboardEvent): boolean {
+    const onButton = (event.target as HTMLElement).closest("button, a, summary, select") !== null;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const mode = modes[Number(key) - 1];
+    const does: Partial<Record<string, () => void>> = {
+      ",": () => this.nudge(-1),
+      ".": () => this.nudge(1),
+      b: () => this.toEvent(-1),
+      n: () => this.toEvent(1),
+      "[": () => (this.clock.change(-1), this.tell()),
+      "]": () => (this.clock.change(1), this.tell()),
+      Home: () => this.seek(0),
+      End: () => this.seek(this.clock.steps - 1),
+      f: () => this.toggleFollow(),
+      "?": () => this.help.open(),
+    };
+    if (mode) this.enter(mode);
+    else if (key === " " && !onButton) this.toggle();
+    else if (does[key]) does[key]();
+    else return false;
+    return true;
+  }
+}
