@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -165,15 +166,24 @@ void ReplayEpisode::summarise(const ReplayRuns& runs, std::size_t run, std::size
   summary_.bodies = bodies_.names();
   summary_.events = motion_.events;
   summary_.side_effects = result.side_effects;
-  const auto named = [&](const std::string& sku) -> std::pair<std::string, std::string> {
-    for (const auto* rows : {&products_, &store_->scene.catalog}) {
-      const auto row = std::ranges::find(*rows, sku, &catalog::Product::sku);
-      if (row != rows->end()) return {row->name, row->name_zh};
-    }
-    return {sku, sku};
-  };
+  add_goals(result);
+  add_things(result);
+}
+
+// In English and Chinese; the SKU itself where no row has it.
+std::pair<std::string, std::string> ReplayEpisode::names_of_sku(const std::string& sku) const {
+  for (const std::vector<catalog::Product>* rows :
+       std::initializer_list<const std::vector<catalog::Product>*>{&products_,
+                                                                   &store_->scene.catalog}) {
+    const auto row = std::ranges::find(*rows, sku, &catalog::Product::sku);
+    if (row != rows->end()) return {row->name, row->name_zh};
+  }
+  return {sku, sku};
+}
+
+void ReplayEpisode::add_goals(const episodes::EpisodeResult& result) {
   for (const episodes::GoalOutcome& goal : result.goals) {
-    const auto [name, name_zh] = named(goal.sku);
+    const auto [name, name_zh] = names_of_sku(goal.sku);
     const bool rests = goal.reached > 0 && goal.rested_s > 0;
     summary_.goals.push_back({goal.sku,
                               name,
@@ -182,8 +192,11 @@ void ReplayEpisode::summarise(const ReplayRuns& runs, std::size_t run, std::size
                               goal.reached,
                               rests ? result.simulated_s - goal.rested_s : -1});
   }
+}
+
+void ReplayEpisode::add_things(const episodes::EpisodeResult& result) {
   for (const episodes::ThingMotion& thing : motion_.things) {
-    const auto [name, name_zh] = named(thing.sku);
+    const auto [name, name_zh] = names_of_sku(thing.sku);
     const auto mesh = meshes_.find(thing.sku);
     summary_.things.push_back(
         {thing.kind,

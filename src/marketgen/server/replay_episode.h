@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/fields.h"
@@ -108,6 +109,9 @@ class ReplayEpisode {
   ReplayEpisode() = default;
   Result<void> find_products(const catalog::Catalog& catalog);
   void summarise(const ReplayRuns& runs, std::size_t run, std::size_t episode);
+  void add_goals(const episodes::EpisodeResult& result);
+  void add_things(const episodes::EpisodeResult& result);
+  std::pair<std::string, std::string> names_of_sku(const std::string& sku) const;
   std::vector<double> state(std::size_t step) const;
 
   std::shared_ptr<const store::Store> store_;
