@@ -43,6 +43,7 @@ export class ReplayApp {
   private shownPose: Pose | undefined;
   private shownStep = -1;
   private robotWas: Vec3 | undefined;
+  private placed = false; // the eye was brought before the robot
 
   constructor(
     private readonly stage: Stage,
@@ -146,7 +147,7 @@ export class ReplayApp {
     const player = this.players[0]!;
     if (this.shownStep < 0) return;
     const at = player.robotAt;
-    if (!this.shownPose) this.lookAtRobot();
+    if (!this.placed) this.lookAtRobot();
     const was = this.robotWas ?? at;
     this.robotWas = at;
     if (!this.following || this.navigator.flying || this.navigator.mode === "top" || distance(was, at) < 1e-4) return;
@@ -155,6 +156,7 @@ export class ReplayApp {
   }
 
   private lookAtRobot(): void {
+    this.placed = true;
     const player = this.players[0]!;
     const { from, at } = this.replay.place < 0 ? aisleView : counterView;
     const [fx, fy] = player.heading;
