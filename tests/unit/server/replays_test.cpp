@@ -185,8 +185,11 @@ TEST_P(Replayed, HasAllShapes) {
   if (!basket) return;
   const Container meshes = shown.container({"0", "episodes", "0", "meshes.bin"});
   const Json things = shown.json({"0", "episodes", "0"})["things"];
-  for (const Json& thing : things)
-    if (thing["kind"] == "item") EXPECT_LT(thing["mesh"], meshes.rows("range"));
+  for (const Json& thing : things) {
+    if (thing["kind"] == "item") {
+      EXPECT_LT(thing["mesh"], meshes.rows("range"));
+    }
+  }
   EXPECT_EQ(shown.ask({"0", "episodes", "0", "goods-0.jpg"})->body->type, "image/jpeg");
 }
 
