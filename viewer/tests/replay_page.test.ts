@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { cubeAt, plainCube } from "../src/replay/actor_light";
+import { plainCube, RoomLight } from "../src/replay/actor_light";
 import { episodeLink, listLink, readReplayPlace, storeLink } from "../src/replay/addresses";
 import { isWanted } from "../src/replay/list_page";
 import { replayTexts, say } from "../src/replay/strings";
@@ -41,7 +41,7 @@ test("what moves has the light of the surfaces that are near, by the way they fa
   const position = [0, 0, 0, 0.1, 0, 0, 40, 0, 0];
   const normal = [0, 0, 127, 0, 127, 0, 0, 0, 0, 0, 127, 0];
   const light = [255, 128, 0, 0, 51, 51, 51, 0, 255, 255, 255, 0];
-  const cube = cubeAt({ position, normal, light }, [0, 0, 0.2]);
+  const cube = new RoomLight({ position, normal, light }).cubeAt([0, 0, 0.2]);
   expect([...cube.slice(12, 15)]).toEqual([1, expect.closeTo(128 / 255), 0]);
   expect([...cube.slice(0, 3)].map((x) => x.toFixed(2))).toEqual(["0.20", "0.20", "0.20"]);
   expect([...cube.slice(3, 6)]).toEqual([...plainCube.slice(3, 6)]);

@@ -1,12 +1,12 @@
 // One episode on the stage: brings everything to where it was at a step.
-import type { Room } from "../stage/room";
 import type { Stage } from "../stage/stage";
-import { cubeAt, type Cube } from "./actor_light";
+import type { RoomLight } from "./actor_light";
 import { Actors, type Actor } from "./actors";
 import type { MotionHead, Replay } from "./contract";
 import type { ReplayClient } from "./replay_client";
 import { BodyTracks, ThingTracks } from "./tracks";
 
+const aboveFrame = 0.3; // metres: frames are at the foot of things
 const lightAgain = 0.5; // metres from where the light on something was taken last
 type Point = readonly [number, number, number];
 
@@ -104,14 +104,14 @@ export class Player {
   }
 
   // Takes the light anew where something has come far from where it was taken. `spare`: at most so many at once.
-  relight(room: Room, spare = 1): void {
+  relight(light: RoomLight, spare: number): void {
     for (const lit of [this.robot, ...this.things]) {
       if (!lit || spare <= 0) continue;
       const { at } = lit.actor;
       if (lit.litAt && Math.hypot(...at.map((x, i) => x - lit.litAt![i]!)) < lightAgain) continue;
       lit.litAt = at;
       spare--;
-      const cube = cornersOf(room, at);
+      const cube = light.cubeAt([at[0], at[1], at[2] + aboveFrame]);
       if (lit === this.robot) for (let body = 0; body < this.robotBodies; body++) this.actors.bodies[body]!.light(cube);
       else lit.actor.light(cube);
       this.stage.redraw();
@@ -126,9 +126,4 @@ export class Player {
       if (room.moving.positions[joint] !== to) room.move(joint, to);
     });
   }
-}
-
-function cornersOf(room: Room, at: Point): Cube {
-  const light = room.corners;
-  return cubeAt(light, [at[0], at[1], at[2] + 0.3]);
 }

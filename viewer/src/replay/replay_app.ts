@@ -11,6 +11,7 @@ import { element } from "../ui/dom";
 import { Hands } from "../ui/hands";
 import type { Status } from "../ui/status";
 import { Theme } from "../ui/theme";
+import { RoomLight } from "./actor_light";
 import { Clock } from "./clock";
 import type { Replay } from "./contract";
 import { InfoPanel } from "./info_panel";
@@ -20,10 +21,10 @@ import { PlayerBar } from "./player_bar";
 import { ReplayHelp } from "./replay_help";
 import type { ReplayWords } from "./words";
 
-const longestFrame = 0.5; // seconds: after a longer pause (a tab in the background) a replay goes on from where it was
+const longestFrame = 2; // seconds: after a longer pause (a tab in the background) a replay goes on from where it was
 const usualFov = 55;
 const barEvery = 100; // milliseconds between two times that the bar tells while playing
-const relitAtOnce = 2;
+const relitAtOnce = 8;
 
 // Where one looks from at first, seen from the robot: ahead, to its left, up; and what at.
 const counterView = { from: [1.75, -0.75, 1.05], at: [0.5, 0.05, 0.12] } as const;
@@ -38,6 +39,7 @@ export class ReplayApp {
   private readonly info: InfoPanel;
   private readonly help: ReplayHelp;
   private readonly hands: Hands;
+  private light: RoomLight | undefined; // once the room has come
   private lastFrame = 0;
   private lastTold = 0;
   private shownPose: Pose | undefined;
@@ -87,8 +89,8 @@ export class ReplayApp {
     this.navigator.step(this.navigator.flying ? seconds : Math.min(seconds, 0.1), this.hands.held(this.navigator.mode));
     const moved = this.navigator.pose !== this.shownPose;
     if (moved) this.stage.setPose((this.shownPose = this.navigator.pose));
-    const { room } = this.stage;
-    if (room) for (const player of this.players) player.relight(room, relitAtOnce);
+    if (!this.light && this.stage.room) this.light = new RoomLight(this.stage.room.corners);
+    if (this.light) for (const player of this.players) player.relight(this.light, relitAtOnce);
     this.stage.frame(moved || this.clock.playing);
   }
 
