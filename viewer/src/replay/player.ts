@@ -99,6 +99,10 @@ export class Player {
   thingAt(thing: number): Point | undefined {
     return this.things[thing]?.actor.at;
   }
+  // Its matrix, column by column.
+  thingMatrix(thing: number): number[] | undefined {
+    return this.things[thing]?.actor.mesh.matrix.elements.slice();
+  }
   bodyAt(body: number): Point {
     return this.actors.bodies[body]!.at;
   }
