@@ -299,9 +299,9 @@ test("fingers look around, come nearer and select", async () => {
 
 test("with a secret the page is shown to who has it, and to nobody else", async () => {
   const secret = "a-secret-of-the-browser-tests";
-  const guarded = spawn(program, ["view", store, "--no-open", "--host", "127.0.0.2", "--token", secret], { stdio: ["ignore", "pipe", "inherit"] });
+  const { server: guarded, address: said } = await serve([store, "--host", "127.0.0.2", "--token", secret]);
   try {
-    const { origin } = new URL(await addressOf(guarded));
+    const { origin } = new URL(said);
     const known = await open("", {}, () => {}, `${origin}/?token=${secret}`);
     await complete(known.page);
     await known.page.keyboard.press("/");
