@@ -83,8 +83,7 @@ export class ReplayApp {
   frame(now: number): void {
     const seconds = Math.min((now - this.lastFrame) / 1000, longestFrame);
     this.lastFrame = now;
-    if (this.waiting) this.waiting = !this.players.every((player) => player.show(this.clock.step));
-    else this.play(seconds, now);
+    this.play(this.waiting ? 0 : seconds, now);
     this.follow();
     this.navigator.step(this.navigator.flying ? seconds : Math.min(seconds, 0.1), this.hands.held(this.navigator.mode));
     const moved = this.navigator.pose !== this.shownPose;
@@ -102,11 +101,10 @@ export class ReplayApp {
   private play(seconds: number, now: number): void {
     const changed = this.clock.advance(seconds);
     const { step } = this.clock;
-    if (step !== this.shownStep) {
-      this.waiting = !this.players.every((player) => player.show(step));
-      if (this.waiting) this.status.say(this.words.say("waiting"));
-      else this.shownStep = step;
-    }
+    const waited = this.waiting;
+    this.waiting = this.players.map((player) => player.show(step)).includes(false);
+    if (!this.waiting) this.shownStep = step;
+    else if (!waited && this.shownStep >= 0) this.status.say(this.words.say("waiting"));
     if (changed && (now - this.lastTold > barEvery || !this.clock.playing)) {
       this.lastTold = now;
       this.tell();
