@@ -1,6 +1,7 @@
 // What a track is to those who do not care which: its rows, and what its episodes say.
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "episodes/episode_spec.h"
 #include "episodes/motion.h"
 #include "episodes/recorded_place.h"
+#include "episodes/recorded_view.h"
 
 namespace marketgen::episodes {
 
@@ -41,6 +43,15 @@ class TrackEntry {
                                          const Motion& motion,
                                          std::shared_ptr<const scene::Scene> store,
                                          const catalog::Catalog& catalog) const = 0;
+  // Cameras of which a recorded episode has pictures; the first shows most.
+  virtual std::vector<std::string> recorded_cameras() const = 0;
+  // `place` is the motion's and outlives the view, as the motion does. `products`: rows of its
+  // items. Errors: those of the station's file and of Renderer::create; catalog.unknown_sku.
+  virtual Result<std::unique_ptr<RecordedView>> open_recorded(
+      const std::filesystem::path& data,
+      const Motion& motion,
+      const RecordedPlace& place,
+      const std::vector<catalog::Product>& products) const = 0;
 };
 
 #define MARKETGEN_TRACK(name, Type) const TrackEntry& name##_entry();

@@ -160,6 +160,7 @@ void ReplayEpisode::summarise(const ReplayRuns& runs, std::size_t run, std::size
   for (RunLine& line : runs.of_store(result.scene_hash).runs)
     if (line.run == static_cast<int>(run)) summary_.run = std::move(line);
   summary_.instruction = motion_.instruction;
+  summary_.cameras = episodes::entry_of(summary_.result.track).recorded_cameras();
   summary_.robot = motion_.robot;
   summary_.step_s = motion_.step_s;
   summary_.steps = static_cast<std::uint32_t>(motion_.steps());
@@ -267,6 +268,12 @@ ViewFile ReplayEpisode::things() const {
   sections.add("joint_step", 1, std::span<const std::uint32_t>(joint_step));
   sections.add("joint_position", 1, std::span<const float>(joint_position));
   return {"things.bin", binary_type, sections.file()};
+}
+
+Result<std::unique_ptr<episodes::RecordedView>> ReplayEpisode::open_view() const {
+  MARKETGEN_TRY(const episodes::Track track, episodes::track_named(motion_.track));
+  MARKETGEN_TRY(const fs::path data, io::data_folder());
+  return episodes::entry_of(track).open_recorded(data, motion_, place_, products_);
 }
 
 Result<ViewBuild::Body> ReplayEpisode::shape(const std::string& name) {

@@ -104,6 +104,9 @@ class ReplayEpisode {
   // meshes.bin and goods-P.jpg of the things; made when one is first asked for. Errors: those of
   // goods_meshes; server.not_found.
   Result<ViewBuild::Body> shape(const std::string& name);
+  // What takes its pictures, for as long as the episode lives. Errors: those of
+  // TrackEntry::open_recorded.
+  Result<std::unique_ptr<episodes::RecordedView>> open_view() const;
 
  private:
   ReplayEpisode() = default;

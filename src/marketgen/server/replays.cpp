@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "io/jpeg.h"
 #include "io/json.h"
 #include "server/answering.h"
 
@@ -11,6 +13,7 @@ namespace marketgen::server {
 namespace {
 
 constexpr std::size_t kept_open = 8;  // episodes; what is read of one is some megabytes
+constexpr std::uint64_t usual_picture_px = 480, min_picture_px = 64, max_picture_px = 1280;
 constexpr std::uint64_t usual_steps = 1200, max_steps = 12000;  // of motion.bin
 
 // A place has all that a page wants of a store, but for a folder.
@@ -83,6 +86,7 @@ Result<HttpReply> Replays::of_episode(std::size_t store,
   if (words[0] == "robot.bin") return reply_with(found->robot());
   if (words[0] == "motion.bin") return poses(*found, ask);
   if (words[0] == "things.bin") return reply_with(found->things());
+  if (words[0] == "camera.jpg") return picture(found, ask);
   MARKETGEN_TRY(const ViewBuild::Body body, found->shape(words[0]));
   return HttpReply{.body = body};
 }
@@ -99,6 +103,32 @@ Result<HttpReply> Replays::poses(const ReplayEpisode& episode, const HttpAsk& as
   MARKETGEN_TRY(const std::uint64_t steps, number_in(ask, "steps", usual_steps, 1, max_steps));
   return reply_with(
       episode.poses(static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(steps)));
+}
+
+Result<HttpReply> Replays::picture(const std::shared_ptr<ReplayEpisode>& episode,
+                                   const HttpAsk& ask) {
+  const std::vector<std::string>& cameras = episode->summary().cameras;
+  const auto given = ask.query.find("camera");
+  const std::string& camera = given == ask.query.end() ? cameras.front() : given->second;
+  if (std::ranges::find(cameras, camera) == cameras.end())
+    return Error{"server.bad_request",
+                 "camera",
+                 fmt::format("\"{}\" is none of: {}", camera, fmt::join(cameras, ", "))};
+  MARKETGEN_TRY(const std::uint64_t step,
+                number_in(ask, "step", 0, 0, episode->motion().steps() - 1));
+  MARKETGEN_TRY(const std::uint64_t width,
+                number_in(ask, "width", usual_picture_px, min_picture_px, max_picture_px));
+  const int columns = static_cast<int>(width), lines = columns * 3 / 4;
+  const std::scoped_lock lock(taking_);
+  if (taken_of_ != episode || taker_ == nullptr) {
+    taker_.reset();
+    taken_of_ = episode;
+    MARKETGEN_TRY(taker_, episode->open_view());
+  }
+  MARKETGEN_TRY(const Image image,
+                taker_->picture(camera, static_cast<std::size_t>(step), columns, lines));
+  MARKETGEN_TRY(std::string bytes, io::encode_jpeg(image));
+  return reply_with({"camera.jpg", "image/jpeg", std::move(bytes)});
 }
 
 int Replays::number_of(std::size_t store, const episodes::RecordedPlace& place) {

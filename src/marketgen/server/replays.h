@@ -54,6 +54,7 @@ class Replays {
                                const Key& key,
                                const std::vector<std::string>& words);
   Result<HttpReply> summary(std::size_t store, const ReplayEpisode& episode);
+  Result<HttpReply> picture(const std::shared_ptr<ReplayEpisode>& episode, const HttpAsk& ask);
   static Result<HttpReply> poses(const ReplayEpisode& episode, const HttpAsk& ask);
   int number_of(std::size_t store, const episodes::RecordedPlace& place);
 
@@ -63,6 +64,11 @@ class Replays {
   std::mutex mutex_;                                                  // of all below
   std::list<std::pair<Key, std::shared_ptr<ReplayEpisode>>> opened_;  // newest first
   std::vector<Place> places_;
+
+  // Who took the last picture: a renderer is large, and one episode is looked at at a time.
+  std::mutex taking_;
+  std::shared_ptr<ReplayEpisode> taken_of_;
+  std::unique_ptr<episodes::RecordedView> taker_;  // reads taken_of_
 };
 
 }  // namespace marketgen::server
