@@ -114,8 +114,8 @@ Result<HttpReply> Replays::picture(const std::shared_ptr<ReplayEpisode>& episode
     return Error{"server.bad_request",
                  "camera",
                  fmt::format("\"{}\" is none of: {}", camera, fmt::join(cameras, ", "))};
-  MARKETGEN_TRY(const std::uint64_t step,
-                number_in(ask, "step", 0, 0, episode->motion().steps() - 1));
+  const std::uint64_t last = episode->motion().steps() - 1;
+  MARKETGEN_TRY(const std::uint64_t step, number_in(ask, "step", last, 0, last));
   MARKETGEN_TRY(const std::uint64_t width,
                 number_in(ask, "width", usual_picture_px, min_picture_px, max_picture_px));
   const int columns = static_cast<int>(width), lines = columns * 3 / 4;

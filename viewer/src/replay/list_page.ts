@@ -2,6 +2,7 @@
 import { element } from "../ui/dom";
 import type { EpisodeLine, RunEpisodes } from "./contract";
 import { episodeLink, storeLink, type ReplayPlace } from "./addresses";
+import { Gallery } from "./gallery";
 import type { ReplayClient } from "./replay_client";
 import { failureText, timeText, type ReplayWords } from "./words";
 
@@ -18,24 +19,30 @@ export class ListPage {
   readonly page = element("main", { class: "replay-list" });
   private readonly rows = element("div", { class: "rows" });
   private readonly choice = element("select", { on: { change: () => this.fill() } });
+  private readonly inPictures = element("input", { attributes: { type: "checkbox" }, on: { change: () => this.fill() } });
+  private readonly gallery: Gallery;
   private readonly runChoice = element("select", { on: { change: () => this.fill() } });
 
   constructor(
     private readonly words: ReplayWords,
     private readonly place: ReplayPlace,
+    client: ReplayClient,
     private readonly runs: readonly RunEpisodes[],
     tools: readonly HTMLElement[],
   ) {
+    this.gallery = new Gallery(words, place, client);
+    const pictures = element("span");
     const title = element("h1");
     const home = element("a", { attributes: { href: storeLink(place) } });
     const show = element("span");
     const run = element("span");
-    this.page.append(element("header", {}, element("nav", { class: "links" }, home, ...tools), title, element("div", { class: "choices" }, element("label", {}, run, this.runChoice), element("label", {}, show, this.choice))), this.rows);
+    this.page.append(element("header", {}, element("nav", { class: "links" }, home, ...tools), title, element("div", { class: "choices" }, element("label", {}, run, this.runChoice), element("label", {}, show, this.choice), element("label", {}, this.inPictures, pictures))), this.rows);
     words.speech.bind(() => {
       title.textContent = words.say("episodes");
       home.textContent = words.say("toStore");
       show.textContent = words.say("show");
       run.textContent = words.say("run");
+      pictures.textContent = words.say("gallery");
       this.offer();
       this.fill();
     });
@@ -61,6 +68,11 @@ export class ListPage {
   private fill(): void {
     const { words } = this;
     const shown = this.runs.filter(({ run }) => this.runChoice.value === "" || String(run.run) === this.runChoice.value);
+    const chosen = shown.flatMap(({ run, episodes }) => episodes.filter((line) => isWanted(line, this.choice.value)).map((line) => [run, line] as const));
+    if (this.inPictures.checked && chosen.length > 0) {
+      this.gallery.show(chosen);
+      return this.rows.replaceChildren(this.gallery.grid);
+    }
     const parts = shown.map((run) => this.runPart(run)).filter((part) => part !== undefined);
     const nothing = element("p", { class: "muted", text: words.say(this.runs.length === 0 ? "noRuns" : "none") });
     this.rows.replaceChildren(...(parts.length > 0 ? parts : [nothing]));

@@ -13,6 +13,7 @@ export interface BarActions {
   seek(step: number): void;
   speed(to: number): void;
   follow(): void;
+  camera(): void;
 }
 
 const points = 600; // of the line of time
@@ -28,6 +29,7 @@ const pictures = {
   stepAhead: "M4.500 3v10L11 8zM11 3h1.500v10H11z",
   eventBack: "M8 3v10L2 8zM14 3v10L8 8z",
   eventAhead: "M8 3v10l6-5zM2 3v10l6-5z",
+  camera: "M2 4.500h2.500l1-1.500h5l1 1.500H14V13H2zM8 6a2.500 2.500 0 1 0 0 5 2.500 2.500 0 0 0 0-5",
   follow: "M8 1.500l1.500 3h-3zM8 14.500l1.500-3h-3zM1.500 8l3-1.500v3zM14.500 8l-3-1.500v3zM8 6a2 2 0 1 1 0 4 2 2 0 0 1 0-4",
 } as const;
 
@@ -47,6 +49,7 @@ export class PlayerBar {
   private readonly marks: SVGSVGElement;
   private readonly play: HTMLButtonElement;
   private readonly followButton: HTMLButtonElement;
+  private readonly cameraButton: HTMLButtonElement;
   private readonly speed: HTMLSelectElement;
 
   constructor(
@@ -59,6 +62,7 @@ export class PlayerBar {
     this.marks = drawn(events, clock.steps);
     this.play = this.button("play", "play", "Space", () => actions.toggle());
     this.followButton = this.button("follow", "follow", "F", () => actions.follow());
+    this.cameraButton = this.button("camera", "camera", "C", () => actions.camera());
     this.speed = element("select", { on: { change: () => actions.speed(Number(this.speed.value)) } }, ...speeds.map((speed) => element("option", { text: `${speed}×`, attributes: { value: String(speed) } })));
     words.speech.bind(() => {
       this.line.setAttribute("aria-label", words.say("timeline"));
@@ -76,10 +80,10 @@ export class PlayerBar {
     );
     const line = element("div", { class: "line" }, this.line);
     line.append(this.marks);
-    this.bar = element("div", { class: "player panel" }, element("div", { class: "controls" }, buttons, this.speed, this.followButton, this.now), line, this.legend());
+    this.bar = element("div", { class: "player panel" }, element("div", { class: "controls" }, buttons, this.speed, this.followButton, this.cameraButton, this.now), line, this.legend());
   }
 
-  show(following: boolean): void {
+  show(following: boolean, camera: boolean): void {
     const { clock, words } = this;
     const text = words.say("timeOf", { now: timeText(clock.seconds), end: timeText(clock.end) });
     this.now.textContent = text;
@@ -87,6 +91,7 @@ export class PlayerBar {
     this.line.setAttribute("aria-valuetext", text);
     this.speed.value = String(clock.speed);
     this.followButton.setAttribute("aria-pressed", String(following));
+    this.cameraButton.setAttribute("aria-pressed", String(camera));
     const wanted = clock.playing ? "pause" : "play";
     if (this.play.dataset["shows"] === wanted && this.play.title.startsWith(words.say(wanted))) return;
     this.play.dataset["shows"] = wanted;

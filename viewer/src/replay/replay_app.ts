@@ -12,12 +12,14 @@ import { Hands } from "../ui/hands";
 import type { Status } from "../ui/status";
 import { Theme } from "../ui/theme";
 import { RoomLight } from "./actor_light";
+import { CameraPanel } from "./camera_panel";
 import { Clock } from "./clock";
 import type { Replay } from "./contract";
 import { InfoPanel } from "./info_panel";
 import { nextFrom } from "./marks";
 import { Player } from "./player";
 import { PlayerBar } from "./player_bar";
+import type { ReplayClient } from "./replay_client";
 import { ReplayHelp } from "./replay_help";
 import type { ReplayWords } from "./words";
 
@@ -37,6 +39,7 @@ export class ReplayApp {
   waiting = false;
   private readonly bar: PlayerBar;
   private readonly info: InfoPanel;
+  readonly camera: CameraPanel;
   private readonly help: ReplayHelp;
   private readonly hands: Hands;
   private light: RoomLight | undefined; // once the room has come
@@ -54,6 +57,7 @@ export class ReplayApp {
     readonly players: readonly Player[],
     private readonly words: ReplayWords,
     private readonly status: Status,
+    pictures: ReplayClient,
     links: () => readonly HTMLElement[],
   ) {
     stage.ceilingHeight = summary.ceiling_m;
@@ -64,14 +68,15 @@ export class ReplayApp {
     const theme = new Theme((background) => stage.setBackground(background));
     const { speech } = words;
     const seek = (step: number): void => this.seek(step);
-    const actions = { toggle: () => this.toggle(), nudge: (by: 1 | -1) => this.nudge(by), event: (by: 1 | -1) => this.toEvent(by), seek, speed: (to: number) => this.setSpeed(to), follow: () => this.toggleFollow() };
+    const actions = { toggle: () => this.toggle(), nudge: (by: 1 | -1) => this.nudge(by), event: (by: 1 | -1) => this.toEvent(by), seek, speed: (to: number) => this.setSpeed(to), follow: () => this.toggleFollow(), camera: () => this.toggleCamera() };
     this.bar = new PlayerBar(words, actions, this.clock, replay.events);
     this.help = new ReplayHelp(words);
     const tools = { theme: () => theme.toggle(), language: () => speech.toggle(), help: () => this.help.open() };
     const tool = (key: "theme" | "language" | "help"): HTMLElement => element("button", { text: speech.say(key), attributes: { type: "button" }, on: { click: tools[key] } });
     this.info = new InfoPanel(words, { seek }, replay, () => [...links(), tool("theme"), tool("language"), tool("help")]);
+    this.camera = new CameraPanel(words, pictures, replay.step_s, replay.cameras, () => this.toggleCamera());
     this.hands = this.makeHands();
-    document.body.append(this.info.panel, this.bar.bar, this.help.dialog);
+    document.body.append(this.info.panel, this.camera.panel, this.bar.bar, this.help.dialog);
     speech.bind(() => {
       stage.canvas.setAttribute("aria-label", words.say("view3d"));
       document.title = `${replay.result.id} · ${replay.run.policy} · MarketGen`;
@@ -84,6 +89,7 @@ export class ReplayApp {
     const seconds = Math.min((now - this.lastFrame) / 1000, longestFrame);
     this.lastFrame = now;
     this.play(this.waiting ? 0 : seconds, now);
+    this.camera.want(this.clock.step, this.clock.playing);
     this.follow();
     this.navigator.step(this.navigator.flying ? seconds : Math.min(seconds, 0.1), this.hands.held(this.navigator.mode));
     const moved = this.navigator.pose !== this.shownPose;
@@ -112,7 +118,7 @@ export class ReplayApp {
   }
 
   private tell(): void {
-    this.bar.show(this.following);
+    this.bar.show(this.following, this.camera.isOpen);
     this.info.show(this.clock.seconds);
   }
 
@@ -139,6 +145,12 @@ export class ReplayApp {
   private toggleFollow(): void {
     this.following = !this.following;
     this.robotWas = undefined;
+    this.tell();
+  }
+
+  private toggleCamera(): void {
+    this.camera.open(!this.camera.isOpen);
+    if (!this.camera.isOpen) this.stage.canvas.focus({ preventScroll: true });
     this.tell();
   }
 
@@ -197,6 +209,7 @@ export class ReplayApp {
       Home: () => this.seek(0),
       End: () => this.seek(this.clock.steps - 1),
       f: () => this.toggleFollow(),
+      c: () => this.toggleCamera(),
       "?": () => this.help.open(),
     };
     if (mode) this.enter(mode);

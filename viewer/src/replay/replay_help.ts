@@ -10,6 +10,7 @@ const rows: readonly (readonly [string, ReplayKey])[] = [
   ["[ ]", "keysSpeed"],
   ["Home End", "keysEnds"],
   ["F", "keysFollow"],
+  ["C", "keysCamera"],
 ];
 
 export class ReplayHelp {

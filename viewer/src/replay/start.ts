@@ -45,7 +45,7 @@ async function showList(client: ReplayClient, place: ReplayPlace, words: ReplayW
   const tools = [tool("theme", () => theme.toggle()), tool("language", () => speech.toggle())];
   const runs = await ListPage.load(client);
   document.body.classList.add("listing");
-  document.body.append(new ListPage(words, place, runs, tools).page);
+  document.body.append(new ListPage(words, place, client, runs, tools).page);
   speech.bind(() => (document.title = `${words.say("episodes")} · MarketGen`));
 }
 
@@ -67,7 +67,7 @@ async function showEpisode(client: ReplayClient, place: ReplayPlace, words: Repl
     element("a", { text: words.say("toList"), attributes: { href: listLink(place) } }),
     element("a", { text: words.say("toStore"), attributes: { href: storeLink(place) } }),
   ];
-  const app = (watched.app = new ReplayApp(stage, summary, replay, [player], words, status, links));
+  const app = (watched.app = new ReplayApp(stage, summary, replay, [player], words, status, ofEpisode, links));
   new ResizeObserver(() => stage.resize()).observe(canvas);
   stage.resize();
   const loop = (now: number): void => {

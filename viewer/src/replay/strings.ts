@@ -75,6 +75,17 @@ const english = {
   view3d: "The episode in 3D. Space plays and pauses, comma and full stop go by steps, question mark lists the keys.",
   newtons: "{value} N",
   degrees: "{value}°",
+  camera: "Camera",
+  cameraFirst: "The first picture takes a moment…",
+  keysCamera: "Camera picture",
+  scene_camera: "Over the counter",
+  wrist_camera: "On the wrist",
+  head_camera: "On the head",
+  film_camera: "Beside the robot",
+  gallery: "Pictures of how they ended",
+  endOf: "The end of {id}",
+  beside: "Beside it",
+  besideNone: "Nothing",
 } as const;
 
 export type ReplayKey = keyof typeof english;
@@ -153,6 +164,17 @@ const chinese: Texts = {
   view3d: "任务的三维视图。空格键播放和暂停，逗号和句号逐步移动，问号列出按键。",
   newtons: "{value} N",
   degrees: "{value}°",
+  camera: "相机",
+  cameraFirst: "第一张图片需要稍等…",
+  keysCamera: "相机图片",
+  scene_camera: "柜台上方",
+  wrist_camera: "手腕上",
+  head_camera: "头部",
+  film_camera: "机器人旁",
+  gallery: "结束时的图片",
+  endOf: "{id} 的结尾",
+  beside: "并排显示",
+  besideNone: "无",
 };
 
 export const replayTexts: Record<Language, Texts> = { en: english, zh: chinese };
