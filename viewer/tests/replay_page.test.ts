@@ -8,10 +8,11 @@ import type { EpisodeLine } from "../src/replay/contract";
 
 test("links are read as what they were made of", () => {
   const place = { store: 2, token: "a secret & more" };
-  expect(readReplayPlace(episodeLink(place, 1, 34))).toEqual({ ...place, run: 1, episode: 34 });
-  expect(readReplayPlace(listLink(place))).toEqual({ ...place, run: undefined, episode: undefined });
+  expect(readReplayPlace(episodeLink(place, 1, 34))).toEqual({ ...place, run: 1, episode: 34, beside: undefined });
+  expect(readReplayPlace(episodeLink(place, 1, 34, 2))).toEqual({ ...place, run: 1, episode: 34, beside: 2 });
+  expect(readReplayPlace(listLink(place))).toEqual({ ...place, run: undefined, episode: undefined, beside: undefined });
   expect(readReplayPlace(storeLink(place))).toBeUndefined();
-  expect(readReplayPlace("?replay&run=-1&episode=1e3&store=x")).toEqual({ store: 0, token: null, run: undefined, episode: undefined });
+  expect(readReplayPlace("?replay&run=-1&episode=1e3&store=x")).toEqual({ store: 0, token: null, run: undefined, episode: undefined, beside: undefined });
 });
 
 test("every text is there in both languages, with the same gaps", () => {

@@ -12,6 +12,7 @@
 #include "evaluation/evaluate.h"
 #include "evaluation/motion_recorder.h"
 #include "io/gzip.h"
+#include "io/jpeg.h"
 #include "render/stage/robot_actor.h"
 #include "support/committed_catalog.h"
 #include "support/drawn_checkout.h"
@@ -191,6 +192,55 @@ TEST_P(Replayed, HasAllShapes) {
     }
   }
   EXPECT_EQ(shown.ask({"0", "episodes", "0", "goods-0.jpg"})->body->type, "image/jpeg");
+}
+
+// A camera's picture of the last step is that of the world when it had come so far.
+TEST_P(Replayed, ItsPicturesAreThoseOfTheWorld) {
+  class Last : public environments::EpisodeWatcher {
+   public:
+    Result<void> begin(const episodes::TrackWorld& world) override {
+      world_ = &world;
+      return {};
+    }
+    Result<void> step() override {
+      if (world_->steps() < static_cast<int>(limit_s / episodes::control_step_s)) return {};
+      MARKETGEN_TRY(const auto view, world_->open_view());
+      const bool aisle = world_->spec().track == Track::aisle;
+      MARKETGEN_TRY(const render::Camera camera,
+                    view->camera(aisle ? "head_camera" : "wrist_camera", 160, 120));
+      MARKETGEN_TRY(render::Frame frame, view->renderer().render(camera, {}));
+      picture = std::move(frame.color);
+      return {};
+    }
+    Image picture;
+
+   private:
+    const episodes::TrackWorld* world_ = nullptr;
+  };
+  const ScratchFolder scratch;
+  const episodes::EpisodeSpec spec = pool_episode(GetParam(), limit_s);
+  evaluate_in(scratch.path(), GetParam(), "random", true, {spec});
+  Last last;
+  ASSERT_TRUE(
+      evaluation::run_recorded(pool_ground(GetParam())->arena(), spec, "random", {}, {}, &last)
+          .ok());
+  const Shown shown(GetParam(), {scratch.path().string()});
+  const std::vector<std::string> path{"0", "episodes", "0", "camera.jpg"};
+  const bool aisle = GetParam() == Track::aisle;
+  const std::string camera = aisle ? "head_camera" : "wrist_camera";
+  const std::string jpeg = shown.bytes(path, {{"camera", camera}, {"width", "160"}});
+  const auto seen = io::decode_jpeg(jpeg, "camera.jpg");
+  ASSERT_TRUE(seen.ok()) << to_string(seen.error());
+  ASSERT_EQ(seen->pixels.size(), last.picture.pixels.size());
+  double apart = 0;
+  for (std::size_t i = 0; i < seen->pixels.size(); ++i)
+    apart += std::abs(static_cast<double>(seen->pixels[i]) -
+                      static_cast<double>(last.picture.pixels[i]));
+  EXPECT_LT(apart / static_cast<double>(seen->pixels.size()), 4) << "bytes, what JPEG loses";
+  EXPECT_NE(shown.bytes(path, {{"camera", camera}, {"width", "160"}, {"step", "0"}}), jpeg);
+  EXPECT_EQ(shown.code(path, {{"camera", "other"}}), "server.bad_request");
+  EXPECT_EQ(shown.code(path, {{"step", "9999"}}), "server.bad_request");
+  EXPECT_EQ(shown.code(path, {{"width", "9999"}}), "server.bad_request");
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachTrack,

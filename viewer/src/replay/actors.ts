@@ -15,6 +15,12 @@ import type { Place } from "./tracks";
 const one = new Vector3(1, 1, 1);
 const scratch = { at: new Vector3(), turn: new Turn(), matrix: new Matrix4() };
 
+export function matrixOf({ position, rotation }: Place): Matrix4 {
+  scratch.at.fromArray(position);
+  scratch.turn.fromArray(rotation);
+  return scratch.matrix.compose(scratch.at, scratch.turn, one);
+}
+
 // A mesh with a light of its own.
 export class Actor {
   private readonly cube: IUniform<Vector3[]> = { value: Array.from({ length: 6 }, () => new Vector3()) };
@@ -32,10 +38,8 @@ export class Actor {
     this.cube.value.forEach((face, i) => face.fromArray(cube, i * 3));
   }
 
-  place({ position, rotation }: Place): void {
-    scratch.at.fromArray(position);
-    scratch.turn.fromArray(rotation);
-    this.mesh.matrix.compose(scratch.at, scratch.turn, one);
+  place(place: Place): void {
+    this.mesh.matrix.copy(matrixOf(place));
     this.mesh.matrixWorldNeedsUpdate = true;
   }
 

@@ -4,6 +4,7 @@ export interface ReplayPlace {
   readonly token: string | null;
   readonly run: number | undefined; // none: the list
   readonly episode: number | undefined;
+  readonly beside: number | undefined; // another run, whose same episode stands beside it
 }
 
 function row(text: string | null): number | undefined {
@@ -14,7 +15,7 @@ function row(text: string | null): number | undefined {
 export function readReplayPlace(search: string): ReplayPlace | undefined {
   const address = new URLSearchParams(search);
   if (!address.has("replay")) return undefined;
-  return { store: row(address.get("store")) ?? 0, token: address.get("token"), run: row(address.get("run")), episode: row(address.get("episode")) };
+  return { store: row(address.get("store")) ?? 0, token: address.get("token"), run: row(address.get("run")), episode: row(address.get("episode")), beside: row(address.get("beside")) };
 }
 
 function link(token: string | null, entries: Readonly<Record<string, number | string>>): string {
@@ -25,4 +26,5 @@ function link(token: string | null, entries: Readonly<Record<string, number | st
 
 export const storeLink = ({ store, token }: Pick<ReplayPlace, "store" | "token">): string => link(token, { store });
 export const listLink = ({ store, token }: Pick<ReplayPlace, "store" | "token">): string => link(token, { store, replay: "" });
-export const episodeLink = ({ store, token }: Pick<ReplayPlace, "store" | "token">, run: number, episode: number): string => link(token, { store, replay: "", run, episode });
+export const episodeLink = ({ store, token }: Pick<ReplayPlace, "store" | "token">, run: number, episode: number, beside?: number): string =>
+  link(token, { store, replay: "", run, episode, ...(beside !== undefined && { beside }) });

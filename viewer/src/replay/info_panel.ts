@@ -38,7 +38,7 @@ export class InfoPanel {
     const ledger = element("dl", {}, ...words.effects(replay.side_effects).flatMap(([name, value]) => [element("dt", { text: name }), element("dd", { text: value })]));
     this.panel.setAttribute("aria-label", words.say("episode"));
     this.panel.replaceChildren(
-      element("nav", { class: "links" }, ...this.links()),
+      ...(this.links().length > 0 ? [element("nav", { class: "links" }, ...this.links())] : []),
       element("h1", { text: replay.instruction }),
       element("p", { class: "muted", text: `${result.id} · ${run.policy} · ${run.realism}` }),
       element("p", { class: result.strict ? "outcome solved" : "outcome failed", text: `${words.outcome(result)} · ${result.hits}/${result.asked}` }),

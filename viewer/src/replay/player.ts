@@ -1,7 +1,7 @@
 // One episode on the stage: brings everything to where it was at a step.
 import type { Stage } from "../stage/stage";
 import type { RoomLight } from "./actor_light";
-import { Actors, type Actor } from "./actors";
+import { Actors, matrixOf, type Actor } from "./actors";
 import type { MotionHead, Replay } from "./contract";
 import type { ReplayClient } from "./replay_client";
 import { BodyTracks, ThingTracks } from "./tracks";
@@ -68,8 +68,24 @@ export class Player {
     return new Set(replays.flatMap(({ things }) => things.filter(({ kind }) => kind === "product").map(({ number }) => number)));
   }
 
-  get group(): Actors["group"] {
-    return this.actors.group;
+  // Of two episodes in one store: what the other one moves stands here where it stood at first.
+  standStill(other: Player): void {
+    const own = Player.movedRows([this.replay]);
+    other.replay.things.forEach(({ kind, number }, i) => {
+      const actor = other.things[i]?.actor;
+      if (kind !== "product" || own.has(number) || !actor) return;
+      const still = actor.mesh.clone();
+      still.matrixAutoUpdate = false;
+      still.matrix.copy(matrixOf(other.tracks.at(i, 0)));
+      still.matrixWorldNeedsUpdate = true;
+      this.actors.group.add(still);
+    });
+  }
+
+  // Whether it is seen; with its doors as they are at the step that it shows.
+  reveal(seen: boolean): void {
+    this.actors.group.visible = seen;
+    if (seen && this.shown !== undefined) this.moveJoints(this.shown);
   }
 
   // False: the robot's places at that step have not come yet, and nothing has moved.
@@ -122,9 +138,16 @@ export class Player {
     }
   }
 
+  // Joints that only the other of two episodes moves are at rest here.
+  restingJoints: readonly number[] = [];
+  get joints(): readonly number[] {
+    return [...this.tracks.joints];
+  }
+
   private moveJoints(step: number): void {
     const { room } = this.stage;
     if (!room) return;
+    for (const joint of this.restingJoints) if (room.moving.positions[joint] !== 0) room.move(joint, 0);
     this.tracks.joints.forEach((joint, row) => {
       const to = this.tracks.jointAt(row, step);
       if (room.moving.positions[joint] !== to) room.move(joint, to);

@@ -46,7 +46,6 @@ export class PlayerBar {
   readonly bar: HTMLElement;
   private readonly line: HTMLInputElement;
   private readonly now = element("output", { class: "now", attributes: { "aria-live": "off" } });
-  private readonly marks: SVGSVGElement;
   private readonly play: HTMLButtonElement;
   private readonly followButton: HTMLButtonElement;
   private readonly cameraButton: HTMLButtonElement;
@@ -56,10 +55,9 @@ export class PlayerBar {
     private readonly words: ReplayWords,
     actions: BarActions,
     private readonly clock: Clock,
-    events: readonly ReplayEvent[],
+    episodes: readonly (readonly ReplayEvent[])[],
   ) {
     this.line = element("input", { attributes: { type: "range", min: "0", max: String(clock.steps - 1), step: "1", value: "0" }, on: { input: () => actions.seek(Number(this.line.value)) } });
-    this.marks = drawn(events, clock.steps);
     this.play = this.button("play", "play", "Space", () => actions.toggle());
     this.followButton = this.button("follow", "follow", "F", () => actions.follow());
     this.cameraButton = this.button("camera", "camera", "C", () => actions.camera());
@@ -79,7 +77,7 @@ export class PlayerBar {
       this.button("eventAhead", "eventAhead", "N", () => actions.event(1)),
     );
     const line = element("div", { class: "line" }, this.line);
-    line.append(this.marks);
+    line.append(...episodes.map((events) => drawn(events, clock.steps)));
     this.bar = element("div", { class: "player panel" }, element("div", { class: "controls" }, buttons, this.speed, this.followButton, this.cameraButton, this.now), line, this.legend());
   }
 

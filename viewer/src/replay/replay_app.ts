@@ -38,7 +38,7 @@ export class ReplayApp {
   following = true;
   waiting = false;
   private readonly bar: PlayerBar;
-  private readonly info: InfoPanel;
+  private readonly infos: readonly InfoPanel[];
   readonly camera: CameraPanel;
   private readonly help: ReplayHelp;
   private readonly hands: Hands;
@@ -63,20 +63,25 @@ export class ReplayApp {
     stage.ceilingHeight = summary.ceiling_m;
     stage.sight = new Sight(screensOf(summary.fixtures));
     stage.setLens(usualFov);
-    this.clock = new Clock(replay.steps, replay.step_s);
+    const steps = Math.max(...players.map((player) => player.replay.steps));
+    this.clock = new Clock(steps, replay.step_s);
+    const [left, right] = players;
+    if (left && right) stage.halves = (half) => [left, right].forEach((player, i) => player.reveal(i === half));
     this.navigator = new Navigator(roomOf(summary), "orbit", lookingAt([0, 0, 2], [1, 1, 1]), 2);
     const theme = new Theme((background) => stage.setBackground(background));
     const { speech } = words;
     const seek = (step: number): void => this.seek(step);
     const actions = { toggle: () => this.toggle(), nudge: (by: 1 | -1) => this.nudge(by), event: (by: 1 | -1) => this.toEvent(by), seek, speed: (to: number) => this.setSpeed(to), follow: () => this.toggleFollow(), camera: () => this.toggleCamera() };
-    this.bar = new PlayerBar(words, actions, this.clock, replay.events);
+    this.bar = new PlayerBar(words, actions, this.clock, players.map((player) => player.replay.events));
     this.help = new ReplayHelp(words);
     const tools = { theme: () => theme.toggle(), language: () => speech.toggle(), help: () => this.help.open() };
     const tool = (key: "theme" | "language" | "help"): HTMLElement => element("button", { text: speech.say(key), attributes: { type: "button" }, on: { click: tools[key] } });
-    this.info = new InfoPanel(words, { seek }, replay, () => [...links(), tool("theme"), tool("language"), tool("help")]);
+    this.infos = players.map((player, i) => new InfoPanel(words, { seek }, player.replay, () => (i === 0 ? [...links(), tool("theme"), tool("language"), tool("help")] : [])));
+    this.infos[1]?.panel.classList.add("right");
+    document.body.classList.toggle("side-by-side", players.length > 1);
     this.camera = new CameraPanel(words, pictures, replay.step_s, replay.cameras, () => this.toggleCamera());
     this.hands = this.makeHands();
-    document.body.append(this.info.panel, this.camera.panel, this.bar.bar, this.help.dialog);
+    document.body.append(...this.infos.map(({ panel }) => panel), this.camera.panel, this.bar.bar, this.help.dialog);
     speech.bind(() => {
       stage.canvas.setAttribute("aria-label", words.say("view3d"));
       document.title = `${replay.result.id} · ${replay.run.policy} · MarketGen`;
@@ -108,7 +113,7 @@ export class ReplayApp {
     const changed = this.clock.advance(seconds);
     const { step } = this.clock;
     const waited = this.waiting;
-    this.waiting = this.players.map((player) => player.show(step)).includes(false);
+    this.waiting = this.players.map((player) => player.show(Math.min(step, player.replay.steps - 1))).includes(false);
     if (!this.waiting) this.shownStep = step;
     else if (!waited && this.shownStep >= 0) this.status.say(this.words.say("waiting"));
     if (changed && (now - this.lastTold > barEvery || !this.clock.playing)) {
@@ -119,7 +124,7 @@ export class ReplayApp {
 
   private tell(): void {
     this.bar.show(this.following, this.camera.isOpen);
-    this.info.show(this.clock.seconds);
+    for (const info of this.infos) info.show(this.clock.seconds);
   }
 
   private toggle(): void {
@@ -133,7 +138,8 @@ export class ReplayApp {
   }
 
   private toEvent(by: 1 | -1): void {
-    const event = nextFrom(this.replay.events, this.clock.step, by);
+    const events = this.players.flatMap((player) => player.replay.events).sort((a, b) => a.step - b.step);
+    const event = nextFrom(events, this.clock.step, by);
     if (event) this.seek(event.step);
   }
 

@@ -5,8 +5,9 @@ import { element } from "../ui/dom";
 import type { Speech } from "../ui/speech";
 import type { Status } from "../ui/status";
 import { Theme } from "../ui/theme";
-import { listLink, storeLink, type ReplayPlace } from "./addresses";
-import { ListPage } from "./list_page";
+import { episodeLink, listLink, storeLink, type ReplayPlace } from "./addresses";
+import type { Replay, RunEpisodes } from "./contract";
+import { ListPage, nameOfRun } from "./list_page";
 import { Player } from "./player";
 import { ReplayApp } from "./replay_app";
 import { ReplayClient } from "./replay_client";
@@ -49,6 +50,43 @@ async function showList(client: ReplayClient, place: ReplayPlace, words: ReplayW
   speech.bind(() => (document.title = `${words.say("episodes")} · MarketGen`));
 }
 
+interface Watching {
+  readonly run: number;
+  readonly episode: number;
+  readonly replay: Replay;
+}
+
+// The episode, and the same one of another run where that is asked for.
+async function watching(client: ReplayClient, run: number, episode: number, beside: number | undefined, others: readonly RunEpisodes[]): Promise<Watching[]> {
+  const first = { run, episode, replay: await client.replay(run, episode) };
+  const { id } = first.replay.result;
+  const same = others.find((other) => other.run.run === beside)?.episodes.find((line) => line.id === id);
+  if (beside === undefined || !same) return [first];
+  return [first, { run: beside, episode: same.episode, replay: await client.replay(beside, same.episode) }];
+}
+
+// Chooses the run beside.
+function besideChoice(place: ReplayPlace, words: ReplayWords, shown: readonly Watching[], others: readonly RunEpisodes[]): HTMLElement[] {
+  const [first, second] = shown;
+  const { id } = first!.replay.result;
+  const same = others.filter(({ run, episodes }) => run.run !== first!.run && episodes.some((line) => line.id === id && line.recorded));
+  if (same.length === 0) return [];
+  const options = [element("option", { text: words.say("besideNone"), attributes: { value: "" } }), ...same.map(({ run }) => element("option", { text: nameOfRun(run), attributes: { value: String(run.run) } }))];
+  const choice = element("select", {}, ...options);
+  choice.value = second ? String(second.run) : "";
+  choice.addEventListener("change", () => location.assign(episodeLink(place, first!.run, first!.episode, choice.value === "" ? undefined : Number(choice.value))));
+  return [element("label", { class: "beside" }, element("span", { text: words.say("beside") }), choice)];
+}
+
+function standBeside(players: readonly Player[]): void {
+  const [left, right] = players;
+  if (!left || !right) return;
+  for (const [own, other] of [[left, right], [right, left]] as const) {
+    own.standStill(other);
+    own.restingJoints = other.joints.filter((joint) => !own.joints.includes(joint));
+  }
+}
+
 async function showEpisode(client: ReplayClient, place: ReplayPlace, words: ReplayWords, status: Status, run: number, episode: number): Promise<void> {
   const { speech } = words;
   const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
@@ -58,16 +96,19 @@ async function showEpisode(client: ReplayClient, place: ReplayPlace, words: Repl
   const times: Record<string, number> = {};
   const watched = ((window as Watched).replay = { stage, times } as NonNullable<Watched["replay"]>);
   status.work(0.05, speech.say("loading"));
-  const replay = await client.replay(run, episode);
-  const stood = client.ofPlace(replay.place);
-  const ofEpisode = client.ofEpisode(run, episode);
+  const others = await ListPage.load(client);
+  const shown = await watching(client, run, episode, place.beside, others);
+  const replays = shown.map(({ replay }) => replay);
+  const stood = client.ofPlace(replays[0]!.place);
+  const clients = shown.map((each) => client.ofEpisode(each.run, each.episode));
   const failed = (error: unknown): void => status.say(status.textOf(error));
-  const [summary, player] = await Promise.all([stood.summary(), Player.create(ofEpisode, stage, replay, failed)]);
+  const [summary, ...players] = await Promise.all([stood.summary(), ...replays.map((replay, i) => Player.create(clients[i]!, stage, replay, failed))]);
   const links = (): HTMLElement[] => [
     element("a", { text: words.say("toList"), attributes: { href: listLink(place) } }),
     element("a", { text: words.say("toStore"), attributes: { href: storeLink(place) } }),
+    ...besideChoice(place, words, shown, others),
   ];
-  const app = (watched.app = new ReplayApp(stage, summary, replay, [player], words, status, ofEpisode, links));
+  const app = (watched.app = new ReplayApp(stage, summary, replays[0]!, players, words, status, clients[0]!, links));
   new ResizeObserver(() => stage.resize()).observe(canvas);
   stage.resize();
   const loop = (now: number): void => {
@@ -76,8 +117,9 @@ async function showEpisode(client: ReplayClient, place: ReplayPlace, words: Repl
   };
   requestAnimationFrame(loop);
   const watch = { step: (share: number | undefined) => status.work(share, speech.say("loading")), shown: (what: string) => (times[what] = performance.now()) };
-  const goods = await loadGoods(stood, stage, summary, watch, Player.movedRows([replay]));
-  await Promise.all([loadRest(stood, stage, goods, summary, watch), player.addGoods(ofEpisode)]);
+  const goods = await loadGoods(stood, stage, summary, watch, Player.movedRows(replays));
+  await Promise.all([loadRest(stood, stage, goods, summary, watch), ...players.map((player, i) => player.addGoods(clients[i]!))]);
+  standBeside(players);
   stage.complete();
   times["complete"] = performance.now();
 }
