@@ -15,6 +15,7 @@
 #include "episodes/episode_result.h"
 #include "episodes/motion.h"
 #include "episodes/recorded_place.h"
+#include "episodes/recorded_view.h"
 #include "server/replay_bodies.h"
 #include "server/replay_runs.h"
 #include "server/view_build.h"
