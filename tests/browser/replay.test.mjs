@@ -196,6 +196,76 @@ test("what was not recorded is said, with its remedy", async () => {
   await close();
 });
 
+test("a camera's picture stands beside, and follows the time", async () => {
+  const { page, faults, close } = await openEpisode("oracle");
+  await page.keyboard.press("c");
+  const taken = (step) => page.waitForFunction((step) => window.replay.app.camera.picture === `scene_camera ${step}`, step, { timeout: patience });
+  const colors = () =>
+    page.evaluate(() => {
+      const canvas = document.querySelector(".camera canvas");
+      return [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data];
+    });
+  await taken(0);
+  const first = await colors();
+  const end = await page.evaluate(() => window.replay.app.clock.steps - 1);
+  await page.locator("canvas").first().focus();
+  await page.keyboard.press("End");
+  await taken(end);
+  await take(page, "replay-camera");
+  const last = await colors();
+  assert.equal(first.length, 480 * 360 * 4);
+  assert.ok(first.filter((value, i) => Math.abs(value - last[i]) > 30).length > 2000, "what was carried is seen elsewhere");
+  await page.locator(".camera select").selectOption("wrist_camera");
+  await page.waitForFunction((step) => window.replay.app.camera.picture === `wrist_camera ${step}`, end, { timeout: patience });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("two policies at the same episode stand side by side, each with its own goods and goals", async () => {
+  const { page, faults, close } = await openEpisode("oracle", { viewport: { width: 1280, height: 720 } });
+  await page.locator(".beside select").selectOption({ index: 1 });
+  await page.waitForFunction(() => window.replay?.app?.players.length === 2 && window.replay.times.complete !== undefined, null, { timeout: patience });
+  const end = await page.evaluate(() => window.replay.app.clock.steps - 1);
+  await page.evaluate((end) => window.replay.app.seek(end), end);
+  await page.waitForTimeout(2500);
+  await take(page, "replay-beside");
+  const { goals, apart, lit } = await page.evaluate(() => {
+    const { app, stage } = window.replay;
+    const [left, right] = app.players;
+    const goals = left.replay.things.flatMap(({ goal }, i) => (goal ? [i] : []));
+    stage.draw(true);
+    const gl = stage.renderer.getContext();
+    const at = (x) => {
+      const pixel = new Uint8Array(4);
+      gl.readPixels(Math.round(gl.drawingBufferWidth * x), gl.drawingBufferHeight / 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      return pixel[0] + pixel[1] + pixel[2];
+    };
+    return { goals: goals.length, apart: goals.map((i) => Math.hypot(...left.thingAt(i).map((x, k) => x - right.thingAt(i)[k]))), lit: [0.25, 0.75].map(at) };
+  });
+  assert.ok(goals > 0 && apart.every((metres) => metres > 0.1), `goals are ${apart} m apart`);
+  assert.ok(lit.every((sum) => sum > 0), "both halves are drawn");
+  const states = await page.evaluate(() => [...document.querySelectorAll(".replay-info")].map((panel) => [...panel.querySelectorAll(".goals li")].map((li) => li.dataset.state)));
+  assert.ok(states[0].every((state) => state === "met") && states[1].every((state) => state === "missed"), JSON.stringify(states));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("failures are a gallery of how they ended, each a link to its episode", async () => {
+  const { page, faults, close } = await open(list);
+  await page.locator("table").first().waitFor({ timeout: patience });
+  await page.locator(".choices select").nth(1).selectOption("failed");
+  await page.locator(".choices input").check();
+  await page.waitForFunction(() => document.querySelector(".gallery a canvas")?.dataset.taken === "1", null, { timeout: patience });
+  await take(page, "replay-gallery");
+  assert.equal(await page.locator(".figure").count(), 2);
+  const colors = await page.evaluate(() => new Set(document.querySelector(".gallery a canvas").getContext("2d").getImageData(0, 0, 320, 240).data).size);
+  assert.ok(colors > 50, `${colors} values in the picture`);
+  await page.locator(".gallery a").click();
+  await page.waitForFunction(() => window.replay?.times.complete !== undefined, null, { timeout: patience });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("the store's page leads to its episodes", async () => {
   const { page, faults, close } = await open("");
   await page.locator("a.to-episodes").click({ timeout: patience });

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "episodes/checkout/checkout_lanes.h"
+#include "episodes/track_view.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/motion_recorder.h"
 #include "io/gzip.h"

@@ -19,6 +19,7 @@ export class InfoPanel {
     private readonly actions: InfoActions,
     private readonly replay: Replay,
     private readonly links: () => readonly HTMLElement[],
+    private readonly tellsTask: boolean,
   ) {
     words.speech.bind(() => this.draw());
   }
@@ -39,7 +40,7 @@ export class InfoPanel {
     this.panel.setAttribute("aria-label", words.say("episode"));
     this.panel.replaceChildren(
       ...(this.links().length > 0 ? [element("nav", { class: "links" }, ...this.links())] : []),
-      element("h1", { text: replay.instruction }),
+      ...(this.tellsTask ? [element("h1", { text: replay.instruction })] : []),
       element("p", { class: "muted", text: `${result.id} · ${run.policy} · ${run.realism}` }),
       element("p", { class: result.strict ? "outcome solved" : "outcome failed", text: `${words.outcome(result)} · ${result.hits}/${result.asked}` }),
       ...(result.detail ? [element("p", { class: "muted", text: result.detail })] : []),

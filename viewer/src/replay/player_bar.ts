@@ -1,7 +1,7 @@
 // Play, speed and the line of time with its marks.
 import { element } from "../ui/dom";
 import { speeds, type Clock } from "./clock";
-import type { ReplayEvent } from "./contract";
+import type { Replay, ReplayEvent } from "./contract";
 import { lanes, marksOf, type Lane } from "./marks";
 import type { ReplayKey } from "./strings";
 import { timeText, type ReplayWords } from "./words";
@@ -55,7 +55,7 @@ export class PlayerBar {
     private readonly words: ReplayWords,
     actions: BarActions,
     private readonly clock: Clock,
-    episodes: readonly (readonly ReplayEvent[])[],
+    episodes: readonly Pick<Replay, "events" | "run">[],
   ) {
     this.line = element("input", { attributes: { type: "range", min: "0", max: String(clock.steps - 1), step: "1", value: "0" }, on: { input: () => actions.seek(Number(this.line.value)) } });
     this.play = this.button("play", "play", "Space", () => actions.toggle());
@@ -77,7 +77,10 @@ export class PlayerBar {
       this.button("eventAhead", "eventAhead", "N", () => actions.event(1)),
     );
     const line = element("div", { class: "line" }, this.line);
-    line.append(...episodes.map((events) => drawn(events, clock.steps)));
+    for (const { events, run } of episodes) {
+      if (episodes.length > 1) line.append(element("p", { class: "whose muted", text: run.policy }));
+      line.append(drawn(events, clock.steps));
+    }
     this.bar = element("div", { class: "player panel" }, element("div", { class: "controls" }, buttons, this.speed, this.followButton, this.cameraButton, this.now), line, this.legend());
   }
 

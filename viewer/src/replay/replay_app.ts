@@ -72,11 +72,11 @@ export class ReplayApp {
     const { speech } = words;
     const seek = (step: number): void => this.seek(step);
     const actions = { toggle: () => this.toggle(), nudge: (by: 1 | -1) => this.nudge(by), event: (by: 1 | -1) => this.toEvent(by), seek, speed: (to: number) => this.setSpeed(to), follow: () => this.toggleFollow(), camera: () => this.toggleCamera() };
-    this.bar = new PlayerBar(words, actions, this.clock, players.map((player) => player.replay.events));
+    this.bar = new PlayerBar(words, actions, this.clock, players.map((player) => player.replay));
     this.help = new ReplayHelp(words);
     const tools = { theme: () => theme.toggle(), language: () => speech.toggle(), help: () => this.help.open() };
     const tool = (key: "theme" | "language" | "help"): HTMLElement => element("button", { text: speech.say(key), attributes: { type: "button" }, on: { click: tools[key] } });
-    this.infos = players.map((player, i) => new InfoPanel(words, { seek }, player.replay, () => (i === 0 ? [...links(), tool("theme"), tool("language"), tool("help")] : [])));
+    this.infos = players.map((player, i) => new InfoPanel(words, { seek }, player.replay, () => (i === 0 ? [...links(), tool("theme"), tool("language"), tool("help")] : []), i === 0));
     this.infos[1]?.panel.classList.add("right");
     document.body.classList.toggle("side-by-side", players.length > 1);
     this.camera = new CameraPanel(words, pictures, replay.step_s, replay.cameras, () => this.toggleCamera());
