@@ -203,7 +203,9 @@ test("a camera's picture stands beside, and follows the time", async () => {
   const colors = () =>
     page.evaluate(() => {
       const canvas = document.querySelector(".camera canvas");
-      return [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data];
+      const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+      copy.drawImage(canvas, 0, 0);
+      return [...copy.getImageData(0, 0, canvas.width, canvas.height).data];
     });
   await taken(0);
   const first = await colors();
