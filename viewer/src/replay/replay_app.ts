@@ -3,7 +3,7 @@ import { roomOf } from "../app";
 import { topFov, Navigator } from "../camera/navigator";
 import { modes, type Mode } from "../camera/modes";
 import { lookingAt, type Pose } from "../camera/pose";
-import { add, distance, type Vec3 } from "../camera/vector";
+import { add, distance, scale, sub, type Vec3 } from "../camera/vector";
 import type { Summary } from "../store/contract";
 import { screensOf, Sight } from "../stage/sight";
 import type { Stage } from "../stage/stage";
@@ -30,6 +30,7 @@ const relitAtOnce = 8;
 
 // Where one looks from at first, seen from the robot: ahead, to its left, up; and what at.
 const counterView = { from: [1.75, -0.75, 1.05], at: [0.5, 0.05, 0.12] } as const;
+const halfAway = 1.35; // times as far off where each has but half of the picture
 const aisleView = { from: [-1.9, 1.1, 2.6], at: [0.35, 0, 0.75] } as const;
 
 export class ReplayApp {
@@ -179,8 +180,8 @@ export class ReplayApp {
     const { from, at } = this.replay.place < 0 ? aisleView : counterView;
     const [fx, fy] = player.heading;
     const seen = ([ahead, left, up]: Vec3): Vec3 => add(player.robotAt, [fx * ahead - fy * left, fy * ahead + fx * left, up]);
-    const eye = seen(from);
     const target = seen(at);
+    const eye = add(target, scale(sub(seen(from), target), this.players.length > 1 ? halfAway : 1));
     this.navigator.goTo(lookingAt(eye, target), distance(eye, target), true);
   }
 
