@@ -1,5 +1,5 @@
 // The page of a recorded episode: the robot and the goods move as they did.
-import { roomOf } from "../app";
+import { reduced, roomOf } from "../app";
 import { topFov, Navigator } from "../camera/navigator";
 import { modes, type Mode } from "../camera/modes";
 import { lookingAt, type Pose } from "../camera/pose";
@@ -152,6 +152,7 @@ export class ReplayApp {
   private toggleFollow(): void {
     this.following = !this.following;
     this.robotWas = undefined;
+    if (this.following && this.navigator.mode !== "top") this.lookAtRobot(reduced());
     this.tell();
   }
 
@@ -166,7 +167,7 @@ export class ReplayApp {
     const player = this.players[0]!;
     if (this.shownStep < 0) return;
     const at = player.robotAt;
-    if (!this.placed) this.lookAtRobot();
+    if (!this.placed) this.lookAtRobot(true);
     const was = this.robotWas ?? at;
     this.robotWas = at;
     if (!this.following || this.navigator.flying || this.navigator.mode === "top" || distance(was, at) < 1e-4) return;
@@ -174,7 +175,8 @@ export class ReplayApp {
     this.navigator.pose = { ...pose, eye: add(pose.eye, [at[0] - was[0], at[1] - was[1], 0]) };
   }
 
-  private lookAtRobot(): void {
+  // Before it, as at the beginning.
+  private lookAtRobot(atOnce: boolean): void {
     this.placed = true;
     const player = this.players[0]!;
     const { from, at } = this.replay.place < 0 ? aisleView : counterView;
@@ -182,7 +184,7 @@ export class ReplayApp {
     const seen = ([ahead, left, up]: Vec3): Vec3 => add(player.robotAt, [fx * ahead - fy * left, fy * ahead + fx * left, up]);
     const target = seen(at);
     const eye = add(target, scale(sub(seen(from), target), this.players.length > 1 ? halfAway : 1));
-    this.navigator.goTo(lookingAt(eye, target), distance(eye, target), true);
+    this.navigator.goTo(lookingAt(eye, target), distance(eye, target), atOnce);
   }
 
   private enter(mode: Mode): void {
