@@ -47,7 +47,7 @@ async function start(): Promise<void> {
       step: (share: number | undefined) => status.work(share, speech.say("loading")),
       shown: (what: string) => (times[what] = performance.now()),
     };
-    await offerEpisodes({ store, token: address.get("token") }, speech, document.querySelector(".search header"));
+    offerEpisodes({ store, token: address.get("token") }, speech, document.querySelector(".search header")).catch((error: unknown) => status.say(status.textOf(error)));
     const goods = await loadGoods(client, stage, summary, watch);
     app.restore();
     await loadRest(client, stage, goods, summary, watch);

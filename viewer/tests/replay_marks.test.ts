@@ -18,6 +18,11 @@ test("marks lie where and as long as what happened, the heaviest of a place on t
   expect(marks.find(({ lane }) => lane === "harm")).toMatchObject({ from: 0.99, to: 1 });
 });
 
+test("goals are marked where they came to lie, those of the judgement's wait at the end", () => {
+  const marks = marksOf([], 101, 100, [25, 130]);
+  expect(marks.map(({ lane, from, to }) => [lane, from, to])).toEqual([["goal", 0.25, 0.25], ["goal", 1, 1]]);
+});
+
 test("thousands of contacts are no more marks than there are points", () => {
   const events = Array.from({ length: 5000 }, (_, i) => event("contact", i, i, i % 60));
   expect(marksOf(events, 5000, 50).length).toBeLessThanOrEqual(50);

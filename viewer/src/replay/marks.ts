@@ -1,7 +1,7 @@
 // What happened, as marks on a line of time.
 import type { ReplayEvent } from "./contract";
 
-export const lanes = ["held", "contact", "harm"] as const;
+export const lanes = ["goal", "held", "contact", "harm"] as const;
 export type Lane = (typeof lanes)[number];
 export type Weight = "plain" | "light" | "firm" | "hard";
 
@@ -28,10 +28,11 @@ export interface Mark {
 
 const order: readonly Weight[] = ["plain", "light", "firm", "hard"];
 
-// Of a line that is so many points long: what is nearer than a point is one mark, by its heaviest. Lighter ones first.
-export function marksOf(events: readonly ReplayEvent[], steps: number, points: number): Mark[] {
+// Of a line that is so many points long: what is nearer than a point is one mark, by its heaviest. Lighter ones first. `goals`: steps
+// since which one lay in place.
+export function marksOf(events: readonly ReplayEvent[], steps: number, points: number, goals: readonly number[] = []): Mark[] {
   const last = Math.max(steps - 1, 1);
-  const marks: Mark[] = [];
+  const marks = goals.map((step): Mark => ({ lane: "goal", weight: "plain", from: Math.min(step / last, 1), to: Math.min(step / last, 1) }));
   for (const lane of lanes) {
     const heaviest = new Int8Array(points).fill(-1);
     for (const event of events) {

@@ -1,7 +1,7 @@
 // Play, speed and the line of time with its marks.
 import { element } from "../ui/dom";
 import { speeds, type Clock } from "./clock";
-import type { Replay, ReplayEvent } from "./contract";
+import type { Replay } from "./contract";
 import { lanes, marksOf, type Lane } from "./marks";
 import type { ReplayKey } from "./strings";
 import { timeText, type ReplayWords } from "./words";
@@ -18,8 +18,9 @@ export interface BarActions {
 
 const points = 600; // of the line of time
 const laneHeight = 5;
+const thinnest = 1.5;
 const svg = "http://www.w3.org/2000/svg";
-const laneTexts: Record<Lane, ReplayKey> = { held: "heldLane", contact: "contactLane", harm: "harmLane" };
+const laneTexts: Record<Lane, ReplayKey> = { goal: "goalLane", held: "heldLane", contact: "contactLane", harm: "harmLane" };
 
 // 16 x 16, filled.
 const pictures = {
@@ -55,7 +56,7 @@ export class PlayerBar {
     private readonly words: ReplayWords,
     actions: BarActions,
     private readonly clock: Clock,
-    episodes: readonly Pick<Replay, "events" | "run">[],
+    episodes: readonly Pick<Replay, "events" | "run" | "goals" | "step_s">[],
   ) {
     this.line = element("input", { attributes: { type: "range", min: "0", max: String(clock.steps - 1), step: "1", value: "0" }, on: { input: () => actions.seek(Number(this.line.value)) } });
     this.play = this.button("play", "play", "Space", () => actions.toggle());
@@ -77,9 +78,9 @@ export class PlayerBar {
       this.button("eventAhead", "eventAhead", "N", () => actions.event(1)),
     );
     const line = element("div", { class: "line" }, this.line);
-    for (const { events, run } of episodes) {
-      if (episodes.length > 1) line.append(element("p", { class: "whose muted", text: run.policy }));
-      line.append(drawn(events, clock.steps));
+    for (const episode of episodes) {
+      if (episodes.length > 1) line.append(element("p", { class: "whose muted", text: episode.run.policy }));
+      line.append(drawn(episode, clock.steps));
     }
     this.bar = element("div", { class: "player panel" }, element("div", { class: "controls" }, buttons, this.speed, this.followButton, this.cameraButton, this.now), line, this.legend());
   }
@@ -120,13 +121,13 @@ export class PlayerBar {
   }
 }
 
-function drawn(events: readonly ReplayEvent[], steps: number): SVGSVGElement {
+function drawn({ events, goals, step_s }: Pick<Replay, "events" | "goals" | "step_s">, steps: number): SVGSVGElement {
   const made = document.createElementNS(svg, "svg");
   const high = lanes.length * (laneHeight + 1);
   for (const [key, value] of [["viewBox", `0 0 ${points} ${high}`], ["preserveAspectRatio", "none"], ["class", "marks-of-time"], ["aria-hidden", "true"]] as const) made.setAttribute(key, value);
-  for (const { lane, weight, from, to } of marksOf(events, steps, points)) {
+  for (const { lane, weight, from, to } of marksOf(events, steps, points, goals.flatMap(({ since_s }) => (since_s >= 0 ? [since_s / step_s] : [])))) {
     const bar = document.createElementNS(svg, "rect");
-    const at = { x: from * points, y: lanes.indexOf(lane) * (laneHeight + 1), width: Math.max((to - from) * points, 1.5), height: laneHeight };
+    const at = { x: Math.min(from * points, points - thinnest), y: lanes.indexOf(lane) * (laneHeight + 1), width: Math.max((to - from) * points, thinnest), height: laneHeight };
     for (const [key, value] of Object.entries(at)) bar.setAttribute(key, String(value));
     bar.setAttribute("class", `${lane} ${weight}`);
     made.append(bar);
