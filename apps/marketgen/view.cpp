@@ -42,6 +42,9 @@ Run add_view(CLI::App& app) {
   auto flags = std::make_shared<ViewFlags>();
   CLI::App* command = app.add_subcommand("view", "Show and edit stores in a browser, until Ctrl-C");
   command->add_option("folders", flags->folders, "store folders")->required();
+  command->add_option("--results",
+                      flags->serve.results,
+                      "folder of an evaluation in one of the stores; may be given several times");
   constexpr int max_port = 65535;
   command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
       ->check(whole_number(0, max_port))
@@ -54,13 +57,15 @@ Run add_view(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--token", flags->serve.token, "secret that every request must carry");
   command->add_flag("--read-only", flags->serve.read_only, "stores are shown, not edited");
-  command->add_flag("--embed",
-                    flags->serve.embed,
-                    "pages that this machine serves, as Jupyter's, may show it in a frame; not edited");
+  command->add_flag(
+      "--embed",
+      flags->serve.embed,
+      "pages that this machine serves, as Jupyter's, may show it in a frame; not edited");
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
       "Example:  marketgen view shop\n"
-      "          marketgen view shop other-shop --no-open --port 8080");
+      "          marketgen view shop other-shop --no-open --port 8080\n"
+      "          marketgen view shop --results results   # episodes, with eval --record-motion");
   return [flags] {
     const auto done = view(*flags);
     return done.ok() ? 0 : fail(done.error());

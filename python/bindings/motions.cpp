@@ -31,6 +31,18 @@ nb::dict dict_of(const episodes::JointMotion& joint) {
   return made;
 }
 
+nb::dict dict_of(const episodes::MotionEvent& event) {
+  nb::dict made;
+  made["kind"] = std::string(name_of(event.kind));
+  made["step"] = event.step;
+  made["last_step"] = event.last_step;
+  made["target"] = std::string(name_of(event.target));
+  made["number"] = event.number;
+  made["sku"] = event.sku;
+  made["force_n"] = event.force_n;
+  return made;
+}
+
 nb::dict read_motion(const std::string& file) {
   const episodes::Motion motion =
       value_or_raise(without_interpreter([&] { return episodes::read_motion(file); }));
@@ -45,13 +57,21 @@ nb::dict read_motion(const std::string& file) {
   made["store_from_robot"] = motion.store_from_robot;
   made["dofs"] = motion.dofs;
   made["states"] = bytes_of(motion.states);
-  nb::list things, joints;
+  made["track"] = motion.track;
+  made["station"] = motion.station;
+  made["lane"] = motion.lane;
+  made["tools"] = motion.tools;
+  made["instruction"] = motion.instruction;
+  nb::list things, joints, events;
   for (const episodes::ThingMotion& thing : motion.things)
     things.append(dict_of(thing));
   for (const episodes::JointMotion& joint : motion.joints)
     joints.append(dict_of(joint));
   made["things"] = things;
+  for (const episodes::MotionEvent& event : motion.events)
+    events.append(dict_of(event));
   made["joints"] = joints;
+  made["events"] = events;
   return made;
 }
 

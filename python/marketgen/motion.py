@@ -21,7 +21,10 @@ def read_motion(path: PathLike) -> dict[str, Any]:
     states, float32 (steps, dofs), the first at the beginning; store_from_robot, float64 (7,), the frame of the states;
     things, each with kind ("item", "product", "basket"), number, sku, steps uint32 (n,), poses float32 (n, 7);
     joints, each with joint, a row of the store's joints, steps uint32 (n,), positions float32 (n,). Between two rows a thing
-    stands still. The arrays cannot be written to. Raises Error input.*, scene.*.
+    stands still. track, station, lane, tools and instruction are the episode's (track is "" in files of before they were kept);
+    events, by their first step, each with kind ("held", "contact", "toppled", "dropped", "displaced", "base_collision",
+    "protective_stop"), step and last_step, target ("nothing", "item", "product", "fixture", "room", "other": the basket at a
+    counter or the robot itself), number and sku of an item or product, force_n of a contact. The arrays cannot be written to. Raises Error input.*, scene.*.
     """
     motion = _core.read_motion(arguments.a_path("path", path))
     states = np.frombuffer(motion["states"], np.float32)

@@ -1,41 +1,24 @@
 // `marketgen view` as a person has it: Debian's Chromium, drawing without a GPU, opens the page of a small store. Pictures that were
 // taken lie in MARKETGEN_BROWSER_PICTURES, where that names a folder.
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { chromium } from "playwright-core";
+import { launch, openPage, program, serve, take } from "./served.mjs";
 
-const program = process.env.MARKETGEN_BINARY ?? join(import.meta.dirname, "../../build/release/marketgen");
-const browserPath = process.env.MARKETGEN_CHROMIUM ?? "/usr/bin/chromium";
-const pictures = process.env.MARKETGEN_BROWSER_PICTURES;
 const patience = 120_000; // milliseconds for the store to be built and shown, on a busy machine
 
 let folder, store, server, address, browser;
-
-async function addressOf(process) {
-  let said = "";
-  for await (const text of process.stdout) {
-    said += text;
-    const found = /http:\/\/\S+/.exec(said);
-    if (found) return found[0];
-  }
-  throw new Error(`marketgen view ended without an address: ${said}`);
-}
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "marketgen-browser-"));
   store = join(folder, "shop");
   execFileSync(program, ["generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", store]);
-  server = spawn(program, ["view", store, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
-  address = await addressOf(server);
-  browser = await chromium.launch({
-    executablePath: browserPath,
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-  });
+  ({ server, address } = await serve([store]));
+  browser = await launch();
 });
 
 after(async () => {
@@ -44,17 +27,7 @@ after(async () => {
   if (folder) rmSync(folder, { recursive: true, force: true });
 });
 
-// A page of its own; `faults` gathers what the browser complains of.
-async function open(hash = "", options = {}, arrange = async () => {}, at = address) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "en-GB", reducedMotion: "reduce", ...options });
-  const page = await context.newPage();
-  const faults = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(message.text()));
-  page.on("pageerror", (error) => faults.push(String(error)));
-  await arrange(page);
-  await page.goto(at + hash);
-  return { page, faults, close: () => context.close() };
-}
+const open = (hash = "", options = {}, arrange = async () => {}, at = address) => openPage(browser, at + hash, options, arrange);
 
 const complete = (page) => page.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
 // The picture shows what the navigator means, with its labels.
@@ -68,12 +41,6 @@ const settled = (page) =>
     null,
     { timeout: patience },
   );
-
-async function take(page, name) {
-  if (!pictures) return;
-  mkdirSync(pictures, { recursive: true });
-  await page.screenshot({ path: join(pictures, `${name}.png`) });
-}
 
 // The address of a place right before a front-row product, with the product in the middle of the picture.
 async function beforeAProduct(page, sku) {
@@ -339,9 +306,9 @@ test("fingers look around, come nearer and select", async () => {
 
 test("with a secret the page is shown to who has it, and to nobody else", async () => {
   const secret = "a-secret-of-the-browser-tests";
-  const guarded = spawn(program, ["view", store, "--no-open", "--host", "127.0.0.2", "--token", secret], { stdio: ["ignore", "pipe", "inherit"] });
+  const { server: guarded, address: said } = await serve([store, "--host", "127.0.0.2", "--token", secret]);
   try {
-    const { origin } = new URL(await addressOf(guarded));
+    const { origin } = new URL(said);
     const known = await open("", {}, () => {}, `${origin}/?token=${secret}`);
     await complete(known.page);
     await known.page.keyboard.press("/");
@@ -448,8 +415,7 @@ test("what the server says of an error is read, and a store that does not come i
 
 // As Jupyter shows it: a page of another port of this machine has it in a frame.
 async function framed(flags) {
-  const shown = spawn(program, ["view", store, "--no-open", ...flags], { stdio: ["ignore", "pipe", "inherit"] });
-  const at = await addressOf(shown);
+  const { server: shown, address: at } = await serve([store, ...flags]);
   const notebook = createServer((_, answer) => {
     answer.setHeader("Content-Type", "text/html");
     answer.end(`<!doctype html><title>notebook</title><link rel="icon" href="data:,"><iframe src="${at}" style="width:900px;height:480px"></iframe>`);

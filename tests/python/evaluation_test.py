@@ -65,6 +65,9 @@ def test_motion_is_what_became_of_it(tasks, tmp_path, act_limit_s):
         for thing in motion["things"]:
             assert thing["poses"].shape == (len(thing["steps"]), 7) and thing["steps"][-1] <= result["steps"]
             assert np.allclose(np.linalg.norm(thing["poses"][:, 3:], axis=1), 1, atol=1e-5)
+        assert motion["track"] == "checkout" and motion["instruction"]
+        steps = [event["step"] for event in motion["events"]]
+        assert steps == sorted(steps) and all(event["last_step"] <= result["steps"] for event in motion["events"])
     with pytest.raises(marketgen.Error) as refused:
         marketgen.read_motion(tmp_path / "results.jsonl")
     assert refused.value.code == "input.malformed"

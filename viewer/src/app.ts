@@ -508,7 +508,7 @@ export class App {
   }
 }
 
-function reduced(): boolean {
+export function reduced(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
 

@@ -25,9 +25,9 @@ async function watchServer(client: Client, watch: Watch, until: () => boolean): 
   }
 }
 
-export function loadGoods(client: Client, stage: Stage, summary: Summary, watch: Watch): Promise<Goods> {
+export function loadGoods(client: Client, stage: Stage, summary: Summary, watch: Watch, without: ReadonlySet<number> = new Set()): Promise<Goods> {
   return client.packed<unknown>("/goods.bin").then((packed) => {
-    const table = readGoods(packed, summary.skus);
+    const table = readGoods(packed, summary.skus, without);
     const goods = new Goods(table, summary.skus, stage.shared, () => stage.redraw(), stage.redrawSoon);
     stage.goods = goods;
     stage.overlays = new Overlays(table, summary.skus);

@@ -2,6 +2,8 @@
 import { App } from "./app";
 import { loadGoods, loadRest } from "./loader";
 import { EditClient } from "./edit/client";
+import { readReplayPlace } from "./replay/addresses";
+import { offerEpisodes, startReplay } from "./replay/start";
 import { Stage } from "./stage/stage";
 import { element } from "./ui/dom";
 import { Speech } from "./ui/speech";
@@ -15,6 +17,11 @@ interface Watched {
 async function start(): Promise<void> {
   const speech = new Speech();
   const status = new Status(speech);
+  const replay = readReplayPlace(location.search);
+  if (replay) {
+    document.body.append(status.progress, status.note, status.fault);
+    return startReplay(replay, speech, status).catch((error: unknown) => status.stop(error));
+  }
   const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
   document.body.append(canvas, status.progress, status.note, status.fault);
   const stage = Stage.create(canvas);
@@ -23,7 +30,8 @@ async function start(): Promise<void> {
   const watched = ((window as Watched).marketgen = { stage, times } as NonNullable<Watched["marketgen"]>);
 
   const address = new URLSearchParams(location.search);
-  const client = new EditClient(Number(address.get("store") ?? 0) || 0, address.get("token"));
+  const store = Number(address.get("store") ?? 0) || 0;
+  const client = new EditClient(store, address.get("token"));
   try {
     status.work(0.05, speech.say("loading"));
     const summary = await client.summary();
@@ -39,6 +47,7 @@ async function start(): Promise<void> {
       step: (share: number | undefined) => status.work(share, speech.say("loading")),
       shown: (what: string) => (times[what] = performance.now()),
     };
+    offerEpisodes({ store, token: address.get("token") }, speech, document.querySelector(".search header")).catch((error: unknown) => status.say(status.textOf(error)));
     const goods = await loadGoods(client, stage, summary, watch);
     app.restore();
     await loadRest(client, stage, goods, summary, watch);

@@ -81,6 +81,11 @@ std::uint64_t EpisodeWatch::key_of(const physics::ContactSide& side) const {
   return (static_cast<std::uint64_t>(side.kind) << 32U) | row;
 }
 
+physics::ContactSide EpisodeWatch::pushed_by(const Push& push) {
+  return {static_cast<physics::BodyKind>(push.thing >> 32U),
+          static_cast<std::uint32_t>(push.thing)};
+}
+
 bool EpisodeWatch::is_held(std::uint32_t product) const {
   const auto item = items_.find(product);
   return item != items_.end() && item->second.held_by >= 0;

@@ -62,6 +62,14 @@ class EpisodeWatch {
   // track's areas, is the judge's.
   SideEffects effects() const;
 
+  // For recordings; products are rows of the world's scene. What a push was on: a row for products
+  // alone; an actor is the basket at a counter, or the robot itself.
+  const PushLedger& pushes() const { return pushes_; }
+  static physics::ContactSide pushed_by(const Push& push);
+  const std::set<std::uint32_t>& toppled() const { return toppled_; }
+  const std::set<std::uint32_t>& dropped() const { return dropped_; }
+  const std::set<std::uint32_t>& displaced() const { return displaced_; }
+
   // What it has seen; what the geoms are it knows from the world.
   template <class Archive, class Self>
   static void bytes(Archive& archive, Self& self) {

@@ -28,8 +28,12 @@ bool is_whole(const Motion& motion) {
                              [&](const ThingMotion& thing) {
                                return fits(thing.steps, thing.poses, pose_numbers, all);
                              }) &&
-         std::ranges::all_of(motion.joints, [&](const JointMotion& joint) {
-           return fits(joint.steps, joint.positions, 1, all);
+         std::ranges::all_of(motion.joints,
+                             [&](const JointMotion& joint) {
+                               return fits(joint.steps, joint.positions, 1, all);
+                             }) &&
+         std::ranges::all_of(motion.events, [&](const MotionEvent& event) {
+           return event.step <= event.last_step && event.last_step < all;
          });
 }
 

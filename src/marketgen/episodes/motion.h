@@ -46,6 +46,45 @@ struct JointMotion {
                  field("positions", &JointMotion::positions, "radians, metres or, of belts, m/s"));
 };
 
+// What happened in an episode. held: by a tool. contact: the robot, or what it holds, pressed on
+// something. The others are those of the side-effect ledger (episodes/side_effects.h).
+enum class MotionEventKind {
+  held,
+  contact,
+  toppled,
+  dropped,
+  displaced,
+  base_collision,
+  protective_stop
+};
+constexpr std::array<std::string_view, 7> names_of(MotionEventKind) {
+  return {
+      "held", "contact", "toppled", "dropped", "displaced", "base_collision", "protective_stop"};
+}
+// To what. other: the basket at a counter, or the robot itself.
+enum class EventTarget { nothing, item, product, fixture, room, other };
+constexpr std::array<std::string_view, 6> names_of(EventTarget) {
+  return {"nothing", "item", "product", "fixture", "room", "other"};
+}
+
+struct MotionEvent {
+  MotionEventKind kind = MotionEventKind::held;
+  std::uint32_t step = 0, last_step = 0;
+  EventTarget target = EventTarget::nothing;
+  std::uint32_t number = 0;
+  std::string sku;
+  double force_n = 0;
+  static constexpr auto fields = field_list(
+      field("kind", &MotionEvent::kind, "what happened"),
+      field("step", &MotionEvent::step, "control step in which it was first so"),
+      field("last_step", &MotionEvent::last_step, "in which it was last so"),
+      field("target", &MotionEvent::target, "to what"),
+      field("number", &MotionEvent::number, "of an item or product, as things have it"),
+      field("sku", &MotionEvent::sku, "of an item or product"),
+      field("force_n", &MotionEvent::force_n, "of a contact: the greatest, mean over 10 ms, N"));
+};
+
+// `track` and what follows it was added later: in files of before it is empty.
 struct Motion {
   std::string schema = "market-motion/1";
   std::string episode, episode_hash, scene_hash, policy, realism, robot;
@@ -55,6 +94,8 @@ struct Motion {
   std::vector<float> states;
   std::vector<ThingMotion> things;
   std::vector<JointMotion> joints;
+  std::string track, station, lane, tools, instruction;
+  std::vector<MotionEvent> events;
   static constexpr auto fields =
       field_list(field("schema", &Motion::schema, "schema tag", constant("market-motion/1")),
                  field("episode", &Motion::episode, "its id"),
@@ -70,7 +111,13 @@ struct Motion {
                  field("dofs", &Motion::dofs, "names of its degrees of freedom"),
                  field("states", &Motion::states, "a row of the degrees of freedom for each step"),
                  field("things", &Motion::things, "items, moved products and the basket"),
-                 field("joints", &Motion::joints, "of the store, that moved"));
+                 field("joints", &Motion::joints, "of the store, that moved"),
+                 field("track", &Motion::track, "of the episode; empty in files of before"),
+                 field("station", &Motion::station, "as the episode has it"),
+                 field("lane", &Motion::lane, "as the episode has it"),
+                 field("tools", &Motion::tools, "as the episode has it"),
+                 field("instruction", &Motion::instruction, "what the agent was told"),
+                 field("events", &Motion::events, "what happened, by their first step"));
 
   std::size_t steps() const { return dofs.empty() ? 0 : states.size() / dofs.size(); }
 };

@@ -17,14 +17,20 @@ void count(SideEffects& effects, double peak_n) {
 
 }  // namespace
 
-bool PushLedger::follow(Push& push, double force_n, double step_s) {
+bool PushLedger::follow(std::uint64_t thing, Pressed& push, double force_n, double step_s) {
   push.smooth_n += (force_n - push.smooth_n) * step_s / mean_over_s;
   ended_.hardest_n = std::max(ended_.hardest_n, push.smooth_n);
   if (push.smooth_n > push_begins_n) push.lasts = true;
-  if (push.lasts) push.peak_n = std::max(push.peak_n, push.smooth_n);
+  if (push.lasts) {
+    push.peak_n = std::max(push.peak_n, push.smooth_n);
+    push.lasted_s += step_s;
+  }
   if (push.smooth_n >= push_ends_n) return true;
-  if (push.lasts) count(ended_, push.peak_n);
-  push.lasts = false, push.peak_n = 0;
+  if (push.lasts) {
+    count(ended_, push.peak_n);
+    past_.push_back({thing, push.peak_n, push.lasted_s});
+  }
+  push.lasts = false, push.peak_n = push.lasted_s = 0;
   return force_n > 0;
 }
 
@@ -34,8 +40,15 @@ void PushLedger::follow(const std::map<std::uint64_t, double>& force_n, double s
   for (auto push = pushes_.begin(); push != pushes_.end();) {
     const auto pressed = force_n.find(push->first);
     const double force = pressed == force_n.end() ? 0 : pressed->second;
-    push = follow(push->second, force, step_s) ? std::next(push) : pushes_.erase(push);
+    push = follow(push->first, push->second, force, step_s) ? std::next(push) : pushes_.erase(push);
   }
+}
+
+std::vector<Push> PushLedger::lasting() const {
+  std::vector<Push> pushes;
+  for (const auto& [thing, push] : pushes_)
+    if (push.lasts) pushes.push_back({thing, push.peak_n, push.lasted_s});
+  return pushes;
 }
 
 void PushLedger::add_to(SideEffects& effects) const {

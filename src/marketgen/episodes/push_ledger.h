@@ -3,11 +3,18 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include "base/byte_archive.h"
 #include "episodes/episode_result.h"
 
 namespace marketgen::episodes {
+
+// One push, with the thing that was pushed.
+struct Push {
+  std::uint64_t thing = 0;
+  double peak_n = 0, lasted_s = 0;
+};
 
 class PushLedger {
  public:
@@ -15,6 +22,11 @@ class PushLedger {
   void follow(const std::map<std::uint64_t, double>& force_n, double step_s);
   // Counts pushes that still last as ended.
   void add_to(SideEffects& effects) const;
+
+  // For recordings: those that ended, in that order, and those that last. Of a moment that was
+  // restored they are forgotten, and a push lasts since then.
+  const std::vector<Push>& ended() const { return past_; }
+  std::vector<Push> lasting() const;
 
   template <class Archive, class Self>
   static void bytes(Archive& archive, Self& self) {
@@ -24,18 +36,21 @@ class PushLedger {
   }
 
  private:
-  struct Push {
+  struct Pressed {
     double smooth_n = 0, peak_n = 0;
     bool lasts = false;
+    double lasted_s = 0;  // no part of a moment
 
     template <class Archive, class Self>
     static void bytes(Archive& archive, Self& self) {
       archive(self.smooth_n, self.peak_n, self.lasts);
     }
   };
-  bool follow(Push& push, double force_n, double step_s);  // false: nothing is left of it
-  std::map<std::uint64_t, Push> pushes_;
+  // False: nothing is left of it.
+  bool follow(std::uint64_t thing, Pressed& push, double force_n, double step_s);
+  std::map<std::uint64_t, Pressed> pushes_;
   SideEffects ended_;
+  std::vector<Push> past_;
 };
 
 }  // namespace marketgen::episodes

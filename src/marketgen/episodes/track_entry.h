@@ -1,11 +1,16 @@
 // What a track is to those who do not care which: its rows, and what its episodes say.
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "catalog/catalog.h"
 #include "episodes/episode_spec.h"
+#include "episodes/motion.h"
+#include "episodes/recorded_place.h"
+#include "episodes/recorded_view.h"
 
 namespace marketgen::episodes {
 
@@ -32,6 +37,21 @@ class TrackEntry {
   // How many things an episode is about, and how many at most one that is drawn.
   virtual int items_of(const EpisodeSpec& spec) const = 0;
   virtual int max_items() const = 0;
+  // Where the motion of one of its episodes happened, in that store. Errors: those of the station's
+  // file; robot.unknown; episode.other_store, the store lacks its lane.
+  virtual Result<RecordedPlace> place_of(const std::filesystem::path& data,
+                                         const Motion& motion,
+                                         std::shared_ptr<const scene::Scene> store,
+                                         const catalog::Catalog& catalog) const = 0;
+  // Cameras of which a recorded episode has pictures; the first shows most.
+  virtual std::vector<std::string> recorded_cameras() const = 0;
+  // `place` is the motion's and outlives the view, as the motion does. `products`: rows of its
+  // items. Errors: those of the station's file and of Renderer::create; catalog.unknown_sku.
+  virtual Result<std::unique_ptr<RecordedView>> open_recorded(
+      const std::filesystem::path& data,
+      const Motion& motion,
+      const RecordedPlace& place,
+      const std::vector<catalog::Product>& products) const = 0;
 };
 
 #define MARKETGEN_TRACK(name, Type) const TrackEntry& name##_entry();

@@ -10,6 +10,7 @@
 #include "agent/policy.h"
 #include "episodes/command_link.h"
 #include "episodes/episode_result.h"
+#include "episodes/episode_watch.h"
 #include "episodes/late_senses.h"
 #include "episodes/moved_thing.h"
 #include "episodes/realism.h"
@@ -93,6 +94,10 @@ class TrackWorld {
   // What scenery() has beside the robot, named: items and baskets, and the products of its place
   // that were moved at some time.
   virtual std::vector<MovedThing> things() const = 0;
+  // A product of its place's scene, by the row there, as things() has it; where it stands is left
+  // out.
+  virtual MovedThing thing_of(std::uint32_t product) const = 0;
+  virtual const EpisodeWatch& watch() const = 0;
   // Of doors, drawers and belts of its place: World::joint_positions().
   virtual std::vector<double> joint_positions() const = 0;
   // The frame of robot_state(): the robot's row, in the frame of the store.

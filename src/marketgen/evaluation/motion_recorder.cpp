@@ -52,7 +52,14 @@ Result<void> MotionRecorder::begin(const episodes::TrackWorld& world) {
   motion_.store_from_robot.assign(frame.begin(), frame.end());
   for (std::size_t dof = 0; dof < world.robot().dof_count(); ++dof)
     motion_.dofs.push_back(world.robot().joint_of_dof(dof).name);
+  const episodes::EpisodeSpec& spec = world.spec();
+  motion_.track = name_of(spec.track);
+  motion_.station = spec.station.value_or("");
+  motion_.lane = spec.lane.value_or("");
+  motion_.tools = spec.tools;
+  motion_.instruction = spec.instruction;
   joints_ = world.joint_positions();
+  events_.begin(world);
   look();
   return {};
 }
@@ -69,6 +76,7 @@ void MotionRecorder::look() {
   for (const episodes::MovedThing& thing : world_->things())
     see(thing, step);
   see_joints(step);
+  if (step > 0) events_.look(step);
 }
 
 void MotionRecorder::see(const episodes::MovedThing& thing, std::uint32_t step) {
@@ -102,6 +110,7 @@ std::string MotionRecorder::packed(const episodes::EpisodeResult& result,
   motion_.scene_hash = result.scene_hash;
   motion_.policy = result.policy;
   motion_.realism = result.realism;
+  motion_.events = events_.events();
   return episodes::pack_motion(motion_);
 }
 

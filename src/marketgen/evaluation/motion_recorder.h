@@ -6,6 +6,7 @@
 
 #include "environments/run_episode.h"
 #include "episodes/motion.h"
+#include "evaluation/event_recorder.h"
 
 namespace marketgen::evaluation {
 
@@ -31,6 +32,7 @@ class MotionRecorder : public environments::EpisodeWatcher {
       places_;                  // in motion_.things
   std::vector<double> joints_;  // as they were written last
   std::map<std::uint32_t, std::size_t> joint_places_;
+  EventRecorder events_;
 };
 
 // run_episode(), with `watcher` if there is one, which keeps the motion in the folder of results

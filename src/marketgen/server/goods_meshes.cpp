@@ -35,8 +35,8 @@ bool shows_label(const assets::ProductModel& model) {
                              [](const assets::Surface& s) { return s.texture == "label"; });
 }
 
-MadeSku make_sku(const catalog::Product& product) {
-  Result<assets::ProductModel> model = assets::make_product_model(product, assets::Detail::far);
+MadeSku make_sku(const catalog::Product& product, assets::Detail detail) {
+  Result<assets::ProductModel> model = assets::make_product_model(product, detail);
   if (!model.ok()) return {{}, {}, model.error()};
   MadeSku made{std::move(model).value(), {}, std::nullopt};
   if (!shows_label(made.model)) return made;
@@ -159,25 +159,24 @@ void pack_tiles(PackedSections& sections,
   sections.note("pages", std::move(pages));
 }
 
-}  // namespace
-
-Result<std::vector<ViewFile>> goods_meshes(const scene::Scene& scene, Progress& progress) {
-  std::vector<bool> stands(scene.catalog.size(), false);
-  for (const scene::SceneProduct& item : scene.products)
-    stands[item.sku] = true;
-  progress.begin("goods", scene.catalog.size());
-  const std::vector<MadeSku> made = parallel_map(scene.catalog.size(), [&](std::size_t sku) {
-    MadeSku one = stands[sku] ? make_sku(scene.catalog[sku]) : MadeSku{};
+// Of each product; null: its row is empty.
+Result<std::vector<ViewFile>> meshes_of(const std::vector<const catalog::Product*>& products,
+                                        const std::vector<catalog::MaterialRow>& materials,
+                                        assets::Detail detail,
+                                        Progress& progress) {
+  progress.begin("goods", products.size());
+  const std::vector<MadeSku> made = parallel_map(products.size(), [&](std::size_t sku) {
+    MadeSku one = products[sku] != nullptr ? make_sku(*products[sku], detail) : MadeSku{};
     progress.advance();
     return one;
   });
   progress.end();
   MARKETGEN_CHECK(check_interrupt());
-  SkuMeshes meshes(scene.materials);
+  SkuMeshes meshes(materials);
   std::vector<PictureSize> sizes;
   for (std::size_t sku = 0; sku < made.size(); ++sku) {
     if (made[sku].error) return *made[sku].error;
-    if (stands[sku])
+    if (products[sku] != nullptr)
       meshes.add(made[sku].model);
     else
       meshes.add_nothing();
@@ -190,6 +189,24 @@ Result<std::vector<ViewFile>> goods_meshes(const scene::Scene& scene, Progress& 
   pack_tiles(sections, layout, sizes);
   files.push_back({"meshes.bin", "application/octet-stream", sections.file()});
   return files;
+}
+
+}  // namespace
+
+Result<std::vector<ViewFile>> goods_meshes(const scene::Scene& scene, Progress& progress) {
+  std::vector<const catalog::Product*> stands(scene.catalog.size(), nullptr);
+  for (const scene::SceneProduct& item : scene.products)
+    stands[item.sku] = &scene.catalog[item.sku];
+  return meshes_of(stands, scene.materials, assets::Detail::far, progress);
+}
+
+Result<std::vector<ViewFile>> product_meshes(const std::vector<catalog::Product>& products,
+                                             const std::vector<catalog::MaterialRow>& materials,
+                                             assets::Detail detail) {
+  std::vector<const catalog::Product*> rows;
+  for (const catalog::Product& product : products)
+    rows.push_back(&product);
+  return meshes_of(rows, materials, detail, silent_progress());
 }
 
 Result<ViewFile> product_mesh(const scene::Scene& scene, std::uint32_t sku, assets::Detail detail) {

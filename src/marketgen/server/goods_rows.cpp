@@ -14,13 +14,6 @@ namespace {
 
 constexpr float tint_scale = 200;  // of a factor of 1: some are a little brighter
 
-std::array<std::int16_t, 4> packed_rotation(const Quaternion& q) {
-  const auto whole = [](double value) {
-    return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0, 1.0) * 32767));
-  };
-  return {whole(q.x), whole(q.y), whole(q.z), whole(q.w)};
-}
-
 std::array<std::uint8_t, 3> packed_tint(std::size_t row, std::uint32_t sku) {
   using render::raytrace::ItemKind;
   const Vec3f tint = render::raytrace::look_of_item(row, sku, ItemKind::packed).tint;

@@ -263,8 +263,9 @@ class Session : public std::enable_shared_from_this<Session<State>> {
     if (failed && !not_http) return;
     stream_.expires_never();  // our own time does not count
     asio::post(state_.makers, [self = this->shared_from_this(), failed] {
-      self->out_ = failed ? outgoing(unread(), unreadable(failed), {true, self->state_.options.embed})
-                          : self->state_.answer_to(self->parser_->get());
+      self->out_ = failed
+                       ? outgoing(unread(), unreadable(failed), {true, self->state_.options.embed})
+                       : self->state_.answer_to(self->parser_->get());
       asio::dispatch(self->stream_.get_executor(), [self] { self->write(self->out_.head, true); });
     });
   }

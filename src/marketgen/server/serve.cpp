@@ -59,7 +59,9 @@ Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& option
   MARKETGEN_TRY(const std::filesystem::path page, page_folder());
   const bool may_edit = !options.read_only && !options.embed;
   auto parts = std::make_unique<Parts>();
-  MARKETGEN_TRY(parts->viewer, Viewer::open(std::move(stores), page, {.may_edit = may_edit}));
+  MARKETGEN_TRY(
+      parts->viewer,
+      Viewer::open(std::move(stores), page, {.may_edit = may_edit, .results = options.results}));
   HttpServerOptions http;
   http.host = options.host;
   http.port = options.port;

@@ -26,6 +26,10 @@ ViewFile goods_light(const render::raytrace::LitWorld& lit, const scene::Scene& 
 // The far meshes of all SKUs that stand somewhere, and the pages of their labels. Errors: those of
 // make_product_model and library_label; internal.interrupted.
 Result<std::vector<ViewFile>> goods_meshes(const scene::Scene& scene, Progress& progress);
+// The same of these products, a row each. Errors: the same.
+Result<std::vector<ViewFile>> product_meshes(const std::vector<catalog::Product>& products,
+                                             const std::vector<catalog::MaterialRow>& materials,
+                                             assets::Detail detail);
 // The mesh of one SKU, a row of the scene's catalogue. Errors: those of make_product_model.
 Result<ViewFile> product_mesh(const scene::Scene& scene, std::uint32_t sku, assets::Detail detail);
 

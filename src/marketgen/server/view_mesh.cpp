@@ -122,6 +122,13 @@ std::array<std::int8_t, 4> packed_normal(Vec3f normal) {
   return {byte(normal.x), byte(normal.y), byte(normal.z), 0};
 }
 
+std::array<std::int16_t, 4> packed_rotation(const Quaternion& q) {
+  const auto whole = [](double value) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0, 1.0) * 32767));
+  };
+  return {whole(q.x), whole(q.y), whole(q.z), whole(q.w)};
+}
+
 std::uint8_t packed_light(float light) {
   return static_cast<std::uint8_t>(
       std::lround(std::sqrt(std::clamp(light / max_light, 0.0F, 1.0F)) * 255));

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/pose.h"
 #include "geometry/vector.h"
 #include "server/packed_sections.h"
 
@@ -49,6 +50,8 @@ class ViewMesh {
 };
 
 std::array<std::int8_t, 4> packed_normal(Vec3f normal);
+// x, y, z, w as 32,767ths.
+std::array<std::int16_t, 4> packed_rotation(const Quaternion& rotation);
 // sqrt(light / 4) in 255ths: dark places keep their tones.
 std::uint8_t packed_light(float light);
 

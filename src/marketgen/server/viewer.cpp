@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -15,6 +14,7 @@
 #include "export/label_picture.h"
 #include "io/json.h"
 #include "io/png.h"
+#include "server/answering.h"
 #include "server/editor.h"
 #include "server/page_files.h"
 #include "server/store_summary.h"
@@ -26,42 +26,7 @@ namespace {
 constexpr std::array label_heights_px{64, 128, 256, 512, 1024};
 constexpr int min_tag_px = 32, max_tag_px = 192, usual_tag_px = 96, usual_label_px = 512;
 constexpr std::uint64_t usual_hits = 50, max_hits = 500;
-
-Error no_address(const HttpAsk& ask) {
-  return {"server.not_found", ask.path, "there is nothing at this address; see docs/viewer.md"};
-}
-
-// All of the text, without a sign.
-std::optional<std::uint64_t> whole(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return value;
-}
-
-Result<std::uint32_t> row_of(const HttpAsk& ask, std::string_view text, std::size_t rows) {
-  const std::optional<std::uint64_t> row = whole(text);
-  if (row && *row < rows) return static_cast<std::uint32_t>(*row);
-  return Error{"server.not_found", ask.path, fmt::format("rows go from 0 to {} here", rows - 1)};
-}
-
-// A number in the query; `usual` when it is not there.
-Result<std::uint64_t> number_in(const HttpAsk& ask,
-                                const std::string& name,
-                                std::uint64_t usual,
-                                std::uint64_t low,
-                                std::uint64_t high) {
-  const auto given = ask.query.find(name);
-  if (given == ask.query.end()) return usual;
-  const std::optional<std::uint64_t> value = whole(given->second);
-  if (value && *value >= low && *value <= high) return *value;
-  return Error{
-      "server.bad_request", name, fmt::format("is not a whole number from {} to {}", low, high)};
-}
-
-Result<HttpReply> reply_with(ViewFile file) {
-  return HttpReply{.body = make_body(std::move(file.type), std::move(file.bytes))};
-}
+constexpr std::size_t max_places = 10000;
 
 Result<HttpReply> png_reply(const Result<Image>& image) {
   if (!image.ok()) return image.error();
@@ -90,6 +55,7 @@ struct Viewer::Opened {
   std::once_flag begun;
   std::unique_ptr<ViewBuild> build;
   std::unique_ptr<Editor> editor;
+  bool is_place = false;  // of an episode, and no store
 };
 
 // Begins it where nobody has asked yet: stores that an edit has saved may never be looked at.
@@ -115,6 +81,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
   std::unique_ptr<Viewer> viewer(new Viewer(std::move(stores), std::move(page), options));
   MARKETGEN_TRY(viewer->search_, StoreSearch::open(viewer->catalog_));
   MARKETGEN_TRY(viewer->grasps_, read_grasp_facts());
+  MARKETGEN_TRY(viewer->replays_, Replays::open(options.results, opened, viewer->catalog_));
   for (std::shared_ptr<const store::Store>& store : opened)
     viewer->add(std::move(store));
   for (const std::unique_ptr<Opened>& store : viewer->stores_)
@@ -122,24 +89,31 @@ Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
   return viewer;
 }
 
-int Viewer::add(std::shared_ptr<const store::Store> store) {
-  const std::unique_lock lock(listing_);
+std::unique_ptr<Viewer::Opened> Viewer::made(int number,
+                                             std::shared_ptr<const store::Store> store,
+                                             bool may_edit) {
   auto opened = std::make_unique<Opened>();
-  opened->number = static_cast<int>(stores_.size());
-  opened->summary = json_reply(io::write_json_line(
-      summary_of(opened->number, *store, grasps_, rows_->frictions, options_.may_edit)));
+  opened->number = number;
+  opened->summary = json_reply(
+      io::write_json_line(summary_of(number, *store, grasps_, rows_->frictions, may_edit)));
   ViewFile goods = goods_table(store->scene);
   opened->goods = {.body = make_body(goods.type, std::move(goods.bytes))};
-  const auto rows = store->manifest.own
-                        ? std::make_shared<const catalog::Catalog>(
-                              catalog::with_own_products(*rows_, *store->manifest.own))
-                        : rows_;
+  opened->store = std::move(store);
+  return opened;
+}
+
+int Viewer::add(std::shared_ptr<const store::Store> store) {
+  const std::unique_lock lock(listing_);
+  auto opened = made(static_cast<int>(stores_.size()), std::move(store), options_.may_edit);
+  const auto& own = opened->store->manifest.own;
+  const auto rows =
+      own ? std::make_shared<const catalog::Catalog>(catalog::with_own_products(*rows_, *own))
+          : rows_;
   if (options_.may_edit)
-    opened->editor =
-        std::make_unique<Editor>(store, rows, grasps_, [this, rows](const std::filesystem::path& folder) {
+    opened->editor = std::make_unique<Editor>(
+        opened->store, rows, grasps_, [this, rows](const std::filesystem::path& folder) {
           return add_saved(folder, *rows);
         });
-  opened->store = std::move(store);
   stores_.push_back(std::move(opened));
   return stores_.back()->number;
 }
@@ -182,6 +156,7 @@ Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Word
   if (words.empty()) return store.summary;
   const std::string& what = words[0];
   if (what == "edit") return of_edit(store, ask, Words(words.begin() + 1, words.end()));
+  if (what == "runs" || what == "places") return of_replay(store, ask, words);
   if (words.size() == 1 && what != "search") {
     if (what == "goods.bin") return store.goods;
     if (what == "state") return state(store);
@@ -226,6 +201,28 @@ Result<HttpReply> Viewer::of_edit(Opened& store, const HttpAsk& ask, const Words
   if (words.empty()) return store.editor->status();
   const EditSession::Now now = store.editor->now();
   return of_scene(now ? now->store.scene : store.store->scene, ask, words);
+}
+
+Result<HttpReply> Viewer::of_replay(Opened& store, const HttpAsk& ask, const Words& words) {
+  if (store.is_place) return no_address(ask);
+  const auto number = static_cast<std::size_t>(store.number);
+  if (words[0] == "runs")
+    return replays_->answer(number, ask, Words(words.begin() + 1, words.end()));
+  if (words.size() < 2) return no_address(ask);
+  MARKETGEN_TRY(const std::uint32_t row, row_of(ask, words[1], max_places));
+  std::shared_ptr<const store::Store> place = replays_->place(number, row);
+  if (place == nullptr) return no_address(ask);
+  Opened* opened_place = nullptr;
+  {
+    const std::scoped_lock lock(opening_);
+    std::unique_ptr<Opened>& kept = places_[row];
+    if (kept == nullptr) {
+      kept = made(store.number, std::move(place), false);
+      kept->is_place = true;
+    }
+    opened_place = kept.get();
+  }
+  return of_store(*opened_place, ask, Words(words.begin() + 2, words.end()));
 }
 
 Result<HttpReply> Viewer::of_sku(const scene::Scene& scene,

@@ -4,6 +4,7 @@
 // read.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <semaphore>
@@ -14,6 +15,7 @@
 #include "base/result.h"
 #include "server/cards.h"
 #include "server/http_message.h"
+#include "server/replays.h"
 #include "server/store_search.h"
 #include "server/view_build.h"
 #include "store/open_stores.h"
@@ -22,12 +24,13 @@ namespace marketgen::server {
 
 struct ViewerOptions {
   bool may_edit = true;
+  std::vector<std::string> results = {};  // folders of evaluations in the stores
 };
 
 class Viewer {
  public:
-  // Begins to build what the page draws. Errors: those of StoreSearch::open and
-  // read_grasp_facts().
+  // Begins to build what the page draws. Errors: those of StoreSearch::open, read_grasp_facts() and
+  // Replays::open.
   static Result<std::unique_ptr<Viewer>> open(store::OpenedStores stores,
                                               std::filesystem::path page,
                                               ViewerOptions options = {});
@@ -41,6 +44,9 @@ class Viewer {
   using Words = std::vector<std::string>;
   Viewer(store::OpenedStores stores, std::filesystem::path page, ViewerOptions options);
 
+  std::unique_ptr<Opened> made(int number,
+                               std::shared_ptr<const store::Store> store,
+                               bool may_edit);
   Result<HttpReply> reply_to(const HttpAsk& ask);
   HttpReply list() const;
   Result<Opened*> opened(const HttpAsk& ask, const std::string& number) const;
@@ -48,6 +54,7 @@ class Viewer {
   // What does not wait for a build: search, cards, shapes and labels.
   Result<HttpReply> of_scene(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_edit(Opened& store, const HttpAsk& ask, const Words& words);
+  Result<HttpReply> of_replay(Opened& store, const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_sku(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
   Result<HttpReply> search(const scene::Scene& scene, const HttpAsk& ask);
   Result<HttpReply> tag(const scene::Scene& scene, const HttpAsk& ask, const std::string& name);
@@ -66,8 +73,11 @@ class Viewer {
   GraspFacts grasps_;
   std::mutex building_;
   std::counting_semaphore<> drawing_;  // labels and meshes at a time
+  std::unique_ptr<Replays> replays_;
   mutable std::shared_mutex listing_;  // of stores_, which grows when an edit is saved
   std::vector<std::unique_ptr<Opened>> stores_;
+  std::mutex opening_;
+  std::map<std::uint32_t, std::unique_ptr<Opened>> places_;  // by number, once they are asked for
 };
 
 }  // namespace marketgen::server

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "evaluation/motion_recorder.h"
 #include "io/flatbuffer.h"
@@ -27,6 +28,9 @@ Motion small_motion() {
   motion.states = {0, 1, 2, 3, 4, 5};
   motion.things = {{episodes::ThingKind::basket, 0, "", {0, 2}, std::vector<float>(14, 0.5F)}};
   motion.joints = {{3, {0, 1}, {0, 0.5F}}};
+  motion.track = "checkout";
+  motion.events = {
+      {episodes::MotionEventKind::contact, 1, 2, episodes::EventTarget::item, 4, "beans", 12.5}};
   return motion;
 }
 
@@ -46,22 +50,28 @@ TEST(Motion, ReadsWhatItWrote) {
   EXPECT_EQ(read->things[0].kind, episodes::ThingKind::basket);
   EXPECT_EQ(read->things[0].poses, motion.things[0].poses);
   EXPECT_EQ(read->joints[0].positions, motion.joints[0].positions);
+  EXPECT_EQ(read->track, "checkout");
+  ASSERT_EQ(read->events.size(), 1U);
+  EXPECT_EQ(read->events[0].target, episodes::EventTarget::item);
+  EXPECT_EQ(read->events[0].last_step, 2U);
+  EXPECT_EQ(read->events[0].force_n, 12.5);
 }
 
 TEST(Motion, TablesThatDoNotFitAreRefused) {
   using Change = void (*)(Motion&);
-  const std::vector<Change> changes{
-      [](Motion& motion) { motion.states.pop_back(); },
-      [](Motion& motion) { motion.dofs.clear(); },
-      [](Motion& motion) { motion.store_from_robot.pop_back(); },
-      [](Motion& motion) { motion.things[0].poses.pop_back(); },
-      [](Motion& motion) {
-        motion.things[0].steps = {0, 3};
-      },
-      [](Motion& motion) {
-        motion.things[0].steps = {1, 1};
-      },
-      [](Motion& motion) { motion.joints[0].positions.push_back(1); }};
+  const std::vector<Change> changes{[](Motion& motion) { motion.states.pop_back(); },
+                                    [](Motion& motion) { motion.dofs.clear(); },
+                                    [](Motion& motion) { motion.store_from_robot.pop_back(); },
+                                    [](Motion& motion) { motion.things[0].poses.pop_back(); },
+                                    [](Motion& motion) {
+                                      motion.things[0].steps = {0, 3};
+                                    },
+                                    [](Motion& motion) {
+                                      motion.things[0].steps = {1, 1};
+                                    },
+                                    [](Motion& motion) { motion.joints[0].positions.push_back(1); },
+                                    [](Motion& motion) { motion.events[0].last_step = 3; },
+                                    [](Motion& motion) { motion.events[0].step = 3; }};
   for (std::size_t i = 0; i < changes.size(); ++i) {
     Motion motion = small_motion();
     changes[i](motion);
@@ -128,6 +138,88 @@ INSTANTIATE_TEST_SUITE_P(OfEachTrack,
                          Recorded,
                          testing::Values(episodes::Track::checkout, episodes::Track::aisle),
                          [](const auto& track) { return std::string(name_of(track.param)); });
+
+// How many contacts of each class, and how much harm, the events tell of.
+episodes::SideEffects counted(const std::vector<episodes::MotionEvent>& events) {
+  using Kind = episodes::MotionEventKind;
+  episodes::SideEffects effects;
+  const std::map<Kind, int*> counts{{Kind::toppled, &effects.toppled},
+                                    {Kind::dropped, &effects.dropped},
+                                    {Kind::displaced, &effects.displaced},
+                                    {Kind::base_collision, &effects.base_collisions},
+                                    {Kind::protective_stop, &effects.protective_stops}};
+  for (const episodes::MotionEvent& event : events) {
+    if (const auto harm = counts.find(event.kind); harm != counts.end()) *harm->second += 1;
+    if (event.kind != Kind::contact) continue;
+    (event.force_n > 50   ? effects.hard_contacts
+     : event.force_n > 10 ? effects.firm_contacts
+                          : effects.light_contacts) += 1;
+  }
+  return effects;
+}
+
+// The events of what was recorded are the ledger, as it was when the agent stopped.
+TEST_P(Recorded, ItsEventsAreTheLedger) {
+  class Ledger : public environments::EpisodeWatcher {
+   public:
+    Result<void> begin(const episodes::TrackWorld& world) override {
+      world_ = &world;
+      return {};
+    }
+    Result<void> step() override {
+      effects = world_->watch().effects();
+      effects.protective_stops = world_->controller().stops();
+      return {};
+    }
+    episodes::SideEffects effects;
+
+   private:
+    const episodes::TrackWorld* world_ = nullptr;
+  };
+  const ScratchFolder scratch;
+  const episodes::EpisodeSpec spec = pool_episode(GetParam(), 40);
+  Ledger last;
+  const auto result = evaluation::run_recorded(
+      pool_ground(GetParam())->arena(), spec, "random", {}, scratch.path(), &last);
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  const auto motion = episodes::read_motion(evaluation::motion_file(scratch.path(), spec.id));
+  ASSERT_TRUE(motion.ok()) << to_string(motion.error());
+  const episodes::SideEffects told = counted(motion->events);
+  EXPECT_EQ(told.light_contacts, last.effects.light_contacts);
+  EXPECT_EQ(told.firm_contacts, last.effects.firm_contacts);
+  EXPECT_EQ(told.hard_contacts, last.effects.hard_contacts);
+  EXPECT_EQ(told.toppled, last.effects.toppled);
+  EXPECT_EQ(told.dropped, last.effects.dropped);
+  EXPECT_EQ(told.displaced, last.effects.displaced);
+  EXPECT_EQ(told.base_collisions, last.effects.base_collisions);
+  EXPECT_EQ(told.protective_stops, last.effects.protective_stops);
+  EXPECT_GT(told.light_contacts + told.firm_contacts + told.hard_contacts, 0);
+  EXPECT_TRUE(std::ranges::is_sorted(motion->events, {}, &episodes::MotionEvent::step));
+  for (const episodes::MotionEvent& event : motion->events) {
+    if (event.target != episodes::EventTarget::item) continue;
+    EXPECT_EQ(event.sku, spec.items[event.number].sku);
+  }
+}
+
+// What the oracle carries is held from when it is taken until it lies there.
+TEST(MotionRecorder, TellsWhatWasHeld) {
+  const ScratchFolder scratch;
+  const episodes::EpisodeSpec spec = pool_episode(episodes::Track::checkout, 60);
+  const auto result = evaluation::run_recorded(
+      pool_ground(episodes::Track::checkout)->arena(), spec, "oracle-plain", {}, scratch.path());
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  const auto motion = episodes::read_motion(evaluation::motion_file(scratch.path(), spec.id));
+  ASSERT_TRUE(motion.ok()) << to_string(motion.error());
+  ASSERT_GT(result->hits, 0);
+  for (const episodes::GoalOutcome& goal : result->goals) {
+    if (goal.reached == 0) continue;
+    const auto held = std::ranges::find_if(motion->events, [&](const episodes::MotionEvent& event) {
+      return event.kind == episodes::MotionEventKind::held && event.sku == goal.sku;
+    });
+    ASSERT_NE(held, motion->events.end()) << goal.sku;
+    EXPECT_GT(held->last_step, held->step + 20) << "it was carried for a second at least";
+  }
+}
 
 TEST(MotionRecorder, BeginsAnewWithEachEpisode) {
   const episodes::EpisodeSpec spec = pool_episode(episodes::Track::checkout, 1);

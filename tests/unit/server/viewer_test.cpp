@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -15,6 +14,7 @@
 #include "store/open_stores.h"
 #include "store/store.h"
 #include "support/committed_catalog.h"
+#include "support/packed_container.h"
 #include "support/run_program.h"
 
 namespace marketgen {
@@ -22,32 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-// A container as a page reads it.
-struct Container {
-  Json head;
-  std::string data;
-
-  template <class Number>
-  std::vector<Number> numbers(const std::string& name) const {
-    const Json& section = head["sections"][name];
-    const std::size_t count =
-        section["count"].get<std::size_t>() * section["components"].get<std::size_t>();
-    std::vector<Number> values(count);
-    std::memcpy(
-        values.data(), data.data() + section["offset"].get<std::size_t>(), count * sizeof(Number));
-    return values;
-  }
-  std::size_t rows(const std::string& name) const { return head["sections"][name]["count"]; }
-};
-
-Container container_of(const std::string& bytes) {
-  EXPECT_EQ(bytes.substr(0, 4), "MGV1");
-  std::uint32_t length = 0;
-  std::memcpy(&length, bytes.data() + 4, sizeof length);
-  EXPECT_EQ((8 + length) % 8, 0U);
-  return {Json::parse(bytes.substr(8, length)), bytes.substr(8 + length)};
-}
 
 class ViewedStore : public testing::Test {
  protected:

@@ -109,7 +109,8 @@ function cellOf(rows: number[], facing: number, first: number, table: Omit<Goods
   return { first, deep: deep < first ? end : deep, end, facing, fixture: table.fixture[rows[0]!]!, low, high };
 }
 
-export function readGoods(packed: Sections, skus: Summary["skus"]): GoodsTable {
+// `without`: rows that are left out of the cells, and so are not drawn.
+export function readGoods(packed: Sections, skus: Summary["skus"], without: ReadonlySet<number> = new Set()): GoodsTable {
   const position = packed.f32("position", 3);
   const count = position.length / 3;
   const base = {
@@ -139,11 +140,13 @@ export function readGoods(packed: Sections, skus: Summary["skus"]): GoodsTable {
   const order = new Uint32Array(count);
   const cells: Cell[] = [];
   let first = 0;
-  for (const rows of groupedBy(count, (row) => base.fixture[row]! * 8 + facing[row]!).values()) {
+  for (const all of groupedBy(count, (row) => base.fixture[row]! * 8 + facing[row]!).values()) {
+    const rows = all.filter((row) => !without.has(row));
+    if (rows.length === 0) continue;
     rows.sort((a, b) => base.rank[a]! - base.rank[b]! || a - b);
     cells.push(cellOf(rows, facing[rows[0]!]!, first, base, (row) => Math.hypot(...size(row))));
     order.set(rows, first);
     first += rows.length;
   }
-  return { ...base, order, cells };
+  return { ...base, order: order.subarray(0, first), cells };
 }

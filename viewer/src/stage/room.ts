@@ -65,6 +65,11 @@ export class Room {
     return room;
   }
 
+  // Every corner with its light, as the server sends them.
+  get corners(): { readonly position: Float32Array; readonly normal: Int8Array; readonly light: Uint8Array } {
+    return { position: this.arrays.position, normal: this.packed.i8("normal", 4), light: this.packed.u8("light", 4) };
+  }
+
   textures(): number[] {
     return [...new Set(this.surfaces.map(({ texture }) => texture).filter((row) => row >= 0))];
   }

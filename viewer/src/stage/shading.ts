@@ -54,7 +54,7 @@ export interface Shared {
   readonly uDim: IUniform<number>;
 }
 
-function material(vertex: string, fragment: string, uniforms: Record<string, IUniform>, defines: Record<string, string>): RawShaderMaterial {
+export function material(vertex: string, fragment: string, uniforms: Record<string, IUniform>, defines: Record<string, string>): RawShaderMaterial {
   return new RawShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: head + atVertex + vertex,

@@ -66,6 +66,8 @@ export class Stage {
   sight = new Sight([]);
   ceilingHeight = 3;
   readonly pace: Pace;
+  // Two pictures side by side, of the same eye: brings the scene to what the left (0) or right half (1) shows.
+  halves: ((half: 0 | 1) => void) | undefined;
   private dirty = true;
   private wasBusy = false;
   private began = 0; // the last picture
@@ -123,7 +125,8 @@ export class Stage {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setPixelRatio(this.pixelRatio());
     this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.aspect = clientWidth / clientHeight / (this.halves ? 2 : 1);
+    this.camera.updateProjectionMatrix();
     this.redraw();
   }
 
@@ -188,8 +191,23 @@ export class Stage {
   // False: more is to come.
   draw(still: boolean): boolean {
     const done = this.prepare(still);
-    this.renderer.render(this.scene, this.camera);
+    if (this.halves) this.drawHalves(this.halves);
+    else this.renderer.render(this.scene, this.camera);
     return done;
+  }
+
+  private drawHalves(bring: (half: 0 | 1) => void): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    const middle = Math.round(clientWidth / 2);
+    this.renderer.setScissorTest(true);
+    for (const half of [0, 1] as const) {
+      bring(half);
+      const [x, width] = half === 0 ? [0, middle - 1] : [middle + 1, clientWidth - middle - 1];
+      this.renderer.setViewport(x, 0, width, clientHeight);
+      this.renderer.setScissor(x, 0, width, clientHeight);
+      this.renderer.render(this.scene, this.camera);
+    }
+    this.renderer.setScissorTest(false);
   }
 
   private prepare(still: boolean): boolean {

@@ -1,9 +1,30 @@
 // In-Aisle Item Collection as an entry of episodes/tracks.inc.
+#include <utility>
+
+#include "episodes/aisle/aisle_view.h"
 #include "episodes/aisle/sample_aisle.h"
 #include "episodes/track_entry.h"
 
 namespace marketgen::episodes {
 namespace {
+
+class RecordedAisle : public RecordedView {
+ public:
+  RecordedAisle(const Motion& motion, const RecordedPlace& place, std::unique_ptr<AisleView> view)
+      : motion_(motion), place_(place), view_(std::move(view)) {}
+  Result<Image> picture(std::string_view name, std::size_t step, int width, int height) override {
+    MARKETGEN_CHECK(
+        view_->follow(place_.robot, scenery_at(motion_, step, 0), joints_at(motion_, step)));
+    MARKETGEN_TRY(const render::Camera camera, view_->camera(name, width, height));
+    MARKETGEN_TRY(render::Frame frame, view_->renderer().render(camera, {}));
+    return std::move(frame.color);
+  }
+
+ private:
+  const Motion& motion_;
+  const RecordedPlace& place_;
+  std::unique_ptr<AisleView> view_;
+};
 
 class AisleEntry : public TrackEntry {
  public:
@@ -26,6 +47,32 @@ class AisleEntry : public TrackEntry {
     return asked;
   }
   int max_items() const override { return max_goals; }
+
+  // The basket is part of the robot.
+  Result<RecordedPlace> place_of(const std::filesystem::path& data,
+                                 const Motion& motion,
+                                 std::shared_ptr<const scene::Scene> store,
+                                 const catalog::Catalog&) const override {
+    MARKETGEN_TRY(const AisleStation station, load_aisle_station(data, motion.tools));
+    MARKETGEN_TRY(robots::Robot robot, load_station_robot(data, station));
+    return RecordedPlace{std::move(store), "", std::move(robot), {}};
+  }
+
+  std::vector<std::string> recorded_cameras() const override {
+    return {film_camera_name, "head_camera"};
+  }
+
+  Result<std::unique_ptr<RecordedView>> open_recorded(
+      const std::filesystem::path& data,
+      const Motion& motion,
+      const RecordedPlace& place,
+      const std::vector<catalog::Product>&) const override {
+    MARKETGEN_TRY(const AisleStation station, load_aisle_station(data, motion.tools));
+    MARKETGEN_TRY(auto view,
+                  AisleView::create(station, place.robot, *place.scene, {.keep_light = true}));
+    return std::unique_ptr<RecordedView>(
+        std::make_unique<RecordedAisle>(motion, place, std::move(view)));
+  }
 };
 
 }  // namespace

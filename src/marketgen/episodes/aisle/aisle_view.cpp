@@ -38,13 +38,22 @@ constexpr double enough_of_best = 0.6;
 
 }  // namespace
 
-Result<std::unique_ptr<AisleView>> AisleView::create(const AisleWorld& world) {
+Result<std::unique_ptr<AisleView>> AisleView::create(const AisleStation& station,
+                                                     const robots::Robot& robot,
+                                                     const scene::Scene& scene,
+                                                     const render::RendererOptions& options) {
   std::unique_ptr<AisleView> view(new AisleView);
-  view->station_ = world.store().station;
-  MARKETGEN_TRY(view->renderer_, render::Renderer::create(world.store().scene));
-  MARKETGEN_TRY(render::Actor robot, render::robot_actor(world.robot(), world.robot_state(), {}));
-  MARKETGEN_CHECK(view->renderer_->set_actors({std::move(robot)}));
-  view->robot_object_ = render::first_actor_object(world.store().scene);
+  view->station_ = station;
+  MARKETGEN_TRY(view->renderer_, render::Renderer::create(scene, silent_progress(), options));
+  MARKETGEN_TRY(render::Actor actor, render::robot_actor(robot, robots::neutral_state(robot), {}));
+  MARKETGEN_CHECK(view->renderer_->set_actors({std::move(actor)}));
+  view->robot_object_ = render::first_actor_object(scene);
+  return view;
+}
+
+Result<std::unique_ptr<AisleView>> AisleView::create(const AisleWorld& world) {
+  const AisleStore& store = world.store();
+  MARKETGEN_TRY(std::unique_ptr<AisleView> view, create(store.station, world.robot(), store.scene));
   MARKETGEN_CHECK(view->follow(world));
   return view;
 }
@@ -53,16 +62,17 @@ Result<std::unique_ptr<TrackView>> AisleWorld::open_view() const {
   return open_view_of<AisleView>(*this);
 }
 
-Result<void> AisleView::follow(const AisleWorld& world, const Scenery& then) {
+Result<void> AisleView::follow(const robots::Robot& robot,
+                               const Scenery& then,
+                               std::span<const render::MovedJoint> joints) {
   std::vector<render::MovedProduct> moved;
   for (const auto& [row, pose] : then.products)
     moved.push_back({row, pose});
-  MARKETGEN_CHECK(renderer_->move_things(moved, {}));
-  MARKETGEN_CHECK(
-      renderer_->move_actor(0, render::world_link_poses(world.robot(), then.robot, {})));
-  world_from_base_ = base_of(world.robot(), then.robot);
-  world_from_head_ = robots::frame_pose(
-      world.robot(), then.robot, world.robot().find_frame(station_.head_camera.frame));
+  MARKETGEN_CHECK(renderer_->move_things(moved, joints));
+  MARKETGEN_CHECK(renderer_->move_actor(0, render::world_link_poses(robot, then.robot, {})));
+  world_from_base_ = base_of(robot, then.robot);
+  world_from_head_ =
+      robots::frame_pose(robot, then.robot, robot.find_frame(station_.head_camera.frame));
   return {};
 }
 

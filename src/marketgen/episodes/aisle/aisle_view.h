@@ -1,6 +1,7 @@
 // Pictures of a running In-Aisle Item Collection: from the robot's head, and from beside it.
 #pragma once
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "episodes/aisle/aisle_world.h"
@@ -14,11 +15,22 @@ class AisleView {
   // Of the episode to which `world` was reset; the world's store must outlive the view. Errors:
   // those of Renderer::create, link_parts.
   static Result<std::unique_ptr<AisleView>> create(const AisleWorld& world);
+  // The same without a world, to be followed before pictures are taken; the scene must outlive the
+  // view.
+  static Result<std::unique_ptr<AisleView>> create(const AisleStation& station,
+                                                   const robots::Robot& robot,
+                                                   const scene::Scene& scene,
+                                                   const render::RendererOptions& options = {});
 
   // From now on everything is seen where it stands in `world`. Errors: render.bad_move.
   Result<void> follow(const AisleWorld& world) { return follow(world, world.scenery()); }
   // The same, where it stood in `then` of that world.
-  Result<void> follow(const AisleWorld& world, const Scenery& then);
+  Result<void> follow(const AisleWorld& world, const Scenery& then) {
+    return follow(world.robot(), then, {});
+  }
+  Result<void> follow(const robots::Robot& robot,
+                      const Scenery& then,
+                      std::span<const render::MovedJoint> joints);
 
   // As it stood when follow() was called: "head_camera", "film_camera". 0: as many pixels as the
   // station's row says. The film's camera stands where its row says, or on another side of the

@@ -394,11 +394,17 @@ Result<EpisodeResult> AisleWorld::finish() {
   return result;
 }
 
-std::vector<MovedThing> AisleWorld::things() const {
+MovedThing AisleWorld::thing_of(std::uint32_t product) const {
   const scene::Scene& scene = store_->scene;
+  return {ThingKind::product, product, scene.catalog[scene.products[product].sku].sku, {}};
+}
+
+std::vector<MovedThing> AisleWorld::things() const {
   std::vector<MovedThing> things;
-  for (const auto& [row, pose] : scenery().products)
-    things.push_back({ThingKind::product, row, scene.catalog[scene.products[row].sku].sku, pose});
+  for (const auto& [row, pose] : scenery().products) {
+    things.push_back(thing_of(row));
+    things.back().store_from_thing = pose;
+  }
   return things;
 }
 

@@ -54,10 +54,11 @@ class AisleWorld : public TrackWorld {
   const mjData_& data() const override { return world_->data(); }
   AnyWorld any() const override { return this; }
   std::vector<MovedThing> things() const override;
+  MovedThing thing_of(std::uint32_t product) const override;
   std::vector<double> joint_positions() const override;
   Pose store_from_robot() const override { return {}; }
   Result<std::unique_ptr<TrackView>> open_view() const override;  // aisle_view.cpp
-  const EpisodeWatch& watch() const { return watch_; }
+  const EpisodeWatch& watch() const override { return watch_; }
   std::vector<double> robot_state() const override;
   Pose world_from_base() const;
   Pose world_from_basket() const;  // middle of its inner floor

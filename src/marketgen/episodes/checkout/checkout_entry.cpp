@@ -1,13 +1,62 @@
 // Checkout Unloading as an entry of episodes/tracks.inc.
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "episodes/checkout/checkout_scene.h"
+#include "episodes/checkout/checkout_view.h"
 #include "episodes/checkout/sample_checkout.h"
 #include "episodes/track_entry.h"
 
 namespace marketgen::episodes {
 namespace {
+
+std::string station_of(const Motion& motion) {
+  return motion.station.empty() ? checkout_station : motion.station;
+}
+
+class RecordedCheckout : public RecordedView {
+ public:
+  RecordedCheckout(const Motion& motion,
+                   const RecordedPlace& place,
+                   std::unique_ptr<CheckoutView> view)
+      : motion_(motion), place_(place), view_(std::move(view)) {}
+  Result<Image> picture(std::string_view name, std::size_t step, int width, int height) override {
+    const auto first_item = static_cast<std::uint32_t>(place_.scene->products.size());
+    MARKETGEN_CHECK(view_->follow(
+        place_.robot, scenery_at(motion_, step, first_item), joints_at(motion_, step)));
+    MARKETGEN_TRY(const render::Camera camera, view_->camera(name, width, height));
+    MARKETGEN_TRY(render::Frame frame, view_->renderer().render(camera, {}));
+    return std::move(frame.color);
+  }
+
+ private:
+  const Motion& motion_;
+  const RecordedPlace& place_;
+  std::unique_ptr<CheckoutView> view_;
+};
+
+// The items of a motion, by number. Error: there is no row of one.
+Result<void> add_items(scene::Scene& scene,
+                       const Motion& motion,
+                       const std::vector<catalog::Product>& products) {
+  std::map<std::uint32_t, const ThingMotion*> items;
+  for (const ThingMotion& thing : motion.things)
+    if (thing.kind == ThingKind::item) items[thing.number] = &thing;
+  std::uint32_t next = 0;
+  for (const auto& [number, thing] : items) {
+    const auto row = std::ranges::find(products, thing->sku, &catalog::Product::sku);
+    if (row == products.end() || number != next++ || thing->poses.empty())
+      return Error{"catalog.unknown_sku",
+                   thing->sku,
+                   fmt::format("item {} of {} cannot be drawn", number, motion.episode)};
+    add_item(scene, *row, {{thing->poses[0], thing->poses[1], thing->poses[2]}, {}});
+  }
+  return {};
+}
 
 class CheckoutEntry : public TrackEntry {
  public:
@@ -37,6 +86,48 @@ class CheckoutEntry : public TrackEntry {
     return static_cast<int>(spec.items.size());
   }
   int max_items() const override { return max_targets + max_others; }
+
+  Result<RecordedPlace> place_of(const std::filesystem::path& data,
+                                 const Motion& motion,
+                                 std::shared_ptr<const scene::Scene> store,
+                                 const catalog::Catalog& catalog) const override {
+    const std::string named = station_of(motion);
+    MARKETGEN_TRY(const CheckoutStation station, load_checkout_station(data, named, motion.tools));
+    MARKETGEN_TRY(robots::Robot robot, load_station_robot(data, station));
+    CheckoutPlace place = checkout_room(station);
+    if (!motion.lane.empty()) {
+      MARKETGEN_TRY(
+          place, checkout_at_lane(station, *store, catalog, motion.lane, motion.episode + "/lane"));
+    }
+    return RecordedPlace{std::make_shared<scene::Scene>(std::move(place.surroundings)),
+                         named + "/" + motion.lane,
+                         std::move(robot),
+                         basket_actor(station)};
+  }
+
+  std::vector<std::string> recorded_cameras() const override {
+    return {std::string(name_of(StationCamera::scene)), std::string(name_of(StationCamera::wrist))};
+  }
+
+  Result<std::unique_ptr<RecordedView>> open_recorded(
+      const std::filesystem::path& data,
+      const Motion& motion,
+      const RecordedPlace& place,
+      const std::vector<catalog::Product>& products) const override {
+    MARKETGEN_TRY(const CheckoutStation station,
+                  load_checkout_station(data, station_of(motion), motion.tools));
+    auto scene = std::make_unique<scene::Scene>(*place.scene);
+    MARKETGEN_CHECK(add_items(*scene, motion, products));
+    const std::vector<double>& at = motion.store_from_robot;
+    MARKETGEN_TRY(auto view,
+                  CheckoutView::create(station,
+                                       place.robot,
+                                       std::move(scene),
+                                       {{at[0], at[1], at[2]}, {at[3], at[4], at[5], at[6]}},
+                                       {.keep_light = true}));
+    return std::unique_ptr<RecordedView>(
+        std::make_unique<RecordedCheckout>(motion, place, std::move(view)));
+  }
 };
 
 }  // namespace

@@ -204,15 +204,20 @@ std::unique_ptr<scene::Scene> checkout_scene(const CheckoutPlace& place,
   auto scene = std::make_unique<scene::Scene>(place.surroundings);
   scene->layout.name = spec.id;
   const Pose store_from_basket = place.store_from_station * station_from_basket;
-  for (std::size_t i = 0; i < goods.size(); ++i) {
-    scene::SceneProduct product;
-    product.sku = static_cast<std::uint32_t>(scene->catalog.size());
-    product.facing = scene::no_facing;
-    scene::place(product, store_from_basket * spec.items[i].pose());
-    scene->catalog.push_back(goods[i]->product);
-    scene->products.push_back(product);
-  }
+  for (std::size_t i = 0; i < goods.size(); ++i)
+    add_item(*scene, goods[i]->product, store_from_basket * spec.items[i].pose());
   return scene;
+}
+
+void add_item(scene::Scene& scene,
+              const catalog::Product& product,
+              const Pose& store_from_product) {
+  scene::SceneProduct item;
+  item.sku = static_cast<std::uint32_t>(scene.catalog.size());
+  item.facing = scene::no_facing;
+  scene::place(item, store_from_product);
+  scene.catalog.push_back(product);
+  scene.products.push_back(item);
 }
 
 }  // namespace marketgen::episodes

@@ -38,4 +38,7 @@ std::unique_ptr<scene::Scene> checkout_scene(const CheckoutPlace& place,
                                              const EpisodeSpec& spec,
                                              const std::vector<SharedEpisodeGoods>& goods);
 
+// One more product of the place: the next of its items, there.
+void add_item(scene::Scene& scene, const catalog::Product& product, const Pose& store_from_product);
+
 }  // namespace marketgen::episodes

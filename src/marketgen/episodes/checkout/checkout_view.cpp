@@ -10,6 +10,8 @@ namespace {
 
 constexpr render::ActorSurface basket_plastic{{0.42F, 0.03F, 0.025F}, 0.45F, 0};
 
+}  // namespace
+
 render::Actor basket_actor(const CheckoutStation& station) {
   render::ActorBody body;
   body.name = "basket";
@@ -27,17 +29,30 @@ render::Actor basket_actor(const CheckoutStation& station) {
   return {"basket", {std::move(body)}};
 }
 
-}  // namespace
+Result<std::unique_ptr<CheckoutView>> CheckoutView::create(const CheckoutStation& station,
+                                                           const robots::Robot& robot,
+                                                           std::unique_ptr<scene::Scene> scene,
+                                                           const Pose& store_from_station,
+                                                           const render::RendererOptions& options) {
+  std::unique_ptr<CheckoutView> view(new CheckoutView);
+  view->station_ = station;
+  view->world_from_station_ = store_from_station;
+  view->scene_ = std::move(scene);
+  MARKETGEN_TRY(view->renderer_,
+                render::Renderer::create(*view->scene_, silent_progress(), options));
+  MARKETGEN_TRY(
+      render::Actor actor,
+      render::robot_actor(robot, robots::neutral_state(robot), view->world_from_station_));
+  MARKETGEN_CHECK(view->renderer_->set_actors({basket_actor(station), std::move(actor)}));
+  return view;
+}
 
 Result<std::unique_ptr<CheckoutView>> CheckoutView::create(const CheckoutWorld& world) {
-  std::unique_ptr<CheckoutView> view(new CheckoutView);
-  view->station_ = world.station();
-  view->world_from_station_ = world.store_from_station();
-  view->scene_ = std::make_unique<scene::Scene>(world.scene());
-  MARKETGEN_TRY(view->renderer_, render::Renderer::create(*view->scene_));
-  MARKETGEN_TRY(render::Actor robot,
-                render::robot_actor(world.robot(), world.robot_state(), view->world_from_station_));
-  MARKETGEN_CHECK(view->renderer_->set_actors({basket_actor(world.station()), std::move(robot)}));
+  MARKETGEN_TRY(std::unique_ptr<CheckoutView> view,
+                create(world.station(),
+                       world.robot(),
+                       std::make_unique<scene::Scene>(world.scene()),
+                       world.store_from_station()));
   MARKETGEN_CHECK(view->follow(world));
   return view;
 }
@@ -50,16 +65,17 @@ std::uint32_t CheckoutView::object_of_item(const CheckoutWorld& world, std::size
   return render::first_product_object(world.scene()) + world.product_of(item);
 }
 
-Result<void> CheckoutView::follow(const CheckoutWorld& world, const Scenery& then) {
+Result<void> CheckoutView::follow(const robots::Robot& robot,
+                                  const Scenery& then,
+                                  std::span<const render::MovedJoint> joints) {
   std::vector<render::MovedProduct> items;
   for (const auto& [row, pose] : then.products)
     items.push_back({row, pose});
-  MARKETGEN_CHECK(renderer_->move_things(items, {}));
+  MARKETGEN_CHECK(renderer_->move_things(items, joints));
   MARKETGEN_CHECK(renderer_->move_actor(0, {&*then.basket, 1}));
-  const std::vector<Pose> links =
-      render::world_link_poses(world.robot(), then.robot, world_from_station_);
+  const std::vector<Pose> links = render::world_link_poses(robot, then.robot, world_from_station_);
   MARKETGEN_CHECK(renderer_->move_actor(1, links));
-  world_from_hand_ = links[static_cast<std::size_t>(world.robot().find_link("hand"))];
+  world_from_hand_ = links[static_cast<std::size_t>(robot.find_link("hand"))];
   return {};
 }
 

@@ -6,6 +6,7 @@
 // the basket, actor 1 the robot.
 #pragma once
 #include <memory>
+#include <span>
 
 #include "episodes/checkout/checkout_world.h"
 #include "episodes/track_view.h"
@@ -18,16 +19,31 @@ constexpr std::array<std::string_view, 2> names_of(StationCamera) {
   return {"scene_camera", "wrist_camera"};
 }
 
+// The station's basket: one body, in its container's frame.
+render::Actor basket_actor(const CheckoutStation& station);
+
 class CheckoutView {
  public:
   // Of the episode to which `world` was reset. Errors: those of Renderer::create, link_parts.
   static Result<std::unique_ptr<CheckoutView>> create(const CheckoutWorld& world);
+  // The same without a world, to be followed before pictures are taken. `scene`: the place with the
+  // episode's items.
+  static Result<std::unique_ptr<CheckoutView>> create(const CheckoutStation& station,
+                                                      const robots::Robot& robot,
+                                                      std::unique_ptr<scene::Scene> scene,
+                                                      const Pose& store_from_station,
+                                                      const render::RendererOptions& options = {});
 
   // From now on everything is seen where it stands in `world`. Errors: render.bad_move, and nothing
   // has moved: the physics has lost something.
   Result<void> follow(const CheckoutWorld& world) { return follow(world, world.scenery()); }
   // The same, where it stood in `then` of that world.
-  Result<void> follow(const CheckoutWorld& world, const Scenery& then);
+  Result<void> follow(const CheckoutWorld& world, const Scenery& then) {
+    return follow(world.robot(), then, {});
+  }
+  Result<void> follow(const robots::Robot& robot,
+                      const Scenery& then,
+                      std::span<const render::MovedJoint> joints);
 
   // As it stood when follow() was called. 0: as many pixels as the station's row says; other sizes
   // see the same width.

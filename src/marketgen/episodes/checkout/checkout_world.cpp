@@ -412,15 +412,20 @@ double CheckoutWorld::deepest_overlap_m() const {
   return deepest;
 }
 
+MovedThing CheckoutWorld::thing_of(std::uint32_t product) const {
+  const bool item = product >= first_item_;
+  return {item ? ThingKind::item : ThingKind::product,
+          item ? product - first_item_ : product,
+          scene_->catalog[scene_->products[product].sku].sku,
+          {}};
+}
+
 std::vector<MovedThing> CheckoutWorld::things() const {
   const Scenery now = scenery();
   std::vector<MovedThing> things;
   for (const auto& [row, pose] : now.products) {
-    const bool item = row >= first_item_;
-    things.push_back({item ? ThingKind::item : ThingKind::product,
-                      item ? row - first_item_ : row,
-                      scene_->catalog[scene_->products[row].sku].sku,
-                      pose});
+    things.push_back(thing_of(row));
+    things.back().store_from_thing = pose;
   }
   things.push_back({ThingKind::basket, 0, "", *now.basket});
   return things;

@@ -69,7 +69,7 @@ class CheckoutWorld : public TrackWorld {
   Pose basket_pose() const;                    // station_from_container
   Scenery scenery() const override;
   const physics::RobotController& controller() const override { return controller_; }
-  const EpisodeWatch& watch() const { return watch_; }
+  const EpisodeWatch& watch() const override { return watch_; }
   const EpisodeWatch::Item& watched(std::size_t item) const {
     return watch_.items().at(product_of(item));
   }
@@ -92,6 +92,7 @@ class CheckoutWorld : public TrackWorld {
   const mjData_& data() const override { return world_->data(); }
   AnyWorld any() const override { return this; }
   std::vector<MovedThing> things() const override;
+  MovedThing thing_of(std::uint32_t product) const override;
   std::vector<double> joint_positions() const override;
   Pose store_from_robot() const override { return store_from_station(); }
   Result<std::unique_ptr<TrackView>> open_view() const override;  // checkout_view.cpp

@@ -1,0 +1,74 @@
+// The addresses of recorded episodes, below those of the store in which they happened:
+// /api/stores/N/runs and /api/stores/N/places (docs/viewer.md).
+#pragma once
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "catalog/catalog.h"
+#include "server/http_message.h"
+#include "server/replay_episode.h"
+#include "server/replay_runs.h"
+#include "store/store.h"
+
+namespace marketgen::server {
+
+// Thread-safe.
+class Replays {
+ public:
+  // `catalog` outlives it. Errors: those of ReplayRuns::open.
+  static Result<std::unique_ptr<Replays>> open(
+      const std::vector<std::string>& folders,
+      std::vector<std::shared_ptr<const store::Store>> stores,
+      const catalog::Catalog& catalog);
+
+  // What is below /runs of a store. `words`: the path's parts behind it.
+  Result<HttpReply> answer(std::size_t store,
+                           const HttpAsk& ask,
+                           const std::vector<std::string>& words);
+
+  // A place of the store, as a store of its own; known once one of its episodes was asked for.
+  // Null: there is none of that number.
+  std::shared_ptr<const store::Store> place(std::size_t store, std::uint64_t number);
+
+ private:
+  struct Place {
+    std::size_t store = 0;
+    std::string id;
+    std::shared_ptr<const store::Store> made;
+  };
+  using Key = std::pair<std::size_t, std::size_t>;  // run, episode
+  Replays(ReplayRuns runs,
+          std::vector<std::shared_ptr<const store::Store>> stores,
+          const catalog::Catalog& catalog)
+      : runs_(std::move(runs)), stores_(std::move(stores)), catalog_(catalog) {}
+
+  Result<std::shared_ptr<ReplayEpisode>> episode(std::size_t store, const Key& key);
+  Result<HttpReply> of_episode(std::size_t store,
+                               const HttpAsk& ask,
+                               const Key& key,
+                               const std::vector<std::string>& words);
+  Result<HttpReply> summary(std::size_t store, const ReplayEpisode& episode);
+  Result<HttpReply> picture(const std::shared_ptr<ReplayEpisode>& episode, const HttpAsk& ask);
+  static Result<HttpReply> poses(const ReplayEpisode& episode, const HttpAsk& ask);
+  int number_of(std::size_t store, const episodes::RecordedPlace& place);
+
+  ReplayRuns runs_;
+  std::vector<std::shared_ptr<const store::Store>> stores_;
+  const catalog::Catalog& catalog_;
+  std::mutex mutex_;                                                  // of all below
+  std::list<std::pair<Key, std::shared_ptr<ReplayEpisode>>> opened_;  // newest first
+  std::vector<Place> places_;
+
+  // Who took the last picture: a renderer is large, and one episode is looked at at a time.
+  std::mutex taking_;
+  std::shared_ptr<ReplayEpisode> taken_of_;
+  std::unique_ptr<episodes::RecordedView> taker_;  // reads taken_of_
+};
+
+}  // namespace marketgen::server
