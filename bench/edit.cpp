@@ -15,9 +15,13 @@ using Json = nlohmann::json;
 // A page that edits, without a socket between it and the server.
 class Page {
  public:
-  Page(std::shared_ptr<const store::Store> store, const catalog::Catalog& catalog)
+  // `grasps` must outlive it.
+  Page(std::shared_ptr<const store::Store> store,
+       const catalog::Catalog& catalog,
+       const server::GraspFacts& grasps)
       : editor_(std::move(store),
                 std::make_shared<const catalog::Catalog>(catalog),
+                grasps,
                 [](const std::filesystem::path&) -> Result<int> { return 0; }) {}
 
   Result<server::HttpReply> post(const std::string& verb, Json body = Json::object()) {
@@ -70,7 +74,8 @@ Figures run_edit(const catalog::Catalog& catalog) {
   MARKETGEN_CHECK(store::create_store(options, catalog));
   MARKETGEN_TRY(store::Store opened, store::open_store(options.folder, catalog));
   const auto products = static_cast<double>(opened.scene.products.size());
-  Page page(std::make_shared<const store::Store>(std::move(opened)), catalog);
+  MARKETGEN_TRY(const server::GraspFacts grasps, server::read_grasp_facts());
+  Page page(std::make_shared<const store::Store>(std::move(opened)), catalog, grasps);
   MARKETGEN_TRY(const Json head, page.begin());
   MARKETGEN_TRY(const Json patches, movable(page, head["cuts"]));
 

@@ -21,7 +21,8 @@ ViewHandle serve(const StoreHandle& handle, int port) {
   options.port = port;
   options.embed = true;
   return {value_or_raise(without_interpreter([&] {
-    return server::ViewServer::start(options, {{handle.store}, *handle.catalog});
+    return server::ViewServer::start(options,
+                                     store::opened_stores({handle.store}, *handle.catalog));
   }))};
 }
 

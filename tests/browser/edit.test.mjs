@@ -1,15 +1,12 @@
 // Editing a store in the page of `marketgen view`: Debian's Chromium drags a border, takes it back, saves the store and makes it again.
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { chromium } from "playwright-core";
+import { launch, openPage, program, serve, take } from "./served.mjs";
 
-const program = process.env.MARKETGEN_BINARY ?? join(import.meta.dirname, "../../build/release/marketgen");
-const browserPath = process.env.MARKETGEN_CHROMIUM ?? "/usr/bin/chromium";
-const pictures = process.env.MARKETGEN_BROWSER_PICTURES;
 const patience = 120_000; // milliseconds for the store to be built and shown, on a busy machine
 
 const plan = {
@@ -39,27 +36,13 @@ const plan = {
 
 let folder, store, server, address, browser;
 
-async function addressOf(process) {
-  let said = "";
-  for await (const text of process.stdout) {
-    said += text;
-    const found = /http:\/\/\S+/.exec(said);
-    if (found) return found[0];
-  }
-  throw new Error(`marketgen view ended without an address: ${said}`);
-}
-
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "marketgen-edit-"));
   store = join(folder, "shop");
   writeFileSync(join(folder, "plan.json"), JSON.stringify(plan));
   execFileSync(program, ["generate", "--plan", join(folder, "plan.json"), "--seed", "3", "--no-previews", "--quiet", "-o", store]);
-  server = spawn(program, ["view", store, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
-  address = await addressOf(server);
-  browser = await chromium.launch({
-    executablePath: browserPath,
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-  });
+  ({ server, address } = await serve([store]));
+  browser = await launch();
 });
 
 after(async () => {
@@ -69,14 +52,9 @@ after(async () => {
 });
 
 async function open(options = {}, at = address) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-GB", reducedMotion: "reduce", ...options });
-  const page = await context.newPage();
-  const faults = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(message.text()));
-  page.on("pageerror", (error) => faults.push(String(error)));
-  await page.goto(at);
-  await page.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
-  return { page, faults, close: () => context.close() };
+  const opened = await openPage(browser, at, { viewport: { width: 1280, height: 800 }, ...options });
+  await opened.page.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
+  return opened;
 }
 
 async function openEditor(page) {
@@ -89,12 +67,6 @@ const steps = (page) => page.locator(".edit .lines li:not(.none)").count();
 const undone = (page) => page.locator(".edit .lines .undone").count();
 const products = (page) => page.evaluate(() => window.marketgen.stage.goods.table.count);
 const idle = (page) => page.waitForFunction(() => document.querySelector(".edit").getAttribute("aria-busy") === "false", null, { timeout: patience });
-
-async function take(page, name) {
-  if (!pictures) return;
-  mkdirSync(pictures, { recursive: true });
-  await page.screenshot({ path: join(pictures, `${name}.png`) });
-}
 
 // Drags the border of a cut by so many pixels.
 async function drag(page, node, dx, dy, letGo = true) {

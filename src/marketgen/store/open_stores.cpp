@@ -7,16 +7,22 @@
 namespace marketgen::store {
 
 Result<OpenedStores> open_stores(const std::vector<std::string>& folders, catalog::Catalog rows) {
-  OpenedStores opened{{}, rows, std::move(rows)};
+  std::vector<std::shared_ptr<const Store>> stores;
   for (const std::string& folder : folders) {
-    MARKETGEN_TRY(Store store, open_store(folder, opened.catalog));
+    MARKETGEN_TRY(Store store, open_store(folder, rows));
     const auto same = [&](const std::shared_ptr<const Store>& other) {
       return other->manifest.scene_hash == store.manifest.scene_hash;
     };
-    if (std::ranges::any_of(opened.stores, same))
+    if (std::ranges::any_of(stores, same))
       return Error{"usage.bad_flag", folder, "is the same store as another one: name each once"};
-    opened.stores.push_back(std::make_shared<const Store>(std::move(store)));
+    stores.push_back(std::make_shared<const Store>(std::move(store)));
   }
+  return opened_stores(std::move(stores), std::move(rows));
+}
+
+OpenedStores opened_stores(std::vector<std::shared_ptr<const Store>> stores,
+                           catalog::Catalog rows) {
+  OpenedStores opened{std::move(stores), rows, std::move(rows)};
   for (const auto& store : opened.stores)
     if (store->manifest.own)
       opened.catalog = catalog::with_own_products(std::move(opened.catalog), *store->manifest.own);

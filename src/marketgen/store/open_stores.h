@@ -18,4 +18,7 @@ struct OpenedStores {
 // those of open_store.
 Result<OpenedStores> open_stores(const std::vector<std::string>& folders, catalog::Catalog rows);
 
+// Of stores that were opened with `rows`.
+OpenedStores opened_stores(std::vector<std::shared_ptr<const Store>> stores, catalog::Catalog rows);
+
 }  // namespace marketgen::store

@@ -138,8 +138,10 @@ class EditedOnline : public testing::Test {
 
   static inline ScratchFolder* scratch = nullptr;
   static inline std::shared_ptr<const store::Store> base;
+  server::GraspFacts grasps = server::read_grasp_facts().value();
   server::Editor editor{base,
                         std::make_shared<const catalog::Catalog>(committed_catalog()),
+                        grasps,
                         [](const fs::path&) -> Result<int> { return 1; }};
   std::string token;
 };
