@@ -36,7 +36,8 @@ std::shared_ptr<const store::Store> corner_shop() {
 
 const evaluation::GoalsTable& goals_of_shop() {
   static const evaluation::GoalsTable table =
-      evaluation::goals_table({{corner_shop()}, committed_catalog()}, io::data_folder().value())
+      evaluation::goals_table(store::opened_stores({corner_shop()}, committed_catalog()),
+                              io::data_folder().value())
           .value();
   return table;
 }
