@@ -1,0 +1,29 @@
+"""Policies from outside: models in servers of others and in checkpoints, behind rows of adapters (docs/remote.md).
+
+    addresses.py  who is named by a text        adapters.py    rows: what a model sees and says
+    openpi.py     protocols                     adaptation.py  a row at work
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..arguments import a_text
+from ..errors import Error
+from ..policy_process import policy_of_text
+from .adapters import adapter_named
+from .addresses import is_address, server_policy
+
+
+def policy_named(text: str, adapter: str | None) -> Any:
+    """What evaluate() runs, of a text: one of the program's own as it is, else an object.
+
+    Raises Error usage.bad_flag, input.not_found, and those of rows of adapters.
+    """
+    if is_address(text):
+        return server_policy(text, adapter_named, None if adapter is None else a_text("adapter", adapter))
+    if adapter is not None:
+        raise Error("usage.bad_flag", "adapter", f"{text!r} sees and acts as environments do: rows of adapters are for openpi://HOST:PORT and its like")
+    if ":" in text and not text.startswith("vlm("):
+        return policy_of_text(text)
+    return text
