@@ -6,6 +6,7 @@ else be taken for that to the next question.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import socket
 import time
@@ -24,6 +25,7 @@ class Websocket:
     def __init__(self, address: str, hang_limit_s: float):
         self.address, self._hang_limit_s = address, hang_limit_s
         self._socket: Any = None
+        self._open = contextlib.ExitStack()
 
     @property
     def is_connected(self) -> bool:
@@ -47,7 +49,7 @@ class Websocket:
     def _connect(self, limit_s: float) -> None:
         connect = _websockets().sync.client.connect
         # No pings: a server that computes in the thread that would answer them is slow, not gone.
-        self._socket = connect(
+        opened = connect(
             f"ws://{self.address}",
             compression=None,
             max_size=MAX_BYTES,
@@ -55,6 +57,7 @@ class Websocket:
             ping_interval=None,
             logger=_silent(),
         )
+        self._socket = self._open.enter_context(opened)
         self._socket.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def send(self, message: bytes) -> None:
@@ -86,7 +89,7 @@ class Websocket:
     def close(self) -> None:
         if self._socket is not None:
             self._socket.close_timeout = LOOK_UP_S  # one that hangs does not answer that, either
-            self._socket.close()
+            self._open.close()
         self._socket = None
 
 
