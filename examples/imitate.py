@@ -1,14 +1,17 @@
 """Record, train, evaluate: a policy of LeRobot learns one task from the oracle's demonstrations, and is measured beside chance.
 
     pip install "marketgen[lerobot]" lerobot
-    python examples/imitate.py [--out FOLDER] [--demonstrations 90] [--steps 4000] [--trials 40]
+    python examples/imitate.py [--out FOLDER] [--demonstrations 100] [--steps 6000] [--trials 40]
+
+Without LeRobot it records a few demonstrations and measures chance alone.
 
 The task: one tin, on a counter, is to be brought onto the unloading area; where it stands and how it faces is drawn. Leaves in FOLDER
-(out/examples/imitate) the two files of episodes, the dataset, the checkpoint (policy/), results/ and random/. What is there already is
+(out/examples/imitate) the two files of episodes, the dataset, the checkpoint (policy/), results/ and random/ (scores). What is there already is
 not made again, so that it may be run stage by stage. docs/remote.md says what was measured.
 """
 
 import argparse
+import importlib.util
 import pathlib
 
 import gymnasium
@@ -17,7 +20,7 @@ import numpy as np
 import marketgen
 
 SKU, LIMIT_S = "canned-luncheon-meat-200g", 15.0  # the oracle moves with care: it takes nine seconds
-SIZE, CHUNK, EXECUTED = (96, 96), 20, 10
+CAMERA, SIZE, CHUNK, EXECUTED = "wrist_camera", (64, 64), 20, 10  # that of the hand sees the tin from the first moment on
 FIRST_TRIAL = 1_000_000  # seeds of trials are none of demonstrations
 BATCH, RATE = 8, 3e-4
 
@@ -100,33 +103,44 @@ def train(dataset, checkpoint, steps):
         part.save_pretrained(checkpoint)
 
 
-def measure(trials, out):
-    """The checkpoint and chance on episodes that are in no demonstration, by the paired test of the leaderboard."""
-    marketgen.evaluate(trials, f"lerobot:{out / 'policy'}", out / "results", resume=True)
-    marketgen.evaluate(trials, "random", out / "random", resume=True)
-    [track] = marketgen.leaderboard([out / "results", out / "random"])["tracks"]
+def measure(trials, policies):
+    """Policies, by the folders of their results, on episodes that are in no demonstration; the paired test is the leaderboard's."""
+    for folder, policy in policies.items():
+        marketgen.evaluate(trials, policy, folder, resume=True)
+    [track] = marketgen.leaderboard(list(policies))["tracks"]
     for entry in track["entries"]:
         share, beside = entry["strict"], entry.get("to_best")
         p = f", p = {beside['p_strict']:.2g} beside the best" if beside else ""
         print(f"{entry['policy']:>16}: {share['number']} of {share['of']}{p}")
 
 
-def main():
+def asked_for():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    learns = importlib.util.find_spec("lerobot") is not None
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/examples/imitate"))
-    for name, number in (("demonstrations", 90), ("steps", 4000), ("trials", 40)):
-        parser.add_argument(f"--{name}", type=int, default=number)
-    given = parser.parse_args()
+    parser.add_argument("--demonstrations", type=int, default=100 if learns else 2)
+    parser.add_argument("--steps", type=int, default=6000)
+    parser.add_argument("--trials", type=int, default=40 if learns else 2)
+    return parser.parse_args(), learns
+
+
+def main():
+    given, learns = asked_for()
     given.out.mkdir(parents=True, exist_ok=True)
-    shown, trials, dataset = (given.out / name for name in ("shown.jsonl", "trials.jsonl", "dataset"))
+    shown, trials, dataset, checkpoint = (given.out / name for name in ("shown.jsonl", "trials.jsonl", "dataset", "policy"))
     for file, first, count in ((shown, 0, given.demonstrations), (trials, FIRST_TRIAL, given.trials)):
         if not file.exists():
             draw(file, first, count)
-    made = marketgen.record(shown, dataset, "oracle", size=SIZE, success_only=True, resume=True)
+    made = marketgen.record(shown, dataset, "oracle", cameras=[CAMERA], size=SIZE, success_only=True, resume=True)
     print(f"{made.episodes} demonstrations, {made.frames:,} frames", flush=True)
-    if not (given.out / "policy").exists():
-        train(dataset, given.out / "policy", given.steps)
-    measure(trials, given.out)
+    policies = {given.out / "random": "random"}
+    if learns:
+        if not checkpoint.exists():
+            train(dataset, checkpoint, given.steps)
+        policies[given.out / "results"] = f"lerobot:{checkpoint}"
+    else:
+        print("training needs LeRobot: pip install lerobot")
+    measure(trials, policies)
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ def _parser() -> argparse.ArgumentParser:
     out = parser.add_mutually_exclusive_group(required=True)
     out.add_argument("-o", "--output", metavar="DATASET", help="the folder to make; until it is done DATASET.unfinished")
     out.add_argument("--check", metavar="DATASET", help="instead: execute the actions of a dataset and compare the states")
-    add("--policy", default="oracle", help="oracle, classical, ... or FILE.py:NAME (default: %(default)s)")
+    add("--policy", default="oracle", help="oracle, classical, ... FILE.py:NAME or python:MODULE:NAME (default: %(default)s)")
     add("--cameras", metavar="NAMES", help="scene_camera,wrist_camera; none: numbers alone (default: all that the robot has)")
     add("--size", default="256x256", help="of the pictures (default: %(default)s)")
     add("--quality", default="fast", choices=("fast", "balanced", "best"), help="of the pictures (default: %(default)s)")
