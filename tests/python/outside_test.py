@@ -32,10 +32,10 @@ NOT_ISOLATED = pytest.mark.filterwarnings("ignore::marketgen.IsolationWarning")
 
 
 @contextlib.contextmanager
-def server(folder, fault="nothing", mark=None):
+def server(folder, fault="nothing", mark=None, program=SERVER):
     """host:port of one that runs."""
     port = folder / f"port-{fault}"
-    words = [sys.executable, SERVER, port, fault, *([mark] if mark else [])]
+    words = [sys.executable, program, port, fault, *([mark] if mark else [])]
     with subprocess.Popen(list(map(str, words))) as process:
         try:
             until = time.monotonic() + 60

@@ -11,6 +11,7 @@ from typing import Any
 from ..errors import Error
 from .acting import Model, ModelActs
 from .adapters import Adapter
+from .groot import Groot
 from .openpi import OpenPi
 
 PREFIX = "remote:"
@@ -32,7 +33,10 @@ class Protocol:
     adapter: str
 
 
-PROTOCOLS = {"openpi": Protocol({"websockets": "websockets", "msgpack": "msgpack"}, OpenPi, "marketgen")}
+PROTOCOLS = {
+    "openpi": Protocol({"websockets": "websockets", "msgpack": "msgpack"}, OpenPi, "marketgen"),
+    "groot": Protocol({"zmq": "pyzmq", "msgpack": "msgpack"}, Groot, "groot-panda"),
+}
 
 
 @dataclasses.dataclass(frozen=True)
