@@ -36,7 +36,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     add = parser.add_argument
     add("--episodes", required=True, metavar="FILE", help="a file of `marketgen episodes`, or a set that comes with the program: pool/checkout")
-    add("--policy", required=True, help="openpi://HOST:PORT, python:MODULE:NAME, FILE.py:NAME, or one of the program's own")
+    add("--policy", required=True, help="openpi://HOST:PORT, groot://HOST:PORT, lerobot:FOLDER, python:MODULE:NAME, FILE.py:NAME, or one of the program's own")
     add("--adapter", metavar="ROW", help="what a model of others sees and says: a row of the program's own, or FILE.yaml:ROW")
     add("--name", default="", help="under which the results have it")
     add("-o", "--output", required=True, metavar="FOLDER", help="folder for the results")

@@ -90,7 +90,8 @@ def evaluate(
     policy       "oracle", "classical" (or "classical+target": docs/episodes.md, what each module costs), "vlm(openai:gpt-4o)" (docs/vlm.md), or one that knows
                  nothing ("highest", "random", "stop"); or an object
                  with act(), a class of such, or a function that acts; or "FILE.py:NAME", "python:MODULE:NAME", one of these that
-                 only the policy's own process loads; or a model of others (docs/remote.md): "openpi://HOST:PORT"
+                 only the policy's own process loads; or a model of others (docs/remote.md): "openpi://HOST:PORT",
+                 "groot://HOST:PORT", "lerobot:FOLDER"
     folder       gets results.jsonl, a line as each episode finishes, and summary.json
     jobs         episodes at a time; 0: as many as there are cores
     resume       go on with a run that was broken off

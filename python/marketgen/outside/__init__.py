@@ -1,8 +1,8 @@
 """Policies from outside: models in servers of others and in checkpoints, behind rows of adapters (docs/remote.md).
 
-    addresses.py  who is named by a text        adapters.py    rows: what a model sees and says
-    openpi.py     protocols                     adaptation.py  a row at work
-    lerobot.py    checkpoints                   acting.py      asked for some steps at a time
+    addresses.py          who is named by a text        adapters.py    rows: what a model sees and says
+    openpi.py, groot.py   protocols of servers          adaptation.py  a row at work
+    lerobot.py            checkpoints                   acting.py      asked for some steps at a time
 """
 
 from __future__ import annotations
