@@ -1,5 +1,5 @@
 # The commands a contributor needs; `make help` lists them. What they run is in tools/ and CMakePresets.json.
-.PHONY: help setup build viewer demo gallery test sanitize fuzz bench format lint clean
+.PHONY: help setup build viewer docs demo gallery test sanitize fuzz bench format lint clean
 .DEFAULT_GOAL := help
 
 # WERROR=ON: warnings stop the release build, as in CI. TIDY: what `make test` gives to clang-tidy: CHANGED (150 s at
@@ -27,6 +27,9 @@ viewer: ## the page of `marketgen view`: viewer/dist
 	tools/setup build
 	cmake --preset release -DMARKETGEN_TESTS=OFF -DMARKETGEN_WERROR=$(WERROR)
 	cmake --build --preset release --target marketgen_page
+
+docs: build ## the documentation as a web site: build/site
+	tools/docs
 
 demo: build ## make, draw and check a 24 x 15 m store in out/demo; film a robot at both tasks in it
 	rm -rf $(DEMO)

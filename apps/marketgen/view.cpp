@@ -13,6 +13,7 @@ namespace {
 
 struct ViewFlags {
   CommonFlags common;
+  std::vector<std::string> folders;
   server::ServeOptions serve;
   bool no_open = false;
 };
@@ -30,7 +31,9 @@ Result<void> view(const ViewFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
   return server::serve(
-      flags.serve, std::move(rows), [&](const std::string& address) { tell(flags, address); });
+      flags.serve, flags.folders, std::move(rows), [&](const std::string& address) {
+        tell(flags, address);
+      });
 }
 
 }  // namespace
@@ -38,7 +41,7 @@ Result<void> view(const ViewFlags& flags) {
 Run add_view(CLI::App& app) {
   auto flags = std::make_shared<ViewFlags>();
   CLI::App* command = app.add_subcommand("view", "Show stores in a browser, until Ctrl-C");
-  command->add_option("folders", flags->serve.folders, "store folders")->required();
+  command->add_option("folders", flags->folders, "store folders")->required();
   constexpr int max_port = 65535;
   command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
       ->check(whole_number(0, max_port))
@@ -50,6 +53,9 @@ Run add_view(CLI::App& app) {
                    "numeric address to listen on; any but loopback needs --token")
       ->capture_default_str();
   command->add_option("--token", flags->serve.token, "secret that every request must carry");
+  command->add_flag("--embed",
+                    flags->serve.embed,
+                    "pages that this machine serves, as Jupyter's, may show it in a frame");
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
       "Example:  marketgen view shop\n"

@@ -26,6 +26,7 @@ void add_evaluations(nb::module_& module);
 void add_rankings(nb::module_& module);
 void add_motions(nb::module_& module);
 void add_program_policies(nb::module_& module);
+void add_views(nb::module_& module);
 
 template <class T>
 T value_or_raise(Result<T> result) {

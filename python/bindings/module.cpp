@@ -21,4 +21,5 @@ NB_MODULE(_core, module) {
   add_rankings(module);
   add_motions(module);
   add_program_policies(module);
+  add_views(module);
 }

@@ -25,6 +25,7 @@ from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict,
 from .rankings import leaderboard, merge, tables
 from .recording import Recording, record, replay_check
 from .store import Store, generate, open_store
+from .views import View
 
 _core.use_python(sys.executable or "")  # its helper processes have this environment's packages
 
@@ -49,6 +50,7 @@ __all__ = [
     "Renderer",
     "Store",
     "StoreWarning",
+    "View",
     "__version__",
     "camera_from_dict",
     "camera_to_dict",

@@ -14,6 +14,7 @@ from . import _core, arguments
 from .arguments import MAX_SEED, MAX_SIDE_PX, PathLike, Progress
 from .errors import Error, StoreWarning
 from .pictures import Camera, Renderer
+from .views import View, show
 
 
 class Store:
@@ -77,6 +78,18 @@ class Store:
     def report(self) -> dict[str, Any]:
         """report.json: wishes met, rules broken, metrics."""
         return json.loads(self._handle._report())
+
+    def show(self, *, height: int = 600, port: int = 0) -> View:
+        """The store's page, as `marketgen view` has it: in a notebook's cell, or a browser at the address that it says.
+
+        height  of the cell, pixels
+        port    to listen on, of 127.0.0.1; 0 any free one
+
+        It is served by threads of this process until close() of the answer, which a `with` does, or until Python ends. The
+        browser has to run on this machine, or to reach the port through `ssh -L`. Raises Error server.cannot_listen,
+        usage.unavailable where the page is not installed.
+        """
+        return show(self._handle, height, port)
 
     def query(self, table: str, where: str = "") -> list[dict[str, Any]]:
         """Rows of products, fixtures, zones, prices, materials or planogram.

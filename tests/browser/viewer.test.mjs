@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -241,6 +242,12 @@ test("products are coloured by what they cost, with a legend, and are themselves
   await page.waitForTimeout(1500);
   await take(page, "heat");
   assert.notEqual(await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join()), before);
+  for (const [name, legend] of [["mass", /^≤ \d+\.\d\d kg≥ \d+\.\d\d kg$/], ["pickRate", /^≤ \d+ %≥ \d+ %$/]]) {
+    await page.getByLabel("Colour the products by").selectOption(name);
+    assert.match(await page.locator(".legend").textContent(), legend);
+    await page.waitForTimeout(500);
+    await take(page, `heat-${name}`);
+  }
   await page.getByLabel("Colour the products by").selectOption("");
   assert.equal(await page.evaluate(() => window.marketgen.stage.goods.standIns.color.slice(0, 4000).join()), before);
   assert.equal(await page.locator(".legend").isHidden(), true);
@@ -437,4 +444,41 @@ test("what the server says of an error is read, and a store that does not come i
   const third = await open("", {}, (page) => page.route("**/room.bin", (route) => route.fulfill({ body: "MGV2" })));
   await third.page.locator(".fault", { hasText: "does not understand" }).waitFor({ timeout: patience });
   await third.close();
+});
+
+// As Jupyter shows it: a page of another port of this machine has it in a frame.
+async function framed(flags) {
+  const shown = spawn(program, ["view", store, "--no-open", ...flags], { stdio: ["ignore", "pipe", "inherit"] });
+  const at = await addressOf(shown);
+  const notebook = createServer((_, answer) => {
+    answer.setHeader("Content-Type", "text/html");
+    answer.end(`<!doctype html><title>notebook</title><link rel="icon" href="data:,"><iframe src="${at}" style="width:900px;height:480px"></iframe>`);
+  });
+  await new Promise((ready) => notebook.listen(0, "127.0.0.1", ready));
+  const { page, faults, close } = await open("", {}, undefined, `http://127.0.0.1:${notebook.address().port}/`);
+  const end = async () => {
+    await close();
+    notebook.close();
+    shown.kill("SIGINT");
+  };
+  return { page, faults, at, end };
+}
+
+test("a notebook's frame has the page, where that was said", async () => {
+  const { page, faults, at, end } = await framed(["--embed"]);
+  await page.waitForFunction(() => frames.length === 1);
+  const frame = page.frames().find((one) => one.url().startsWith(at));
+  await frame.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
+  await take(page, "notebook");
+  assert.equal(await frame.locator("h1").textContent(), await frame.evaluate(async () => (await (await fetch("api/stores/0")).json()).name));
+  assert.deepEqual(faults, []);
+  await end();
+});
+
+test("otherwise no other page has it in a frame", async () => {
+  const { page, faults, end } = await framed([]);
+  await page.waitForFunction(() => frames.length === 1);
+  await page.waitForTimeout(500);
+  assert.ok(faults.some((fault) => fault.includes("frame-ancestors")), faults.join("; "));
+  await end();
 });

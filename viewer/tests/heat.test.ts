@@ -22,6 +22,14 @@ test("each colour is lighter than the one before, and none is beyond the ends", 
   expect(rampColor(2)).toEqual([...ramp[4]]);
 });
 
+test("a product without the figure is grey, and no end of the scale", () => {
+  const studied = skus.map((sku, i) => ({ ...sku, pick_rate: [0.25, -1, 0.75][i]!, mass_kg: i }));
+  const rate = heatOf("pickRate", table, studied);
+  expect([rate.low, rate.high]).toEqual([0.25, 0.75]);
+  expect([...rate.colors]).toEqual([...ramp[4], ...ramp[0], 128, 128, 128]);
+  expect(heatOf("mass", table, studied).high).toBe(2);
+});
+
 test("where all cost the same, one colour is enough", () => {
   const same = heatOf("price", table, skus.map((sku) => ({ ...sku, price: 2 })));
   expect([...same.colors.subarray(0, 3)]).toEqual([...ramp[2]]);

@@ -13,22 +13,6 @@
 namespace marketgen::server {
 namespace {
 
-std::vector<CardGrasp> grasps_of(const catalog::Product& product,
-                                 const GraspFacts& facts,
-                                 const std::vector<catalog::FrictionRow>& frictions) {
-  std::vector<CardGrasp> grasps;
-  for (const robots::GraspTool& tool : facts.tools) {
-    const std::optional<grasping::GraspRate> rate = facts.table.find(product, tool, frictions);
-    if (!rate) continue;
-    grasps.push_back({tool.id,
-                      rate->tries.size(),
-                      rate->held(),
-                      rate->tries.empty() ? "" : std::string(name_of(rate->tries[0].end)),
-                      rate->excluded});
-  }
-  return grasps;
-}
-
 void add_row(ProductCard& card, const catalog::Product& p) {
   card.sku = p.sku;
   card.ean = p.ean;
@@ -72,6 +56,22 @@ void add_place(ProductCard& card, const scene::Scene& scene, const scene::SceneP
 }
 
 }  // namespace
+
+std::vector<CardGrasp> grasps_of(const catalog::Product& product,
+                                 const GraspFacts& facts,
+                                 const std::vector<catalog::FrictionRow>& frictions) {
+  std::vector<CardGrasp> grasps;
+  for (const robots::GraspTool& tool : facts.tools) {
+    const std::optional<grasping::GraspRate> rate = facts.table.find(product, tool, frictions);
+    if (!rate) continue;
+    grasps.push_back({tool.id,
+                      rate->tries.size(),
+                      rate->held(),
+                      rate->tries.empty() ? "" : std::string(name_of(rate->tries[0].end)),
+                      rate->excluded});
+  }
+  return grasps;
+}
 
 Result<GraspFacts> read_grasp_facts() {
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());

@@ -174,6 +174,11 @@ struct GraspFacts {
 // Errors: those of GraspTable::read and load_grasp_tool.
 Result<GraspFacts> read_grasp_facts();
 
+// One a tool that the study had on the product.
+std::vector<CardGrasp> grasps_of(const catalog::Product& product,
+                                 const GraspFacts& facts,
+                                 const std::vector<catalog::FrictionRow>& frictions);
+
 // Precondition: `row` is a row of the scene's products, of its fixtures.
 ProductCard product_card(const scene::Scene& scene,
                          std::uint32_t row,

@@ -33,11 +33,12 @@ using boost::system::error_code;
 namespace marketgen::server {
 namespace {
 
-// Nothing from elsewhere, no script but the page's files, in no other site's frame.
+// Nothing from elsewhere, no script but the page's files, in no frame but `frames`: of this site
+// itself, and perhaps of what runs on this machine.
 constexpr std::string_view security_headers =
     "Content-Security-Policy: default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src "
     "'self' 'unsafe-inline'; img-src 'self' blob: data:; connect-src 'self'; worker-src 'self' "
-    "blob:; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'\r\n"
+    "blob:; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors {}\r\n"
     "X-Content-Type-Options: nosniff\r\n"
     "Referrer-Policy: no-referrer\r\n"
     "Cross-Origin-Resource-Policy: same-origin\r\n"
@@ -88,10 +89,22 @@ Result<Sent> sent_form(const HttpBody& body, const HttpAsk& ask) {
   return sent;
 }
 
+std::string security_for(bool embed) {
+  constexpr std::string_view own = "'self'",
+                             of_this_machine = "'self' http://localhost:* http://127.0.0.1:*";
+  return fmt::format(fmt::runtime(security_headers), embed ? of_this_machine : own);
+}
+
+// Of every answer on a connection.
+struct Terms {
+  bool close = false;  // after it
+  bool embed = false;  // see HttpServerOptions
+};
+
 std::string head_of(
-    const HttpReply& reply, std::size_t bytes, bool packed, int status, bool close) {
+    const HttpReply& reply, std::size_t bytes, bool packed, int status, const Terms& terms) {
   std::string head =
-      fmt::format("HTTP/1.1 {} {}\r\n{}", status, phrase_of(status), security_headers);
+      fmt::format("HTTP/1.1 {} {}\r\n{}", status, phrase_of(status), security_for(terms.embed));
   head += fmt::format("Content-Type: {}\r\nETag: {}\r\nVary: Accept-Encoding\r\n",
                       reply.body->type,
                       reply.body->etag);
@@ -101,7 +114,7 @@ std::string head_of(
   if (reply.retry_after_s > 0) head += fmt::format("Retry-After: {}\r\n", reply.retry_after_s);
   if (status == 405) head += "Allow: GET, HEAD\r\n";
   if (status != 304) head += fmt::format("Content-Length: {}\r\n", bytes);
-  return head + (close ? "Connection: close\r\n\r\n" : "Connection: keep-alive\r\n\r\n");
+  return head + (terms.close ? "Connection: close\r\n\r\n" : "Connection: keep-alive\r\n\r\n");
 }
 
 // Stands for a request that could not be read.
@@ -144,18 +157,18 @@ struct Outgoing {
   }
 };
 
-Outgoing outgoing(const HttpAsk& ask, HttpReply reply, bool close) {
+Outgoing outgoing(const HttpAsk& ask, HttpReply reply, const Terms& terms) {
   Result<Sent> sent = sent_form(*reply.body, ask);
-  if (!sent.ok()) return outgoing(unread(), error_reply(500, sent.error()), true);
+  if (!sent.ok()) return outgoing(unread(), error_reply(500, sent.error()), {true, terms.embed});
   Outgoing out;
   out.reply = std::move(reply);
   out.sent = std::move(sent).value();
-  out.close = close;
+  out.close = terms.close;
   const bool unchanged = out.reply.status == 200 &&
                          ask.header("if-none-match") == std::string_view(out.reply.body->etag);
   out.with_body = !unchanged && ask.method != "HEAD";
   out.head = head_of(
-      out.reply, out.bytes().size(), out.sent.packed, unchanged ? 304 : out.reply.status, close);
+      out.reply, out.bytes().size(), out.sent.packed, unchanged ? 304 : out.reply.status, terms);
   return out;
 }
 
@@ -232,7 +245,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
                                                  {"server.bad_request",
                                                   "request",
                                                   "is not HTTP, or too long: " + failed.message()}),
-                                     true)
+                                     {true, self->state_.options.embed})
                           : self->state_.answer_to(self->parser_->get());
       asio::dispatch(self->stream_.get_executor(), [self] { self->write(self->out_.head, true); });
     });
@@ -273,11 +286,11 @@ class Session : public std::enable_shared_from_this<Session<State>> {
 
 Outgoing HttpServer::State::answer_to(const Request& request) const {
   const Result<HttpAsk> ask = ask_of(request);
-  if (!ask.ok()) return outgoing(unread(), error_reply(400, ask.error()), true);
+  if (!ask.ok()) return outgoing(unread(), error_reply(400, ask.error()), {true, options.embed});
   // A body that nobody reads would be taken for the next request.
   const bool close = !request.keep_alive() || request.has_content_length() || request.chunked();
   std::optional<HttpReply> refused = guard->refusal(*ask);
-  return outgoing(*ask, refused ? *std::move(refused) : handler(*ask), close);
+  return outgoing(*ask, refused ? *std::move(refused) : handler(*ask), {close, options.embed});
 }
 
 void HttpServer::State::accept() {

@@ -17,6 +17,7 @@ struct HttpServerOptions {
   std::string host = "127.0.0.1";  // a numeric address; "::1" too
   int port = 0;                    // 0: any free one
   std::string token;               // see GuardRules
+  bool embed = false;              // pages that this machine serves may show ours in a frame
   int threads = 64;                // some wait for what is being built
   int max_connections = 256;
   int timeout_ms = 10'000;

@@ -43,20 +43,46 @@ Result<void> check_host(const ServeOptions& options) {
 
 }  // namespace
 
-Result<void> serve(const ServeOptions& options,
-                   catalog::Catalog rows,
-                   const std::function<void(const std::string&)>& opened) {
+// The server goes first: its threads ask the viewer.
+struct ViewServer::Parts {
+  std::unique_ptr<Viewer> viewer;
+  std::unique_ptr<HttpServer> server;
+};
+
+ViewServer::ViewServer(std::unique_ptr<Parts> parts, std::string address)
+    : parts_(std::move(parts)), address_(std::move(address)) {}
+ViewServer::~ViewServer() = default;
+
+Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& options,
+                                                      store::OpenedStores stores) {
   MARKETGEN_CHECK(check_host(options));
   MARKETGEN_TRY(const std::filesystem::path page, page_folder());
-  MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(options.folders, std::move(rows)));
-  MARKETGEN_TRY(const std::unique_ptr<Viewer> viewer, Viewer::open(std::move(stores), page));
+  auto parts = std::make_unique<Parts>();
+  MARKETGEN_TRY(parts->viewer, Viewer::open(std::move(stores), page));
   HttpServerOptions http;
   http.host = options.host;
   http.port = options.port;
   http.token = options.token;
-  MARKETGEN_TRY(const std::unique_ptr<HttpServer> server,
-                HttpServer::start(http, [&](const HttpAsk& ask) { return viewer->answer(ask); }));
-  opened(server->address() + (options.token.empty() ? "" : "?token=" + options.token));
+  http.embed = options.embed;
+  MARKETGEN_TRY(parts->server,
+                HttpServer::start(http, [&viewer = *parts->viewer](const HttpAsk& ask) {
+                  return viewer.answer(ask);
+                }));
+  std::string address =
+      parts->server->address() + (options.token.empty() ? "" : "?token=" + options.token);
+  return std::unique_ptr<ViewServer>(new ViewServer(std::move(parts), std::move(address)));
+}
+
+Result<void> serve(const ServeOptions& options,
+                   const std::vector<std::string>& folders,
+                   catalog::Catalog rows,
+                   const std::function<void(const std::string&)>& opened) {
+  MARKETGEN_CHECK(check_host(options));
+  if (const auto page = page_folder(); !page.ok()) return page.error();  // before any work
+  MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(folders, std::move(rows)));
+  MARKETGEN_TRY(const std::unique_ptr<ViewServer> server,
+                ViewServer::start(options, std::move(stores)));
+  opened(server->address());
   while (true) {
     MARKETGEN_CHECK(check_interrupt());
     std::this_thread::sleep_for(between_looks);

@@ -1,25 +1,46 @@
-// `marketgen view`: stores in a browser, until the program is interrupted.
+// Stores in a browser: `marketgen view`, and what a notebook shows.
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "catalog/catalog.h"
+#include "store/open_stores.h"
 
 namespace marketgen::server {
 
 struct ServeOptions {
-  std::vector<std::string> folders;
   std::string host = "127.0.0.1";
-  int port = 0;       // 0: any free one
-  std::string token;  // needed for a host other than loopback
+  int port = 0;        // 0: any free one
+  std::string token;   // needed for a host other than loopback
+  bool embed = false;  // pages of this machine, as a notebook's, may show it in a frame
 };
 
-// Calls `opened` with the address once it answers, then serves until it is interrupted, and returns
-// that. Errors: usage.bad_flag (a host without a token, a host that is no numeric address),
-// usage.unavailable (no page), server.cannot_listen; those of open_stores.
+class ViewServer {
+ public:
+  // Answers until it is destroyed. Errors: usage.bad_flag (a host without a token, a host that is
+  // no numeric address), usage.unavailable (no page), server.cannot_listen; those of Viewer::open.
+  static Result<std::unique_ptr<ViewServer>> start(const ServeOptions& options,
+                                                   store::OpenedStores stores);
+  ViewServer(const ViewServer&) = delete;
+  ViewServer& operator=(const ViewServer&) = delete;
+  ~ViewServer();
+
+  const std::string& address() const { return address_; }  // with the token
+
+ private:
+  struct Parts;
+  ViewServer(std::unique_ptr<Parts> parts, std::string address);
+  std::unique_ptr<Parts> parts_;
+  std::string address_;
+};
+
+// `marketgen view`: calls `opened` with the address once it answers, then serves until it is
+// interrupted, and returns that. Errors: those of ViewServer::start and open_stores.
 Result<void> serve(const ServeOptions& options,
+                   const std::vector<std::string>& folders,
                    catalog::Catalog rows,
                    const std::function<void(const std::string&)>& opened);
 

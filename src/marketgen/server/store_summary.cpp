@@ -1,5 +1,6 @@
 #include "server/store_summary.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "render/cameras/camera.h"
@@ -8,6 +9,8 @@
 
 namespace marketgen::server {
 namespace {
+
+constexpr double not_studied = -1;  // a pick rate
 
 std::array<double, 3> numbers(Vec3 v) {
   return {v.x, v.y, v.z};
@@ -80,7 +83,16 @@ std::vector<ViewJoint> joints_of(const scene::Scene& scene) {
   return rows;
 }
 
-std::vector<ViewSku> skus_of(const scene::Scene& scene) {
+double pick_rate(const std::vector<CardGrasp>& grasps) {
+  double best = not_studied;
+  for (const CardGrasp& grasp : grasps)
+    best = std::max(best, grasp.tries == 0 ? 0 : grasp.held / static_cast<double>(grasp.tries));
+  return best;
+}
+
+std::vector<ViewSku> skus_of(const scene::Scene& scene,
+                             const GraspFacts& grasps,
+                             const std::vector<catalog::FrictionRow>& frictions) {
   std::vector<ViewSku> rows;
   for (const catalog::Product& p : scene.catalog)
     rows.push_back({p.sku,
@@ -92,6 +104,8 @@ std::vector<ViewSku> skus_of(const scene::Scene& scene) {
                     p.category,
                     p.price,
                     {p.width_m(), p.depth_m(), p.height_m()},
+                    p.mass_kg,
+                    pick_rate(grasps_of(p, grasps, frictions)),
                     p.label.primary,
                     0});
   for (const scene::SceneProduct& item : scene.products)
@@ -109,7 +123,10 @@ StoreLine line_of(int number, const store::Store& store) {
           store.scene.products.size()};
 }
 
-StoreSummary summary_of(int number, const store::Store& store) {
+StoreSummary summary_of(int number,
+                        const store::Store& store,
+                        const GraspFacts& grasps,
+                        const std::vector<catalog::FrictionRow>& frictions) {
   const scene::Scene& scene = store.scene;
   const plan::Shell& shell = scene.layout.shell;
   const render::raytrace::Room room = render::raytrace::room_of(shell);
@@ -133,7 +150,7 @@ StoreSummary summary_of(int number, const store::Store& store) {
   summary.violations = scene.layout.violations;
   summary.fixtures = fixtures_of(scene);
   summary.joints = joints_of(scene);
-  summary.skus = skus_of(scene);
+  summary.skus = skus_of(scene, grasps, frictions);
   return summary;
 }
 

@@ -8,6 +8,7 @@
 #include "base/fields.h"
 #include "layout/layout.h"
 #include "scene/scene.h"
+#include "server/cards.h"
 #include "store/store.h"
 
 namespace marketgen::server {
@@ -98,6 +99,7 @@ struct ViewSku {
   std::string sku, ean, name, name_zh, brand, variant, category;
   double price = 0;
   std::array<double, 3> size_m{};
+  double mass_kg = 0, pick_rate = 0;
   std::string color;
   std::uint64_t products = 0;
   static constexpr auto fields =
@@ -110,6 +112,11 @@ struct ViewSku {
                  field("category", &ViewSku::category, "category"),
                  field("price", &ViewSku::price, "euro"),
                  field("size_m", &ViewSku::size_m, "width, depth, height"),
+                 field("mass_kg", &ViewSku::mass_kg, "mass"),
+                 field("pick_rate",
+                       &ViewSku::pick_rate,
+                       "share of a tool's grasps that held in the grasp study, of the best tool; "
+                       "-1 where none was studied"),
                  field("color", &ViewSku::color, "ground colour of the pack, #rrggbb"),
                  field("products", &ViewSku::products, "how many stand in the store"));
 };
@@ -156,6 +163,9 @@ struct StoreSummary {
 };
 
 StoreLine line_of(int number, const store::Store& store);
-StoreSummary summary_of(int number, const store::Store& store);
+StoreSummary summary_of(int number,
+                        const store::Store& store,
+                        const GraspFacts& grasps,
+                        const std::vector<catalog::FrictionRow>& frictions);
 
 }  // namespace marketgen::server

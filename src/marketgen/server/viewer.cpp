@@ -107,7 +107,8 @@ Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
   MARKETGEN_TRY(viewer->grasps_, read_grasp_facts());
   for (const std::unique_ptr<Opened>& opened : viewer->stores_) {
     const store::Store& store = *opened->store;
-    opened->summary = json_reply(io::write_json_line(summary_of(opened->number, store)));
+    opened->summary = json_reply(io::write_json_line(
+        summary_of(opened->number, store, viewer->grasps_, viewer->catalog_.frictions)));
     ViewFile goods = goods_table(store.scene);
     opened->goods = {.body = make_body(goods.type, std::move(goods.bytes))};
     opened->build = std::make_unique<ViewBuild>(opened->store, viewer->building_);

@@ -1,6 +1,8 @@
-// The frozen set that comes with the program is whole, opens, and is what it is said to be.
+// The frozen sets that come with the program are whole, open, and are what they are said to be.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <sstream>
 
@@ -17,10 +19,19 @@ const fs::path shipped_data = fs::path(MARKETGEN_SOURCE_DIR) / "data";
 const fs::path v1_folder = shipped_data / "benchmark/v1";
 constexpr std::size_t v1_stores = 10, v1_episodes_a_store = 100;
 
-class FrozenBenchmark : public testing::Test {
+struct FrozenSet {
+  const char* name;
+  episodes::Track track;
+};
+constexpr std::array v1_sets{FrozenSet{"checkout", episodes::Track::checkout},
+                             FrozenSet{"aisle", episodes::Track::aisle},
+                             FrozenSet{"aisle-suction", episodes::Track::aisle}};
+
+class FrozenBenchmark : public testing::TestWithParam<FrozenSet> {
  protected:
   void SetUp() override {
-    const auto file = episodes::find_episode_file("v1/checkout", shipped_data);
+    const auto file =
+        episodes::find_episode_file(std::string("v1/") + GetParam().name, shipped_data);
     ASSERT_TRUE(file.ok()) << to_string(file.error());
     const auto ground = environments::EpisodeGround::of_file(*file);
     ASSERT_TRUE(ground.ok()) << to_string(ground.error());
@@ -29,12 +40,12 @@ class FrozenBenchmark : public testing::Test {
   std::shared_ptr<environments::EpisodeGround> ground_;
 };
 
-TEST_F(FrozenBenchmark, HasAHundredEpisodesOfEachOfItsStores) {
+TEST_P(FrozenBenchmark, HasAHundredEpisodesOfEachOfItsStores) {
   EXPECT_EQ(ground_->stores().size(), v1_stores);
   std::map<std::string, std::size_t> of_store;
   for (const episodes::EpisodeSpec& spec : ground_->episodes()) {
     ++of_store[spec.scene_hash];
-    EXPECT_EQ(spec.track, episodes::Track::checkout);
+    EXPECT_EQ(spec.track, GetParam().track);
     EXPECT_FALSE(spec.certificate.witness.empty()) << spec.id;
     EXPECT_EQ(spec.instruction.find(spec.goals.front().sku), std::string::npos) << spec.id;
   }
@@ -42,7 +53,7 @@ TEST_F(FrozenBenchmark, HasAHundredEpisodesOfEachOfItsStores) {
     EXPECT_EQ(of_store[store.scene_hash], v1_episodes_a_store) << store.scene_hash;
 }
 
-TEST_F(FrozenBenchmark, ItsFirstAndLastEpisodesOpen) {
+TEST_P(FrozenBenchmark, ItsFirstAndLastEpisodesOpen) {
   for (const episodes::EpisodeSpec* spec :
        {&ground_->episodes().front(), &ground_->episodes().back()}) {
     const auto world = ground_->arena().open(*spec);
@@ -50,20 +61,26 @@ TEST_F(FrozenBenchmark, ItsFirstAndLastEpisodesOpen) {
   }
 }
 
-TEST_F(FrozenBenchmark, ItsStoresAreInItsFiles) {
+TEST_P(FrozenBenchmark, ItsStoresAreInItsFiles) {
   for (const episodes::EpisodeStore& store : ground_->stores()) {
     ASSERT_TRUE(store.scene) << store.scene_hash;
     EXPECT_EQ(io::sha256_of_file(store.scene->file).value(), store.scene->sha256);
   }
 }
 
-TEST_F(FrozenBenchmark, SumsAreThoseOfAllItsFiles) {
+TEST(FrozenBenchmarkFolder, SumsAreThoseOfAllItsFiles) {
   std::istringstream sums(io::read_file(v1_folder / "SHA256SUMS").value());
   std::size_t files = 0;
   for (std::string sum, name; sums >> sum >> name; ++files)
     EXPECT_EQ(io::sha256_of_file(v1_folder / name).value(), sum) << name;
-  EXPECT_EQ(files, 1 + v1_stores);
+  EXPECT_EQ(files, v1_sets.size() + v1_stores);
 }
+
+INSTANTIATE_TEST_SUITE_P(V1, FrozenBenchmark, testing::ValuesIn(v1_sets), [](const auto& set) {
+  std::string name = set.param.name;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace marketgen

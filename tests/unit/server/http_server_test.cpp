@@ -190,6 +190,21 @@ TEST_F(HttpServer, WaitsForNobodySlow) {
   EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(5));
 }
 
+TEST_F(HttpServer, IsInFramesOfThisMachineOnlyWhenSaid) {
+  const auto frames = [&] {
+    const std::string policy = get(port_, "/").headers.at("content-security-policy");
+    return policy.substr(policy.find("frame-ancestors"));
+  };
+  start();
+  EXPECT_EQ(frames(), "frame-ancestors 'self'");
+  server::HttpServerOptions options;
+  options.embed = true;
+  start(options);
+  EXPECT_EQ(frames(), "frame-ancestors 'self' http://localhost:* http://127.0.0.1:*");
+  EXPECT_EQ(get(port_, "/nothing").headers.at("content-security-policy").find("'none'"), 12U)
+      << "and nothing else is laxer";
+}
+
 TEST_F(HttpServer, LimitsHowOftenOneMayAsk) {
   server::HttpServerOptions options;
   std::tie(options.limits.burst, options.limits.requests_per_s) = std::pair(3.0, 0.001);

@@ -154,6 +154,27 @@ TEST_F(ViewedStore, IsSummedUp) {
   EXPECT_EQ(products, scene().products.size());
 }
 
+// The list's figures are those of the cards.
+TEST_F(ViewedStore, SaysOfEachSkuHowHeavyItIsAndHowWellItIsGrasped) {
+  const Json skus = of_store("")["skus"];
+  std::set<std::uint32_t> seen;
+  std::set<double> rates;
+  for (std::uint32_t row = 0; row < scene().products.size(); ++row) {
+    const std::uint32_t sku = scene().products[row].sku;
+    if (!seen.insert(sku).second) continue;
+    const Json card = of_store("/products/" + std::to_string(row));
+    EXPECT_EQ(skus[sku]["mass_kg"], card["mass_kg"]);
+    double best = -1;
+    for (const Json& grasp : card["grasps"])
+      best = std::max(
+          best,
+          grasp["tries"] == 0 ? 0.0 : grasp["held"].get<double>() / grasp["tries"].get<double>());
+    EXPECT_EQ(skus[sku]["pick_rate"], best) << card["sku"];
+    rates.insert(best);
+  }
+  EXPECT_GT(rates.size(), 2U);
+}
+
 TEST_F(ViewedStore, HasItsGoodsWhereTheSceneHasThem) {
   const Container goods = container("/goods.bin");
   ASSERT_EQ(goods.rows("position"), scene().products.size());
@@ -399,11 +420,11 @@ TEST_F(ViewedStore, ServesThePageAndNothingBeside) {
 
 TEST(Serving, RefusesBeforeAnyWork) {
   const auto code = [](const server::ServeOptions& options) {
-    const auto served = server::serve(options, committed_catalog(), [](const std::string&) {});
+    const auto served =
+        server::serve(options, {"/nowhere"}, committed_catalog(), [](const std::string&) {});
     return served.ok() ? std::string("ok") : served.error().code;
   };
   server::ServeOptions options;
-  options.folders = {"/nowhere"};
   options.host = "0.0.0.0";
   EXPECT_EQ(code(options), "usage.bad_flag");
   options.token = "short";

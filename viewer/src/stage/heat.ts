@@ -2,7 +2,7 @@
 import type { Sku } from "../store/contract";
 import type { GoodsTable } from "./goods_table";
 
-export const heatNames = ["price", "height"] as const;
+export const heatNames = ["price", "height", "mass", "pickRate"] as const;
 export type HeatName = (typeof heatNames)[number];
 
 export interface Heat {
@@ -20,6 +20,8 @@ export const ramp = [
   [240, 249, 33],
 ] as const;
 
+const unknown = [128, 128, 128] as const; // of a product without the figure
+
 const outliers = 0.02; // share of products at either end that take the end's colour
 
 export function rampColor(share: number): [number, number, number] {
@@ -28,15 +30,20 @@ export function rampColor(share: number): [number, number, number] {
   return [0, 1, 2].map((k) => Math.round(ramp[from]![k]! + (ramp[from + 1]![k]! - ramp[from]![k]!) * (at - from))) as [number, number, number];
 }
 
+const figureOf: Record<HeatName, (sku: Sku, bottom: number) => number> = {
+  price: (sku) => sku.price,
+  height: (sku, bottom) => bottom + sku.size_m[2] / 2,
+  mass: (sku) => sku.mass_kg,
+  pickRate: (sku) => (sku.pick_rate < 0 ? NaN : sku.pick_rate),
+};
+
 export function heatOf(name: HeatName, table: GoodsTable, skus: readonly Sku[]): Heat {
-  const figures = Float64Array.from({ length: table.count }, (_, row) => {
-    const sku = skus[table.sku[row]!]!;
-    return name === "price" ? sku.price : table.position[row * 3 + 2]! + sku.size_m[2] / 2;
-  });
-  const sorted = figures.toSorted();
+  const figures = Float64Array.from({ length: table.count }, (_, row) => figureOf[name](skus[table.sku[row]!]!, table.position[row * 3 + 2]!));
+  const sorted = figures.filter((figure) => !Number.isNaN(figure)).sort();
   const at = (share: number): number => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
   const [low, high] = [at(outliers), at(1 - outliers)];
   const colors = new Uint8Array(table.count * 3);
-  figures.forEach((figure, row) => colors.set(rampColor(high > low ? (figure - low) / (high - low) : 0.5), row * 3));
+  const color = (figure: number): ArrayLike<number> => (Number.isNaN(figure) ? unknown : rampColor(high > low ? (figure - low) / (high - low) : 0.5));
+  figures.forEach((figure, row) => colors.set(color(figure), row * 3));
   return { low, high, colors };
 }

@@ -86,6 +86,8 @@ export interface Sku {
   readonly category: string;
   readonly price: number;
   readonly size_m: Triple;
+  readonly mass_kg: number;
+  readonly pick_rate: number; // of the grasp study; -1: it had none
   readonly color: string;
   readonly products: number;
 }

@@ -70,7 +70,7 @@ export class LayersPanel {
     if (!name || !heat) return;
     const bar = element("div", { class: "bar" });
     bar.style.background = `linear-gradient(to right, ${[0, 0.25, 0.5, 0.75, 1].map((share) => `rgb(${rampColor(share).join(" ")})`).join(", ")})`;
-    const text = (value: number): string => (name === "price" ? `€ ${this.speech.number(value, 2)}` : this.speech.say("metres", { value: this.speech.number(value, 2) }));
+    const text = (value: number): string => figureText(this.speech, name, value);
     this.legend.replaceChildren(bar, element("span", { text: `≤ ${text(heat.low)}` }), element("span", { text: `≥ ${text(heat.high)}` }));
   }
 
@@ -80,7 +80,20 @@ export class LayersPanel {
   }
 }
 
-const heatKeys = { price: "price", height: "heightAbove" } as const;
+const heatKeys = { price: "price", height: "heightAbove", mass: "mass", pickRate: "pickRate" } as const;
+
+function figureText(speech: Speech, name: HeatName, value: number): string {
+  switch (name) {
+    case "price":
+      return `€ ${speech.number(value, 2)}`;
+    case "height":
+      return speech.say("metres", { value: speech.number(value, 2) });
+    case "mass":
+      return `${speech.number(value, 2)} kg`;
+    case "pickRate":
+      return `${speech.number(100 * value)} %`;
+  }
+}
 
 function countedText(speech: Speech, name: LayerName, violations: number): string {
   const key: TextKey = name;
