@@ -67,11 +67,12 @@ EnvironmentHandle create_environment(std::shared_ptr<environments::EpisodeGround
   return {value_or_raise(environments::Environment::create(std::move(ground), of, options))};
 }
 
-// name, low, high of each number.
-std::vector<std::tuple<std::string, double, double>> action_numbers(const EnvironmentHandle& h) {
-  std::vector<std::tuple<std::string, double, double>> rows;
+// name, low, high, unit and its dimension of each number.
+using ActionRow = std::tuple<std::string, double, double, double, std::string>;
+std::vector<ActionRow> action_numbers(const EnvironmentHandle& h) {
+  std::vector<ActionRow> rows;
   for (const environments::ActionNumber& number : h.environment->action_numbers())
-    rows.emplace_back(number.name, number.low, number.high);
+    rows.emplace_back(number.name, number.low, number.high, number.unit, std::string(number.dimension));
   return rows;
 }
 

@@ -16,6 +16,7 @@ import sys
 
 from . import _core, policies
 from ._core import __version__
+from .episode_files import write_episodes
 from .errors import Error, IsolationWarning, StoreWarning
 from .evaluation import Evaluation, Policy, evaluate
 from .motion import read_motion
@@ -65,4 +66,5 @@ __all__ = [
     "render_batch",
     "replay_check",
     "tables",
+    "write_episodes",
 ]

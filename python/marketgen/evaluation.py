@@ -14,7 +14,7 @@ import sys
 import tempfile
 import time
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -22,7 +22,10 @@ import numpy as np
 from . import _core, arguments, confinement
 from .arguments import PathLike, Progress
 from .errors import Error, IsolationWarning
-from .policy_process import PolicyFailed, PolicyFile, PolicyHere, PolicyProcess
+from .outside import policy_named
+from .outside.acting import ModelPlayer
+from .outside.addresses import ServerPolicy
+from .policy_process import PolicyFailed, PolicyHere, PolicyProcess, PolicySource
 from .policy_sight import sight
 from .stages import Stages
 
@@ -77,6 +80,8 @@ def evaluate(
     realism: PathLike = "ideal",
     record_motion: bool = False,
     policy_files: Sequence[PathLike] = (),
+    adapter: str | None = None,
+    name: str = "",
     progress: Progress | None = None,
     **options: Unpack[TaskOptions],
 ) -> Evaluation:
@@ -84,8 +89,9 @@ def evaluate(
 
     policy       "oracle", "classical" (or "classical+target": docs/episodes.md, what each module costs), "vlm(openai:gpt-4o)" (docs/vlm.md), or one that knows
                  nothing ("highest", "random", "stop"); or an object
-                 with act(), a class of such, or a function that acts; or "FILE.py:NAME", one of these in a file that only
-                 the policy's own process loads
+                 with act(), a class of such, or a function that acts; or "FILE.py:NAME", "python:MODULE:NAME", one of these that
+                 only the policy's own process loads; or a model of others (docs/remote.md): "openpi://HOST:PORT",
+                 "groot://HOST:PORT", "lerobot:FOLDER"
     folder       gets results.jsonl, a line as each episode finishes, and summary.json
     jobs         episodes at a time; 0: as many as there are cores
     resume       go on with a run that was broken off
@@ -105,6 +111,8 @@ def evaluate(
                  these, Python's own files and the folders of its code (sys.path), but no episodes and no stores, and looks
                  into no other process. Where that cannot be had (no Landlock in the kernel, act_limit_s=0) it is an
                  IsolationWarning, and `isolation` of the results is "none"
+    adapter      of a model of others: which row says what it sees and says, "ROW" of the program's own, "FILE.yaml:ROW" of yours
+    name         under which the results have a policy that is not the program's own; else what it is called
     progress     called as progress(done, total, text) in this thread as episodes finish; what it raises ends the run, and
                  what was finished is kept
     options      of a policy written in Python, as of the environments: obs_mode, control_mode, cameras, width, height, quality
@@ -128,14 +136,19 @@ def evaluate(
         realism=arguments.a_path("realism", realism),
         record_motion=arguments.a_truth("record_motion", record_motion),
         policy_files=tuple(arguments.existing("policy_files", file) for file in arguments.paths("policy_files", policy_files)),
+        name=arguments.a_text("name", name),
         truth=(path, into, _core.cache_folder(), *_episode_folders()),
         progress=arguments.a_progress(progress),
     )
     with _read_once(path) as readable:
-        if isinstance(policy, str) and ":" not in policy:
+        if isinstance(policy, str):
+            policy = policy_named(policy, adapter)
+        elif adapter is not None:
+            raise Error("usage.bad_flag", "adapter", "rows of adapters are for models of others, which a text names")
+        if isinstance(policy, str):
             _evaluate_named(readable, policy, run, options)
         else:
-            _evaluate_python(readable, PolicyFile.of_text(policy) if isinstance(policy, str) else policy, run, options)
+            _evaluate_python(readable, policy, run, options)
     return evaluation_in(into)
 
 
@@ -175,6 +188,7 @@ class _Run:
     realism: str  # a row's name or a file
     record_motion: bool
     policy_files: tuple[str, ...]
+    name: str  # in results; "": what the policy is called
     truth: tuple[str, ...]  # files and folders that no policy may open, wherever they lie
     progress: Progress | None
 
@@ -187,6 +201,8 @@ class _Run:
 def _evaluate_named(path: str, policy: str, run: _Run, options: dict[str, Any]) -> None:
     if run.policy_files:
         raise Error("usage.bad_flag", "policy_files", f"the program's own policy {policy!r} reads no files")
+    if run.name:
+        raise Error("usage.bad_flag", "name", f"the program's own policy is called {policy!r}")
     if options:
         raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
     worker = _worker_command(policy, run.jobs) if run.acts_apart else []
@@ -207,11 +223,33 @@ def _worker_command(policy: str, jobs: int) -> list[str]:
 
 
 def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any]) -> None:
-    acts = isinstance(policy, PolicyFile) or callable(getattr(policy, "act", None)) or callable(policy)
+    acts = isinstance(policy, (PolicySource, ServerPolicy)) or callable(getattr(policy, "act", None)) or callable(policy)
     if not acts:
         raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
+    if importlib.util.find_spec("gymnasium") is None:
+        raise Error("usage.unavailable", "policy", "policies in Python need Gymnasium: pip install gymnasium")
+    _complete(options, policy, run)
+    name = run.name or getattr(policy, "name", None) or getattr(policy, "__name__", None) or type(policy).__name__
+    isolation = _isolation(policy, run)
+    new_player = _server_player(policy, run) if isinstance(policy, ServerPolicy) else _python_player(policy, run, isolation)
+    stages = Stages(path, {**options, "realism": run.realism})
+
+    def make_runner():
+        return _Runner(str(name), isolation, new_player(), stages)
+
+    _core.evaluate_with(
+        path, str(name), run.realism, run.into, run.resume, run.jobs, run.shard, make_runner, run.progress
+    )
+
+
+def _complete(options: dict[str, Any], policy: Any, run: _Run) -> None:
+    """What its row of adapters and evaluation want. Raises Error usage.bad_flag for what neither allows."""
     if run.record_motion:
         raise Error("usage.bad_flag", "record_motion", "motion is recorded of the program's own policies alone: leave it out")
+    wanted = policy.adapter.options() if hasattr(policy, "adapter") else {}
+    for option in options.keys() & wanted.keys():
+        raise Error("usage.bad_flag", option, f"the adapter {policy.adapter.name} says it: {wanted[option]!r}; leave it out")
+    options |= wanted
     if options.get("segmentation"):
         raise Error("usage.bad_flag", "segmentation", "object numbers are the truth: they are refused in evaluation")
     if options.setdefault("obs_mode", "state_robot") == "state":
@@ -220,30 +258,40 @@ def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any])
             "obs_mode",
             "'state' is the truth: it is refused in evaluation; take 'state_robot', 'rgbd' or 'pointcloud'",
         )
-    name = getattr(policy, "name", None) or getattr(policy, "__name__", None) or type(policy).__name__
-    if importlib.util.find_spec("gymnasium") is None:
-        raise Error("usage.unavailable", "policy", "policies in Python need Gymnasium: pip install gymnasium")
-    if run.acts_apart:
-        PolicyProcess(policy, *run.limits_s)  # said here, once, if it cannot be sent
-    isolation = _isolation(run)
-    code = [os.path.dirname(policy.path)] if isinstance(policy, PolicyFile) else []
+
+
+def _server_player(policy: ServerPolicy, run: _Run) -> Callable[[], ModelPlayer]:
+    """What makes the player of a thread."""
+    if run.policy_files:
+        raise Error("usage.bad_flag", "policy_files", "what a server reads is its own affair: leave it out")
+    _, hang_limit_s, start_limit_s = run.limits_s
+    policy.check_there(start_limit_s, hang_limit_s)
+    return lambda: ModelPlayer(policy.acting(start_limit_s, hang_limit_s))
+
+
+def _python_player(policy: Any, run: _Run, isolation: str) -> Callable[[], PolicyHere | PolicyProcess]:
+    if not run.acts_apart:
+        return lambda: PolicyHere(copy.deepcopy(policy))
+    PolicyProcess(policy, *run.limits_s)  # said here, once, if it cannot be sent
+    code = policy.folders() if isinstance(policy, PolicySource) else []
     seen = None if isolation == NOT_ISOLATED else sight(run.truth, code=code, files=run.policy_files)
-    stages = Stages(path, {**options, "realism": run.realism})
-
-    def make_runner():
-        player = PolicyProcess(policy, *run.limits_s, seen) if run.acts_apart else PolicyHere(copy.deepcopy(policy))
-        return _Runner(str(name), isolation, player, stages)
-
-    _core.evaluate_with(
-        path, str(name), run.realism, run.into, run.resume, run.jobs, run.shard, make_runner, run.progress
-    )
+    return lambda: PolicyProcess(policy, *run.limits_s, seen)
 
 
-def _isolation(run: _Run) -> str:
+def _why_not_isolated(policy: Any, run: _Run) -> str:
+    """Empty: it is."""
+    if isinstance(policy, ServerPolicy):
+        return "whoever runs its server says what that may read"
+    if not run.acts_apart:
+        return "act_limit_s=0 runs it in this process"
+    return "" if confinement.version() > 0 else "this kernel has no Landlock"
+
+
+def _isolation(policy: Any, run: _Run) -> str:
     """What will stand in the results; warns when it is nothing."""
-    if run.acts_apart and confinement.version() > 0:
+    why = _why_not_isolated(policy, run)
+    if not why:
         return "landlock"
-    why = "this kernel has no Landlock" if run.acts_apart else "act_limit_s=0 runs it in this process"
     warnings.warn(
         f'the policy is not isolated ({why}): it could read the truth of its episodes. Results say isolation: "none"',
         IsolationWarning,
@@ -255,7 +303,7 @@ def _isolation(run: _Run) -> str:
 class _Runner:
     """Runs episodes one after another in one thread."""
 
-    def __init__(self, name: str, isolation: str, player: PolicyHere | PolicyProcess, stages: Stages):
+    def __init__(self, name: str, isolation: str, player: PolicyHere | PolicyProcess | ModelPlayer, stages: Stages):
         self._name, self._isolation, self._player = name, isolation, player
         self._stages, self._environments = stages, {}
 

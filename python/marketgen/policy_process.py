@@ -11,6 +11,8 @@ numbers (answers.py). Where the kernel can it opens nothing else either (confine
 
 from __future__ import annotations
 
+import dataclasses
+import importlib
 import importlib.util
 import math
 import multiprocessing.connection
@@ -25,7 +27,7 @@ import tempfile
 import time
 import traceback
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, ClassVar
 
 from . import _core, answers, arguments, confinement
 from .errors import Error
@@ -45,8 +47,22 @@ class PolicyFailed(Exception):
         self.code, self.message = code, message
 
 
-class PolicyFile(NamedTuple):
-    """A policy that only its own process loads: `name` in the Python file `path`."""
+class PolicySource:
+    """A policy that only the process in which it acts makes or loads: load(). `name` stands in results."""
+
+    name: str
+
+    def load(self) -> Any:
+        raise NotImplementedError
+
+    def folders(self) -> list[str]:
+        """That its process reads beside what a policy's process reads anyway."""
+        return []
+
+
+@dataclasses.dataclass(frozen=True)
+class PolicyFile(PolicySource):
+    """`name` in the Python file `path`."""
 
     path: str
     name: str
@@ -67,10 +83,42 @@ class PolicyFile(NamedTuple):
         spec.loader.exec_module(module)
         return getattr(module, self.name)
 
+    def folders(self) -> list[str]:
+        return [os.path.dirname(self.path)]
+
+
+@dataclasses.dataclass(frozen=True)
+class PolicyModule(PolicySource):
+    """`name` in a module that Python finds by its name: "python:mypackage.policies:Mine"."""
+
+    module: str
+    name: str
+
+    PREFIX: ClassVar[str] = "python:"
+
+    @classmethod
+    def of_text(cls, text: str) -> PolicyModule:
+        """Raises Error usage.bad_flag, input.not_found."""
+        module, _, name = text.removeprefix(cls.PREFIX).rpartition(":")
+        if not name.isidentifier() or not all(part.isidentifier() for part in module.split(".")):
+            raise Error("usage.bad_flag", "policy", f"{text!r}: expected {cls.PREFIX}MODULE:NAME")
+        top = module.partition(".")[0]
+        if importlib.util.find_spec(top) is None:  # looks for it without running it
+            raise Error("input.not_found", top, "policy names it, and Python finds no such module: install it, or set PYTHONPATH")
+        return cls(module, name)
+
+    def load(self) -> Any:
+        return getattr(importlib.import_module(self.module), self.name)
+
+
+def policy_of_text(text: str) -> PolicySource:
+    """FILE.py:NAME or python:MODULE:NAME. Raises Error usage.bad_flag, input.not_found."""
+    return (PolicyModule if text.startswith(PolicyModule.PREFIX) else PolicyFile).of_text(text)
+
 
 def ready(policy: Any) -> Any:
     """The object that is asked: a class is called, an object with act() is taken, a function is what acts."""
-    if isinstance(policy, PolicyFile):
+    if isinstance(policy, PolicySource):
         policy = policy.load()
     return policy() if isinstance(policy, type) else policy
 

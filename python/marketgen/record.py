@@ -4,36 +4,25 @@
     python -m marketgen.record pool/checkout -o numbers --cameras none --count 20
     python -m marketgen.record tasks.jsonl --check unloading
 
-Ends as the program's commands do: 0 done, 1 a dataset that does not replay, 2 bad usage or input, 3 it could not be finished, 130
-interrupted.
+Ends as the program's commands do; 1: a dataset that does not replay.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
-import time
-import types
 
-from . import _core
+from .command_line import Told, callable_module, ended
 from .errors import Error
 from .recording import Recording, record, replay_check
 from .recording.video import CODECS
 
-EVERY_S = 10.0  # between lines where standard error is no terminal
-
 
 def main(words: list[str] | None = None) -> int:
     given = _parser().parse_args(words)
-    try:
-        return _check(given) if given.check else _record(given)
-    except Error as error:
-        print(f"error[{error.code}] {error.where}: {error.message}", file=sys.stderr)
-        return 1 if error.code == "episode.not_repeated" else _core.exit_status_of(error.code)
-    except KeyboardInterrupt:
-        again = "" if given.check else "; what is finished is kept: go on with --resume"
-        print(f"interrupted{again}", file=sys.stderr)
-        return _core.exit_status_of("internal.interrupted")
+    command = _check if given.check else _record
+    kept = "" if given.check else "; what is finished is kept: go on with --resume"
+    return ended(lambda: command(given), kept, unlike="episode.not_repeated")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -47,7 +36,7 @@ def _parser() -> argparse.ArgumentParser:
     out = parser.add_mutually_exclusive_group(required=True)
     out.add_argument("-o", "--output", metavar="DATASET", help="the folder to make; until it is done DATASET.unfinished")
     out.add_argument("--check", metavar="DATASET", help="instead: execute the actions of a dataset and compare the states")
-    add("--policy", default="oracle", help="oracle, classical, ... or FILE.py:NAME (default: %(default)s)")
+    add("--policy", default="oracle", help="oracle, classical, ... FILE.py:NAME or python:MODULE:NAME (default: %(default)s)")
     add("--cameras", metavar="NAMES", help="scene_camera,wrist_camera; none: numbers alone (default: all that the robot has)")
     add("--size", default="256x256", help="of the pictures (default: %(default)s)")
     add("--quality", default="fast", choices=("fast", "balanced", "best"), help="of the pictures (default: %(default)s)")
@@ -77,7 +66,7 @@ def _record(given: argparse.Namespace) -> int:
         count=given.count,
         shard=given.shard,
         resume=given.resume,
-        progress=None if given.quiet else _Told(),
+        progress=None if given.quiet else Told(),
     )
     print(summary_of(made))
     return 0
@@ -85,7 +74,7 @@ def _record(given: argparse.Namespace) -> int:
 
 def _check(given: argparse.Namespace) -> int:
     realism = given.realism if given.realism.endswith(".json") else None
-    frames = replay_check(given.check, given.episodes, realism=realism, progress=None if given.quiet else _Told())
+    frames = replay_check(given.check, given.episodes, realism=realism, progress=None if given.quiet else Told())
     print(f"{given.check}: the actions of {frames:,} frames lead to the same states, bit for bit")
     return 0
 
@@ -115,29 +104,6 @@ def _size(text: str) -> tuple[int, int]:
     return int(width), int(height)
 
 
-class _Told:
-    """Progress on standard error: one line that is overwritten on a terminal, else a line now and then."""
-
-    def __init__(self) -> None:
-        self._terminal, self._last = sys.stderr.isatty(), -EVERY_S
-
-    def __call__(self, done: int, total: int, text: str) -> None:
-        line = f"{done}/{total} {text}"[:100]
-        now = time.monotonic()
-        if self._terminal:
-            print(f"\r\x1b[K{line}", end="\n" if done == total else "", file=sys.stderr, flush=True)
-        elif done == total or now - self._last >= EVERY_S:
-            self._last = now
-            print(line, file=sys.stderr, flush=True)
-
-
-class _CallableModule(types.ModuleType):
-    """`import marketgen.record` puts this module where marketgen has the function of that name: it does what that does."""
-
-    def __call__(self, *arguments, **options) -> Recording:
-        return record(*arguments, **options)
-
-
 if __name__ == "__main__":
     sys.exit(main())
-sys.modules[__name__].__class__ = _CallableModule
+sys.modules[__name__].__class__ = callable_module(record)

@@ -35,7 +35,8 @@ class Stages:
         """What the agent is told before it begins."""
         task = json.loads(env.environment.task())
         known = {"map": info["map"]} if "map" in info else {}
-        return task | known | {"action_names": env.action_names, "catalogue": self._catalogue(env)}
+        numbers = {"action_names": env.action_names, "action_units": env.setup.action_units, "robot_names": env.robot_names}
+        return task | known | numbers | {"catalogue": self._catalogue(env)}
 
     def _catalogue(self, env) -> list[dict[str, Any]]:
         with self._lock:

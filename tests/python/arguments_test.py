@@ -88,7 +88,7 @@ CALLS = {
         lambda on: on.store.query("products", "colour=red"),
         lambda on: on.store.query("products", "price"),
     ],
-    "name": [lambda on: on.store.camera(3), lambda on: marketgen.make_vec("Checkout"), lambda on: marketgen.make_vec(3)],
+    "name": [lambda on: on.store.camera(3), lambda on: marketgen.make_vec("Checkout"), lambda on: marketgen.make_vec(3), lambda on: marketgen.evaluate(on.tasks, lambda seen: None, on.folder, name=5)],
     "camera": [
         lambda on: on.store.camera("isle"),
         lambda on: on.renderer.render("aisle"),
@@ -123,7 +123,7 @@ CALLS = {
     "rgb": [lambda on: marketgen.render_batch([(on.renderer, on.camera)], rgb=[0])],
     "depth": [lambda on: marketgen.render_batch([(on.renderer, on.camera)], depth=np.zeros((1, 48, 64)))],
     "policy": [lambda on: marketgen.evaluate(on.tasks, 3, on.folder), lambda on: marketgen.evaluate(on.tasks, "oracel", on.folder)],
-    "episodes": [lambda on: marketgen.evaluate(3, "oracle", on.folder)],
+    "episodes": [lambda on: marketgen.evaluate(3, "oracle", on.folder), lambda on: marketgen.write_episodes(on.folder, [])],
     "jobs": [lambda on: marketgen.evaluate(on.tasks, jobs=-1, folder=on.folder)],
     "resume": [lambda on: marketgen.evaluate(on.tasks, resume="yes", folder=on.folder)],
     "act_limit_s": [lambda on: marketgen.evaluate(on.tasks, act_limit_s=-1, folder=on.folder)],
@@ -139,6 +139,14 @@ CALLS = {
     "folders": [lambda on: marketgen.tables("swap", "classical"), lambda on: marketgen.tables("goals", 3)],
     "kind": [lambda on: marketgen.tables("table2", [on.folder]), lambda on: marketgen.tables(2, [on.folder])],
     "html": [lambda on: marketgen.leaderboard([on.folder], html=3)],
+    "adapter": [
+        lambda on: marketgen.evaluate(on.tasks, "openpi://localhost:80", on.folder, adapter="openpi"),
+        lambda on: marketgen.evaluate(on.tasks, "openpi://localhost:80", on.folder, adapter=5),
+        lambda on: marketgen.evaluate(on.tasks, "oracle", on.folder, adapter="marketgen"),
+        lambda on: marketgen.evaluate(on.tasks, lambda seen: None, on.folder, adapter="marketgen"),
+    ],
+    "file": [lambda on: marketgen.write_episodes(5, [{}])],
+    "like": [lambda on: marketgen.write_episodes(on.folder, [{}], like=5)],
     "policy_files": [lambda on: marketgen.evaluate(on.tasks, policy_files="weights.pt", folder=on.folder)],
     "num_envs": [lambda on: marketgen.make_vec(CHECKOUT, 0, store=on.store)],
     "render_mode": [
@@ -203,7 +211,7 @@ def test_every_public_function_is_tried_above():
     import inspect
 
     functions = [marketgen.generate, marketgen.open_store, marketgen.read_photo, marketgen.evaluate, marketgen.render_batch]
-    functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables, marketgen.read_motion]
+    functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables, marketgen.read_motion, marketgen.write_episodes]
     functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     # marketgen.record: record_test.py
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]

@@ -29,6 +29,7 @@ SOURCES = [
     if path.is_file() and path.suffix in {".h", ".cpp", ".inc", ".py", ".sh", ".cmake", ".txt", ".fbs", ".pyi", ""}
     and "node_modules" not in path.parts
 ]
+COMMANDS_IN_PYTHON = [ROOT / "python/marketgen/record.py", ROOT / "python/marketgen/evaluate.py"]
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.S | re.M)
 NOT_RUN = re.compile(r"<!-- not run: (.+?) -->\s*\Z")
 
@@ -184,7 +185,7 @@ def known_flags():
         flags |= flags_in(help_of(command))
         for inner in subcommands(command):
             flags |= flags_in(help_of(command, inner))
-    for script in [*(ROOT / "tools").iterdir(), ROOT / "python/marketgen/record.py", ROOT / "Makefile", ROOT / "CMakePresets.json", *ROOT.glob("bench/**/*")]:
+    for script in [*(ROOT / "tools").iterdir(), *COMMANDS_IN_PYTHON, ROOT / "Makefile", ROOT / "CMakePresets.json", *ROOT.glob("bench/**/*")]:
         if script.is_file():
             flags |= flags_in(text_of(script))
     return flags

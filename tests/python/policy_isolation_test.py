@@ -80,7 +80,7 @@ def test_what_it_is_told_has_no_pose_witness_seed_or_id(tasks, spied):
     assert not {"items", "certificate", "seed", "start", "id", "scene_hash", "plan_hash", "store"} & set(told["names"])
     assert set(told["names"]) == {
         *("schema", "track", "station", "robot", "tools", "cameras", "instruction", "goals", "categories", "limit_s"),
-        *("action_names", "catalogue"),
+        *("action_names", "action_units", "robot_names", "catalogue"),
     } - ({"station"} if "station" not in told["names"] else set())
 
 

@@ -20,7 +20,8 @@ done
 [ "$(wc -l < cheapest.txt)" -ge 4 ] || { cat cheapest.txt; fail "cheapest.py printed fewer than 4 lines"; }
 grep -q "episodes: mean reward" train_loop.txt || { cat train_loop.txt; fail "train_loop.py finished no episode"; }
 grep -q "oracle: {'success': 1" ppo_pick.txt || { cat ppo_pick.txt; fail "ppo_pick.py: the oracle failed at the easy task"; }
-for made in many_cameras.npz moving_product/4.png; do
+grep -q "random: 0 of 2" imitate.txt || { cat imitate.txt; fail "imitate.py did not measure chance"; }
+for made in many_cameras.npz moving_product/4.png imitate/dataset/meta/info.json imitate/random/summary.json; do
   [ -s "out/examples/$made" ] || fail "nothing at out/examples/$made"
 done
 

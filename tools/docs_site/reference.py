@@ -17,7 +17,7 @@ import marketgen
 GROUPS = {
     "Stores": ["generate", "open_store", "Store", "View"],
     "Pictures": ["Renderer", "Camera", "Frame", "render_batch", "camera_from_dict", "camera_to_dict"],
-    "Evaluation": ["evaluate", "Evaluation", "Policy", "policies", "merge", "leaderboard", "tables", "read_motion"],
+    "Evaluation": ["evaluate", "Evaluation", "Policy", "policies", "merge", "leaderboard", "tables", "read_motion", "write_episodes"],
     "Demonstrations": ["record", "Recording", "replay_check"],
     "Photos": ["read_photo"],
     "Errors": ["Error", "StoreWarning", "IsolationWarning"],

@@ -155,7 +155,8 @@ class TaskSetup:
         )
         self.cameras = self.observations.cameras
         self.observation_space, self.row_length = self.observations.space, self.observations.row_length
-        self.action_names, low, high = zip(*first.action_numbers(), strict=True)
+        self.action_names, low, high, units, dimensions = zip(*first.action_numbers(), strict=True)
+        self.action_units = tuple(zip(units, dimensions, strict=True))  # what 1 stands for: (0.02, "m"); (0, ""): a share
         self.action_space = spaces.Box(np.float32(low), np.float32(high), dtype=np.float32)
         self._products: dict[str, dict[int, str]] = {}
 

@@ -14,7 +14,7 @@ import numpy as np
 from .. import _core
 from ..errors import Error
 from ..policies import ProgramPolicy
-from ..policy_process import PolicyFailed, PolicyFile, PolicyHere
+from ..policy_process import PolicyFailed, PolicyHere, PolicySource, policy_of_text
 from ..stages import Stages
 from .features import ACTION, DONE, FRAME, REWARD, STATE, SUCCESS, TIME, Numbers
 from .statistics import PictureCounts
@@ -83,11 +83,11 @@ class Player:
 
 
 def player_of(policy: Any) -> str | PolicyHere:
-    """What Player takes, of what record() was given: a name, FILE.py:NAME, a function, a class, an object with act()."""
+    """What Player takes, of what record() was given: a name, FILE.py:NAME, python:MODULE:NAME, a function, a class, an object with act()."""
     if isinstance(policy, str) and ":" not in policy:
         return policy
-    found = PolicyFile.of_text(policy) if isinstance(policy, str) else policy
-    if not (isinstance(found, PolicyFile) or callable(getattr(found, "act", None)) or callable(found)):
+    found = policy_of_text(policy) if isinstance(policy, str) else policy
+    if not (isinstance(found, PolicySource) or callable(getattr(found, "act", None)) or callable(found)):
         raise Error("usage.bad_flag", "policy", f"{policy!r} is no name, has no act() and cannot be called")
     try:
         return PolicyHere(found)

@@ -18,6 +18,10 @@ bool by_joint(ControlMode mode) {
   return mode == ControlMode::pd_joint_pos || mode == ControlMode::pd_joint_delta_pos;
 }
 
+std::string_view dimension_of(const robots::Joint& joint) {
+  return joint.kind == robots::JointType::prismatic ? "m" : "rad";
+}
+
 std::size_t numbers_a_tool(ControlMode mode) {
   return mode == ControlMode::pd_ee_delta_pos ? 3 : 6;
 }
@@ -67,18 +71,23 @@ ActionMap::ActionMap(const robots::Robot& robot, ControlMode mode, bool stop)
 void ActionMap::add_joints(bool absolute) {
   for (const int dof : joints_) {
     const robots::Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
-    numbers_.push_back(absolute ? ActionNumber{joint.name, joint.lower, joint.upper}
-                                : ActionNumber{joint.name});
+    numbers_.push_back(absolute ? ActionNumber{joint.name, joint.lower, joint.upper, 1, dimension_of(joint)}
+                                : ActionNumber{joint.name, -1, 1, step_of(dof), dimension_of(joint)});
   }
 }
 
 void ActionMap::add_tools() {
   for (const robots::Tool& tool : robot_.tools)
     for (std::size_t axis = 0; axis < numbers_a_tool(mode_); ++axis)
-      numbers_.push_back({tool_prefix(tool) + tool_axes[axis]});
+      numbers_.push_back({tool_prefix(tool) + tool_axes[axis],
+                          -1,
+                          1,
+                          axis < 3 ? tool_m : turn_rad,
+                          axis < 3 ? "m" : "rad"});
   for (const int place : other_) {
     const int dof = joints_[static_cast<std::size_t>(place)];
-    numbers_.push_back({robot_.joint_of_dof(static_cast<std::size_t>(dof)).name});
+    const robots::Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
+    numbers_.push_back({joint.name, -1, 1, step_of(dof), dimension_of(joint)});
   }
 }
 
