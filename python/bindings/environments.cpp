@@ -72,7 +72,8 @@ using ActionRow = std::tuple<std::string, double, double, double, std::string>;
 std::vector<ActionRow> action_numbers(const EnvironmentHandle& h) {
   std::vector<ActionRow> rows;
   for (const environments::ActionNumber& number : h.environment->action_numbers())
-    rows.emplace_back(number.name, number.low, number.high, number.unit, std::string(number.dimension));
+    rows.emplace_back(
+        number.name, number.low, number.high, number.unit, std::string(number.dimension));
   return rows;
 }
 

@@ -71,8 +71,9 @@ ActionMap::ActionMap(const robots::Robot& robot, ControlMode mode, bool stop)
 void ActionMap::add_joints(bool absolute) {
   for (const int dof : joints_) {
     const robots::Joint& joint = robot_.joint_of_dof(static_cast<std::size_t>(dof));
-    numbers_.push_back(absolute ? ActionNumber{joint.name, joint.lower, joint.upper, 1, dimension_of(joint)}
-                                : ActionNumber{joint.name, -1, 1, step_of(dof), dimension_of(joint)});
+    numbers_.push_back(
+        absolute ? ActionNumber{joint.name, joint.lower, joint.upper, 1, dimension_of(joint)}
+                 : ActionNumber{joint.name, -1, 1, step_of(dof), dimension_of(joint)});
   }
 }
 

@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 4> names_of(ControlMode) {
 struct ActionNumber {
   std::string name;  // "joint1", "left_tool_z", "left_tool_opening", "drive", "stop"
   double low = -1, high = 1;
-  double unit = 0;                   // what 1 stands for, in `dimension`; 0: a share of the most
+  double unit = 0;                  // what 1 stands for, in `dimension`; 0: a share of the most
   std::string_view dimension = "";  // "rad", "m" or none
 };
 
