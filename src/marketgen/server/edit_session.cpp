@@ -37,10 +37,10 @@ EditLine line_of(const store::EditedStore& edited) {
 
 Result<std::unique_ptr<EditSession>> EditSession::open(
     std::shared_ptr<const store::Store> base, std::shared_ptr<const catalog::Catalog> catalog) {
-  std::unique_ptr<EditSession> session(new EditSession(base, std::move(catalog)));
+  std::unique_ptr<EditSession> session(new EditSession(std::move(base), std::move(catalog)));
   auto first = std::make_shared<store::EditedStore>();
-  first->store = *base;
-  MARKETGEN_TRY(first->report, store::report_before(*base, *session->catalog_));
+  first->store = *session->base_;
+  MARKETGEN_TRY(first->report, store::report_before(*session->base_, *session->catalog_));
   session->held_.push_back(std::move(first));
   return session;
 }

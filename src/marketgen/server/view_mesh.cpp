@@ -122,11 +122,11 @@ std::array<std::int8_t, 4> packed_normal(Vec3f normal) {
   return {byte(normal.x), byte(normal.y), byte(normal.z), 0};
 }
 
-std::array<std::int16_t, 4> packed_rotation(const Quaternion& q) {
+std::array<std::int16_t, 4> packed_rotation(const Quaternion& rotation) {
   const auto whole = [](double value) {
     return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0, 1.0) * 32767));
   };
-  return {whole(q.x), whole(q.y), whole(q.z), whole(q.w)};
+  return {whole(rotation.x), whole(rotation.y), whole(rotation.z), whole(rotation.w)};
 }
 
 std::uint8_t packed_light(float light) {

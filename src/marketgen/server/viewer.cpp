@@ -68,7 +68,7 @@ ViewBuild& Viewer::build_of(Opened& store) {
 Viewer::Viewer(store::OpenedStores stores, std::filesystem::path page, ViewerOptions options)
     : catalog_(std::move(stores.catalog)),
       rows_(std::make_shared<const catalog::Catalog>(std::move(stores.rows))),
-      options_(options),
+      options_(std::move(options)),
       page_(std::move(page)),
       drawing_(thread_count()) {}
 
@@ -76,7 +76,7 @@ Viewer::~Viewer() = default;
 
 Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
                                              std::filesystem::path page,
-                                             ViewerOptions options) {
+                                             const ViewerOptions& options) {
   std::vector<std::shared_ptr<const store::Store>> opened = std::move(stores.stores);
   std::unique_ptr<Viewer> viewer(new Viewer(std::move(stores), std::move(page), options));
   MARKETGEN_TRY(viewer->search_, StoreSearch::open(viewer->catalog_));
@@ -193,7 +193,7 @@ Result<HttpReply> Viewer::of_edit(Opened& store, const HttpAsk& ask, const Words
                  ask.path,
                  "stores are not edited here: start `marketgen view` without --read-only"};
   if (ask.method == "POST") {
-    const Result<HttpReply> reply = store.editor->post(words.size() == 1 ? words[0] : "", ask);
+    Result<HttpReply> reply = store.editor->post(words.size() == 1 ? words[0] : "", ask);
     if (reply.ok()) return reply;
     const int status = is_refused_edit(reply.error()) ? 200 : status_of(reply.error());
     return error_reply(status, reply.error());

@@ -33,7 +33,7 @@ class Viewer {
   // Replays::open.
   static Result<std::unique_ptr<Viewer>> open(store::OpenedStores stores,
                                               std::filesystem::path page,
-                                              ViewerOptions options = {});
+                                              const ViewerOptions& options = {});
   ~Viewer();
 
   // Thread-safe.
