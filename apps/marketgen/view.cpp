@@ -28,6 +28,10 @@ void tell(const ViewFlags& flags, const std::string& address) {
 }
 
 Result<void> view(const ViewFlags& flags) {
+  if (flags.folders.empty() && (flags.serve.read_only || flags.serve.embed))
+    return Error{"usage.bad_flag",
+                 flags.serve.embed ? "--embed" : "--read-only",
+                 "without a store there is nothing to show: name a store folder"};
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
   return server::serve(
@@ -40,8 +44,10 @@ Result<void> view(const ViewFlags& flags) {
 
 Run add_view(CLI::App& app) {
   auto flags = std::make_shared<ViewFlags>();
-  CLI::App* command = app.add_subcommand("view", "Show and edit stores in a browser, until Ctrl-C");
-  command->add_option("folders", flags->folders, "store folders")->required();
+  CLI::App* command =
+      app.add_subcommand("view", "Make, show and edit stores in a browser, until Ctrl-C");
+  command->add_option(
+      "folders", flags->folders, "store folders; none: the page in which stores are made");
   command->add_option("--results",
                       flags->serve.results,
                       "folder of an evaluation in one of the stores; may be given several times");
@@ -56,14 +62,21 @@ Run add_view(CLI::App& app) {
                    "numeric address to listen on; any but loopback needs --token")
       ->capture_default_str();
   command->add_option("--token", flags->serve.token, "secret that every request must carry");
-  command->add_flag("--read-only", flags->serve.read_only, "stores are shown, not edited");
+  command
+      ->add_option("--make-in",
+                   flags->serve.make_in,
+                   "folder in which stores are kept that are made in the browser")
+      ->capture_default_str();
+  command->add_flag(
+      "--read-only", flags->serve.read_only, "stores are shown; none is made or edited");
   command->add_flag(
       "--embed",
       flags->serve.embed,
       "pages that this machine serves, as Jupyter's, may show it in a frame; not edited");
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
-      "Example:  marketgen view shop\n"
+      "Example:  marketgen view                # describe a store, compare seeds, keep one\n"
+      "          marketgen view shop\n"
       "          marketgen view shop other-shop --no-open --port 8080\n"
       "          marketgen view shop --results results   # episodes, with eval --record-motion");
   return [flags] {

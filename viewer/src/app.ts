@@ -8,6 +8,7 @@ import { readAddress, writeAddress, type ViewState } from "./state/address";
 import { layerNames, type LayerName } from "./state/layers";
 import type { EditClient } from "./edit/client";
 import { Editing } from "./edit/editing";
+import { makeLink } from "./make/addresses";
 import type { Hit, StoreCamera, Summary } from "./store/contract";
 import { elevationOf } from "./stage/elevation";
 import { fronts, facingOf, rotationOf } from "./stage/goods_table";
@@ -198,7 +199,7 @@ export class App {
       measure: () => this.toggleMeasure(),
       zones: () => this.toggleLayer("zones"),
       layers: () => this.openLayers(!this.layersPanel.isOpen),
-      ...(this.summary.may_edit && { edit: () => this.toggleEditing() }),
+      ...(this.summary.may_edit && { edit: () => this.toggleEditing(), make: () => location.assign(makeLink(new URLSearchParams(location.search).get("token"))) }),
       picture: () => void this.savePicture(),
       share: () => void this.share(),
       theme: () => this.theme.toggle(),

@@ -2,8 +2,11 @@
 import { App } from "./app";
 import { loadGoods, loadRest } from "./loader";
 import { EditClient } from "./edit/client";
+import { makeLink, readMakePlace } from "./make/addresses";
+import { startMaking } from "./make/start_page";
 import { readReplayPlace } from "./replay/addresses";
 import { offerEpisodes, startReplay } from "./replay/start";
+import { ServerError } from "./store/client";
 import { Stage } from "./stage/stage";
 import { element } from "./ui/dom";
 import { Speech } from "./ui/speech";
@@ -21,6 +24,11 @@ async function start(): Promise<void> {
   if (replay) {
     document.body.append(status.progress, status.note, status.fault);
     return startReplay(replay, speech, status).catch((error: unknown) => status.stop(error));
+  }
+  const making = readMakePlace(location.search);
+  if (making) {
+    document.body.append(status.progress, status.note, status.fault);
+    return startMaking(making, speech, status).catch((error: unknown) => status.stop(error));
   }
   const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
   document.body.append(canvas, status.progress, status.note, status.fault);
@@ -54,6 +62,8 @@ async function start(): Promise<void> {
     stage.complete();
     times["complete"] = performance.now();
   } catch (error) {
+    // A server without stores makes some.
+    if (error instanceof ServerError && error.code === "server.not_found" && !address.has("store")) return location.replace(makeLink(address.get("token")));
     status.stop(error);
   }
 }

@@ -1,17 +1,13 @@
 #include "evaluation/film.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cerrno>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "base/interrupt.h"
 #include "episodes/track_view.h"
 #include "io/file.h"
 #include "io/json.h"
-#include "io/part_name.h"
 #include "io/picture_file.h"
 #include "io/png.h"
 #include "io/program.h"
@@ -54,13 +50,6 @@ std::filesystem::path picture_file(const std::filesystem::path& folder, std::siz
 
 }  // namespace
 
-Film::~Film() {
-  std::error_code ignored;
-  if (scratch_.empty()) return;
-  std::filesystem::remove_all(scratch_, ignored);
-  drop_leftover(scratch_);
-}
-
 Result<std::unique_ptr<Film>> Film::begin(const episodes::TrackWorld& world,
                                           const FilmOptions& options) {
   if (!options.film.empty()) MARKETGEN_CHECK(checked(io::worker_part("av")));
@@ -68,13 +57,8 @@ Result<std::unique_ptr<Film>> Film::begin(const episodes::TrackWorld& world,
   film->world_ = &world;
   film->options_ = options;
   MARKETGEN_TRY(film->view_, world.open_view());
-  const std::filesystem::path temporary = std::filesystem::temp_directory_path();
-  io::sweep_parts_once(temporary);
-  const std::filesystem::path scratch = io::part_in(temporary, "marketgen-film");
-  if (mkdir(scratch.c_str(), 0700) != 0)
-    return io::cannot_write(scratch, "no folder for the film's pictures can be made", errno);
-  add_leftover(scratch);
-  film->scratch_ = scratch;
+  MARKETGEN_TRY(io::ScratchFolder scratch, io::ScratchFolder::make("film"));
+  film->scratch_.emplace(std::move(scratch));
   MARKETGEN_CHECK(film->look());
   return film;
 }
@@ -89,17 +73,18 @@ Result<void> Film::look() {
   quality.quality = render::Quality::balanced;
   MARKETGEN_TRY(const render::Frame frame, view_->renderer().render(camera, quality));
   MARKETGEN_TRY(const std::string bytes, io::encode_png(frame.color));
-  const std::filesystem::path file = picture_file(scratch_, pictures_++);
+  const std::filesystem::path file = picture_file(scratch_->path(), pictures_++);
   return io::write_new(file, bytes, io::Durable::no, file);
 }
 
 Result<void> Film::write_film(io::Outputs& outputs) const {
-  const std::filesystem::path draft = scratch_ / "film.mp4";
-  MARKETGEN_CHECK(io::run_worker(
-      "film",
-      io::write_json_line(FilmRequest{
-          scratch_.string(), draft.string(), static_cast<int>(pictures_), options_.frame_rate}),
-      longest_encoding_s));
+  const std::filesystem::path draft = scratch_->path() / "film.mp4";
+  MARKETGEN_CHECK(io::run_worker("film",
+                                 io::write_json_line(FilmRequest{scratch_->path().string(),
+                                                                 draft.string(),
+                                                                 static_cast<int>(pictures_),
+                                                                 options_.frame_rate}),
+                                 longest_encoding_s));
   MARKETGEN_TRY(const std::string bytes, io::read_file(draft));
   return outputs.put(options_.film, bytes);
 }
@@ -109,7 +94,8 @@ Result<void> Film::write_strip(io::Outputs& outputs) const {
   MARKETGEN_TRY(const Image strip,
                 render::picture_grid(count, options_.height, [&](std::size_t i) -> Result<Image> {
                   const std::size_t at = count < 2 ? 0 : i * (pictures_ - 1) / (count - 1);
-                  MARKETGEN_TRY(const Image whole, io::read_png(picture_file(scratch_, at)));
+                  MARKETGEN_TRY(const Image whole,
+                                io::read_png(picture_file(scratch_->path(), at)));
                   return middle_square(whole);
                 }));
   return outputs.put(options_.strip,

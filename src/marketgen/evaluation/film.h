@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "environments/run_episode.h"
@@ -9,6 +10,7 @@
 #include "episodes/track_world.h"
 #include "geometry/image.h"
 #include "io/output.h"
+#include "io/scratch_folder.h"
 
 namespace marketgen::evaluation {
 
@@ -27,7 +29,6 @@ class Film {
   // usage.unavailable when Python lacks PyAV, with what to install.
   static Result<std::unique_ptr<Film>> begin(const episodes::TrackWorld& world,
                                              const FilmOptions& options);
-  ~Film();
 
   // To be called after every control step: takes a picture when it is time for one.
   Result<void> look();
@@ -42,7 +43,7 @@ class Film {
   const episodes::TrackWorld* world_ = nullptr;
   FilmOptions options_;
   std::unique_ptr<episodes::TrackView> view_;
-  std::filesystem::path scratch_;
+  std::optional<io::ScratchFolder> scratch_;  // of its pictures
   std::size_t pictures_ = 0;
 };
 

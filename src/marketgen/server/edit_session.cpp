@@ -3,24 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/text.h"
+#include "server/folder_name.h"
 
 namespace marketgen::server {
 namespace {
 
 constexpr std::string_view patches_source = "patches", words_source = "say";
-
-// The last part of a path, and nothing that a path reads otherwise.
-Result<void> check_name(const std::string& name) {
-  const bool odd = std::ranges::any_of(name, [](char c) {
-    return static_cast<unsigned char>(c) < ' ' || c == '/' || c == '\\' || c == '\x7f';
-  });
-  if (name.empty() || name.front() == '.' || odd || !is_utf8(name))
-    return Error{"server.bad_request",
-                 "name",
-                 "is the name of a folder beside the store: letters, no slash, no dot in front"};
-  return {};
-}
 
 std::filesystem::path beside(const std::filesystem::path& store, const std::string& name) {
   std::filesystem::path folder = std::filesystem::absolute(store).lexically_normal();
@@ -120,7 +108,7 @@ Result<EditPreview> EditSession::preview(const std::vector<plan::Patch>& patches
 }
 
 Result<std::filesystem::path> EditSession::save(const std::string& name, const Now& what) const {
-  MARKETGEN_CHECK(check_name(name));
+  MARKETGEN_CHECK(check_folder_name(name));
   const std::filesystem::path folder = beside(base_->folder, name);
   constexpr bool previews = false;  // whoever saves here has the viewer
   MARKETGEN_CHECK(store::save_edited(*what, folder, previews, *catalog_));

@@ -1,6 +1,5 @@
 // The addresses below /api/stores/N/edit: one page edits a store, others see that somebody does.
 #pragma once
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -11,11 +10,9 @@
 #include "server/edit_lease.h"
 #include "server/edit_session.h"
 #include "server/http_message.h"
+#include "server/show_saved.h"
 
 namespace marketgen::server {
-
-// Opens a folder that was saved beside the others; the number it has in addresses.
-using ShowSaved = std::function<Result<int>(const std::filesystem::path&)>;
 
 class Editor {
  public:

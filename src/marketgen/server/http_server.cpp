@@ -209,6 +209,7 @@ struct HttpServer::State {
   Result<void> listen();
   void accept();
   bool takes_body(const Request& request) const;
+  bool is_too_long(const Request& request, std::uint64_t body_bytes) const;
   Outgoing answer_to(const Request& request) const;
 };
 
@@ -231,7 +232,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   void read() {
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(state_.options.max_request_bytes));
-    parser_->body_limit(static_cast<std::uint64_t>(state_.options.max_body_bytes));
+    parser_->body_limit(static_cast<std::uint64_t>(state_.options.max_files_bytes));
     expire();
     http::async_read_header(stream_,
                             buffer_,
@@ -247,6 +248,8 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   // A body is read where one is taken; what is refused by its head is answered without it.
   void on_head(error_code failed) {
     if (failed || !state_.takes_body(parser_->get())) return on_read(failed);
+    if (state_.is_too_long(parser_->get(), parser_->content_length().value_or(0)))
+      return on_read(http::make_error_code(http::error::body_limit));
     http::async_read(stream_,
                      buffer_,
                      *parser_,
@@ -313,10 +316,19 @@ Outgoing HttpServer::State::answer_to(const Request& request) const {
   return outgoing(*ask, refused ? *std::move(refused) : handler(*ask), {close, options.embed});
 }
 
-// Of a known length, and to a server that takes any.
+// Of a known length, to a server that takes any, and from who may post.
 bool HttpServer::State::takes_body(const Request& request) const {
-  return options.limits.may_write && request.method() == http::verb::post &&
-         request.has_content_length();
+  if (!options.limits.may_write || request.method() != http::verb::post ||
+      !request.has_content_length())
+    return false;
+  const Result<HttpAsk> ask = ask_of(request);
+  return ask.ok() && !guard->refusal_of_head(*ask);
+}
+
+bool HttpServer::State::is_too_long(const Request& request, std::uint64_t body_bytes) const {
+  const bool may_bring_files = request.target().starts_with("/api/make/");
+  const int max_bytes = may_bring_files ? options.max_files_bytes : options.max_body_bytes;
+  return body_bytes > static_cast<std::uint64_t>(max_bytes);
 }
 
 void HttpServer::State::accept() {

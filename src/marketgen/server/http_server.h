@@ -21,9 +21,10 @@ struct HttpServerOptions {
   int threads = 64;                // some wait for what is being built
   int max_connections = 256;
   int timeout_ms = 10'000;
-  int max_request_bytes = 16'384;  // of its head
-  int max_body_bytes = 65'536;     // of what is posted; bodies of other requests are refused
-  GuardRules limits;               // its host, port and token are set here
+  int max_request_bytes = 16'384;    // of its head
+  int max_body_bytes = 65'536;       // of what is posted; bodies of other requests are refused
+  int max_files_bytes = 25'165'824;  // of what is posted below /api/make/: it may bring pictures
+  GuardRules limits;                 // its host, port and token are set here
 };
 
 using HttpHandler = std::function<HttpReply(const HttpAsk&)>;

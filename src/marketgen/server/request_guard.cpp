@@ -29,7 +29,9 @@ RequestGuard::RequestGuard(GuardRules rules)
 bool RequestGuard::is_write(const HttpAsk& ask) const {
   if (ask.method != "POST" || !rules_.may_write) return false;
   const std::vector<std::string> parts = parts_of(ask.path);
-  return parts.size() == 5 && parts[0] == "api" && parts[1] == "stores" && parts[3] == "edit";
+  const bool edits = parts.size() == 5 && parts[1] == "stores" && parts[3] == "edit";
+  const bool makes = parts.size() == 3 && parts[1] == "make";
+  return (edits || makes) && parts[0] == "api";
 }
 
 // Who has the token may come by whatever name this machine has in his network: no other page has
@@ -67,11 +69,16 @@ std::optional<HttpReply> RequestGuard::refusal(const HttpAsk& ask, Clock::time_p
     busy.retry_after_s = 1;
     return busy;
   }
+  return refusal_of_head(ask);
+}
+
+std::optional<HttpReply> RequestGuard::refusal_of_head(const HttpAsk& ask) const {
+  const bool writes = is_write(ask);
   if (ask.method != "GET" && ask.method != "HEAD" && !writes)
     return refused(405,
                    ask.method,
-                   "only GET and HEAD are answered here, and POST below /api/stores/N/edit/ where "
-                   "the server may edit");
+                   "only GET and HEAD are answered here, and POST below /api/stores/N/edit/ and "
+                   "/api/make/ where the server may edit");
   if (writes && !ask.header("content-type").starts_with("application/json"))
     return refused(403, "Content-Type", "what is posted is application/json");
   if (!is_own_host(ask.header("host")))

@@ -18,7 +18,7 @@ struct GuardRules {
   std::string token;  // empty: none is needed
   double requests_per_s = 500;
   double burst = 3000;     // requests at once: a page asks for many labels when it opens
-  bool may_write = false;  // POST below /api/stores/N/edit/
+  bool may_write = false;  // POST below /api/stores/N/edit/ and /api/make/
   double writes_per_s = 20, write_burst = 60;  // of the requests, those that post
 };
 
@@ -30,6 +30,8 @@ class RequestGuard {
   // Nothing: let it pass. 403 for a foreign Host or Origin or a missing token, 405 for anything but
   // GET and HEAD (and POST of JSON where one may write), 429 for too many requests. Thread-safe.
   std::optional<HttpReply> refusal(const HttpAsk& ask, Clock::time_point now = Clock::now());
+  // The same of a request's head, but for how often one may ask.
+  std::optional<HttpReply> refusal_of_head(const HttpAsk& ask) const;
 
  private:
   bool is_own_host(std::string_view host) const;

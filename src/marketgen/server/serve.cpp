@@ -1,6 +1,7 @@
 #include "server/serve.h"
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -41,6 +42,14 @@ Result<void> check_host(const ServeOptions& options) {
   return {};
 }
 
+Result<void> check_make_in(const std::string& folder) {
+  std::error_code failed;
+  if (!std::filesystem::exists(folder, failed) || std::filesystem::is_directory(folder, failed))
+    return {};
+  return Error{
+      "usage.bad_flag", "--make-in", "\"" + folder + "\" is a file: name a folder, new or not"};
+}
+
 }  // namespace
 
 // The server goes first: its threads ask the viewer.
@@ -56,12 +65,15 @@ ViewServer::~ViewServer() = default;
 Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& options,
                                                       store::OpenedStores stores) {
   MARKETGEN_CHECK(check_host(options));
+  MARKETGEN_CHECK(check_make_in(options.make_in));
   MARKETGEN_TRY(const std::filesystem::path page, page_folder());
   const bool may_edit = !options.read_only && !options.embed;
   auto parts = std::make_unique<Parts>();
   MARKETGEN_TRY(
       parts->viewer,
-      Viewer::open(std::move(stores), page, {.may_edit = may_edit, .results = options.results}));
+      Viewer::open(std::move(stores),
+                   page,
+                   {.may_edit = may_edit, .make_in = options.make_in, .results = options.results}));
   HttpServerOptions http;
   http.host = options.host;
   http.port = options.port;
@@ -82,6 +94,7 @@ Result<void> serve(const ServeOptions& options,
                    catalog::Catalog rows,
                    const std::function<void(const std::string&)>& opened) {
   MARKETGEN_CHECK(check_host(options));
+  MARKETGEN_CHECK(check_make_in(options.make_in));
   if (const auto page = page_folder(); !page.ok()) return page.error();  // before any work
   MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(folders, std::move(rows)));
   MARKETGEN_TRY(const std::unique_ptr<ViewServer> server,

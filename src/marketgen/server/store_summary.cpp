@@ -22,7 +22,7 @@ std::string folder_name(const store::Store& store) {
              : store.folder.filename().string();
 }
 
-std::vector<ViewOpening> openings_of(const render::raytrace::Room& room) {
+std::vector<ViewOpening> openings_in(const render::raytrace::Room& room) {
   std::vector<ViewOpening> openings;
   for (const render::raytrace::WallEdge& wall : room.walls) {
     for (const render::raytrace::WallOpening& o : wall.openings) {
@@ -115,11 +115,17 @@ std::vector<ViewSku> skus_of(const scene::Scene& scene,
   return rows;
 }
 
+std::vector<ViewOpening> openings_of(const scene::Scene& scene) {
+  return openings_in(render::raytrace::room_of(scene.layout.shell));
+}
+
 StoreLine line_of(int number, const store::Store& store) {
   return {number,
           store.manifest.name,
           folder_name(store),
           store.manifest.scene_hash,
+          store.manifest.brief.prompt,
+          store.manifest.seed,
           store.scene.products.size()};
 }
 
@@ -145,7 +151,7 @@ StoreSummary summary_of(int number,
   summary.ceiling_m = shell.ceiling_mm * 1e-3;
   summary.bounds = {{0, 0, 0}, {shell.width_mm * 1e-3, shell.depth_mm * 1e-3, summary.ceiling_m}};
   summary.outline_mm = room.outline;
-  summary.openings = openings_of(room);
+  summary.openings = openings_in(room);
   summary.cameras = cameras_of(scene);
   summary.zones = scene.layout.zones;
   summary.aisles = scene.layout.aisles;

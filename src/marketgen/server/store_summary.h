@@ -15,10 +15,12 @@ namespace marketgen::server {
 
 struct StoreLine {
   int store = 0;
-  std::string name, folder, scene_hash;
-  std::uint64_t products = 0;
+  std::string name, folder, scene_hash, prompt;
+  std::uint64_t seed = 0, products = 0;
   static constexpr auto fields =
       field_list(field("store", &StoreLine::store, "its number in addresses"),
+                 field("prompt", &StoreLine::prompt, "what was asked for"),
+                 field("seed", &StoreLine::seed, "seed it was made with"),
                  field("name", &StoreLine::name, "its name"),
                  field("folder", &StoreLine::folder, "last part of its folder's path"),
                  field("scene_hash", &StoreLine::scene_hash, "over SKU, geometry and pose"),
@@ -164,6 +166,7 @@ struct StoreSummary {
                  field("skus", &StoreSummary::skus, "rows of the store's catalogue"));
 };
 
+std::vector<ViewOpening> openings_of(const scene::Scene& scene);
 // By row of the scene.
 std::vector<ViewFixture> fixtures_of(const scene::Scene& scene);
 std::vector<ViewSku> skus_of(const scene::Scene& scene,

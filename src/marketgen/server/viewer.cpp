@@ -86,6 +86,13 @@ Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
     viewer->add(std::move(store));
   for (const std::unique_ptr<Opened>& store : viewer->stores_)
     viewer->build_of(*store);
+  if (options.may_edit)
+    viewer->maker_ =
+        std::make_unique<Maker>(viewer->rows_,
+                                std::filesystem::absolute(options.make_in).lexically_normal(),
+                                [made = viewer.get()](const std::filesystem::path& folder) {
+                                  return made->add_saved(folder, *made->rows_);
+                                });
   return viewer;
 }
 
@@ -146,7 +153,9 @@ Result<Viewer::Opened*> Viewer::opened(const HttpAsk& ask, const std::string& nu
 Result<HttpReply> Viewer::reply_to(const HttpAsk& ask) {
   const Words words = parts_of(ask.path);
   if (words.empty() || words[0] != "api") return page_file(page_, ask.path);
-  if (words.size() < 2 || words[1] != "stores") return no_address(ask);
+  if (words.size() < 2) return no_address(ask);
+  if (words[1] == "make") return of_make(ask, Words(words.begin() + 2, words.end()));
+  if (words[1] != "stores") return no_address(ask);
   if (words.size() == 2) return list();
   MARKETGEN_TRY(Opened* const store, opened(ask, words[2]));
   return of_store(*store, ask, Words(words.begin() + 3, words.end()));
@@ -184,6 +193,18 @@ Result<HttpReply> Viewer::of_scene(const scene::Scene& scene,
     return json_reply(io::write_json_line(fixture_card(scene, row)));
   }
   return what == "tags" ? tag(scene, ask, words[1]) : no_address(ask);
+}
+
+Result<HttpReply> Viewer::of_make(const HttpAsk& ask, const Words& words) {
+  if (!maker_)
+    return Error{"server.refused",
+                 ask.path,
+                 "stores are not made here: start `marketgen view` without --read-only"};
+  if (ask.method != "POST") return maker_->get(ask, words);
+  Result<HttpReply> reply = maker_->post(words.size() == 1 ? words[0] : "", ask);
+  if (reply.ok()) return reply;
+  const int status = is_refused_keeping(reply.error()) ? 200 : status_of(reply.error());
+  return error_reply(status, reply.error());
 }
 
 // Reads show the store as the edit has it now.

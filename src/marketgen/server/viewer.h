@@ -1,7 +1,7 @@
 // The viewer of stores: every address of its server and what it answers. docs/viewer.md lists them.
 //
-// What writes has addresses of its own below /api/stores/N/edit (editor.h); the other answers only
-// read.
+// What writes has addresses of its own below /api/stores/N/edit (editor.h) and /api/make (maker.h);
+// the other answers only read.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -15,6 +15,7 @@
 #include "base/result.h"
 #include "server/cards.h"
 #include "server/http_message.h"
+#include "server/maker.h"
 #include "server/replays.h"
 #include "server/store_search.h"
 #include "server/view_build.h"
@@ -23,7 +24,8 @@
 namespace marketgen::server {
 
 struct ViewerOptions {
-  bool may_edit = true;
+  bool may_edit = true;                   // and make
+  std::filesystem::path make_in = ".";    // where stores are kept that a page has made
   std::vector<std::string> results = {};  // folders of evaluations in the stores
 };
 
@@ -53,6 +55,7 @@ class Viewer {
   Result<HttpReply> of_store(Opened& store, const HttpAsk& ask, const Words& words);
   // What does not wait for a build: search, cards, shapes and labels.
   Result<HttpReply> of_scene(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
+  Result<HttpReply> of_make(const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_edit(Opened& store, const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_replay(Opened& store, const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_sku(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
@@ -78,6 +81,7 @@ class Viewer {
   std::vector<std::unique_ptr<Opened>> stores_;
   std::mutex opening_;
   std::map<std::uint32_t, std::unique_ptr<Opened>> places_;  // by number, once they are asked for
+  std::unique_ptr<Maker> maker_;  // goes first: what it keeps is added to stores_
 };
 
 }  // namespace marketgen::server

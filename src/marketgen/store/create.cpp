@@ -10,6 +10,7 @@
 #include "plan/style_look.h"
 #include "planners/make_planner.h"
 #include "store/design.h"
+#include "store/made_store.h"
 #include "store/save.h"
 #include "store/stages.h"
 #include "store/store.h"
@@ -189,6 +190,37 @@ StoreReport report_of(Built& built) {
   return report;
 }
 
+// Its folder is empty, and its manifest has no digests.
+Result<MadeStore> made_in(const CreateOptions& options,
+                          const catalog::Catalog& catalog,
+                          Stages& stages) {
+  MARKETGEN_TRY(Built built, built_from(options, catalog, stages));
+  MadeStore made;
+  made.store.manifest = manifest_of(built.repaired.plan, built.scene, catalog, options.seed);
+  made.store.manifest.brief = options.brief;
+  made.store.manifest.requirements = built.planned.requirements;
+  made.planner_files = std::move(built.planned.files);
+  made.report = report_of(built);
+  made.store.plan = std::move(built.repaired.plan);
+  made.store.scene = std::move(built.scene);
+  return made;
+}
+
+Result<Created> saved_in(io::FolderDraft& draft,
+                         const MadeStore& made,
+                         bool previews,
+                         const catalog::Catalog& catalog,
+                         Stages& stages) {
+  MARKETGEN_CHECK(write_planner_files(draft.folder(), made.planner_files));
+  return save_store(draft,
+                    made.store.plan,
+                    made.store.scene,
+                    {made.store.manifest, made.report},
+                    previews,
+                    catalog,
+                    stages);
+}
+
 }  // namespace
 
 Result<scene::Scene> scene_of_plan(const plan::Plan& plan,
@@ -199,17 +231,33 @@ Result<scene::Scene> scene_of_plan(const plan::Plan& plan,
   return scene::build_scene(layout, plan, catalog, Seed(seed).child(scene_stream));
 }
 
+Result<MadeStore> made_store(const CreateOptions& options,
+                             const catalog::Catalog& catalog,
+                             Progress& progress) {
+  Stages stages(progress);
+  MARKETGEN_TRY(MadeStore made, made_in(options, catalog, stages));
+  made.report.timing_s = stages.take();
+  return made;
+}
+
+Result<Created> save_made(const MadeStore& made,
+                          const std::filesystem::path& folder,
+                          bool previews,
+                          const catalog::Catalog& catalog,
+                          Progress& progress) {
+  MARKETGEN_TRY(io::FolderDraft draft, io::FolderDraft::begin(folder));
+  Stages stages(progress, made.report.timing_s);
+  return saved_in(draft, made, previews, catalog, stages);
+}
+
 Result<StoreReport> try_store(const CreateOptions& options,
                               const catalog::Catalog& catalog,
                               Progress& progress) {
-  Stages stages(progress);
-  MARKETGEN_TRY(Built built, built_from(options, catalog, stages));
-  MARKETGEN_CHECK(check_stages(built.repaired.plan, built.scene, catalog));
-  StoreReport report = report_of(built);
-  report.timing_s = stages.take();
-  report.peak_rss_mb = peak_rss_mb();
-  MARKETGEN_CHECK(io::check_fields(report, "report.json"));
-  return report;
+  MARKETGEN_TRY(MadeStore made, made_store(options, catalog, progress));
+  MARKETGEN_CHECK(check_stages(made.store.plan, made.store.scene, catalog));
+  made.report.peak_rss_mb = peak_rss_mb();
+  MARKETGEN_CHECK(io::check_fields(made.report, "report.json"));
+  return std::move(made.report);
 }
 
 Result<Created> create_store(const CreateOptions& options,
@@ -217,20 +265,8 @@ Result<Created> create_store(const CreateOptions& options,
                              Progress& progress) {
   MARKETGEN_TRY(io::FolderDraft draft, io::FolderDraft::begin(options.folder));
   Stages stages(progress);
-  MARKETGEN_TRY(Built built, built_from(options, catalog, stages));
-  MARKETGEN_CHECK(write_planner_files(draft.folder(), built.planned.files));
-  Created created;
-  created.manifest = manifest_of(built.repaired.plan, built.scene, catalog, options.seed);
-  created.manifest.brief = options.brief;
-  created.manifest.requirements = built.planned.requirements;
-  created.report = report_of(built);
-  return save_store(draft,
-                    built.repaired.plan,
-                    built.scene,
-                    std::move(created),
-                    options.previews,
-                    catalog,
-                    stages);
+  MARKETGEN_TRY(const MadeStore made, made_in(options, catalog, stages));
+  return saved_in(draft, made, options.previews, catalog, stages);
 }
 
 }  // namespace marketgen::store

@@ -13,7 +13,9 @@ namespace marketgen::store {
 
 class Stages {
  public:
-  explicit Stages(Progress& progress) : progress_(progress) {}
+  // `before`: what has been done already.
+  explicit Stages(Progress& progress, std::vector<StageTiming> before = {})
+      : progress_(progress), timings_(std::move(before)) {}
 
   template <class Work>
   auto run(std::string name, const Work& work) -> decltype(work()) {

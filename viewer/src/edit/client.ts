@@ -1,5 +1,5 @@
 // Asks the server for a store that is edited: what is read comes from the edit, in the numbers of rows that the page has.
-import { Client, errorOf, ServerError, unreachable } from "../store/client";
+import { Client, posted, ServerError } from "../store/client";
 import type { FixtureCard, Hit, ProductCard } from "../store/contract";
 import { Packed } from "../store/packed";
 import type { EditHead, Patch, Preview, Saved } from "./contract";
@@ -15,12 +15,6 @@ export interface RowNames {
 const noJoint = 0xffffffff;
 const ofTheEdit = /^\/(products|fixtures|search)\b/;
 const labelOrMesh = /^\/skus\/(\d+)(\/.*)$/;
-
-async function isRefusal(answer: Response): Promise<boolean> {
-  if (!answer.headers.get("Content-Type")?.startsWith("application/json")) return false;
-  const body = (await answer.clone().json()) as object;
-  return "error" in body;
-}
 
 export class EditClient extends Client {
   private names: RowNames | undefined;
@@ -100,17 +94,8 @@ export class EditClient extends Client {
     return new Packed<EditHead>(await (await this.post(verb, body, token)).arrayBuffer(), `edit/${verb}`);
   }
 
-  private async post(verb: string, body: object, token = this.mine, more: RequestInit = {}): Promise<Response> {
-    const request = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ token, ...body }), ...more };
-    let answer: Response;
-    try {
-      answer = await fetch(super.address(`/edit/${verb}`), request);
-    } catch (error) {
-      throw new ServerError(unreachable, String(error), verb);
-    }
-    // What the core refuses is an answer with an error in it.
-    if (!answer.ok || (await isRefusal(answer))) throw await errorOf(answer);
-    return answer;
+  private post(verb: string, body: object, token = this.mine, more: RequestInit = {}): Promise<Response> {
+    return posted(super.address(`/edit/${verb}`), { token, ...body }, verb, more);
   }
 
   private inEdit(path: string, { pageSkus, serverOfNew }: RowNames): string {

@@ -32,6 +32,39 @@ export async function errorOf(answer: Response): Promise<ServerError> {
   return new ServerError(text(error.code, `http.${answer.status}`), text(error.message, status), text(error.where, ""));
 }
 
+export const withToken = (path: string, token: string | null): string => (token === null ? path : `${path}${path.includes("?") ? "&" : "?"}token=${encodeURIComponent(token)}`);
+
+async function isRefusal(answer: Response): Promise<boolean> {
+  if (!answer.headers.get("Content-Type")?.startsWith("application/json")) return false;
+  const body = (await answer.clone().json()) as object;
+  return typeof (body as ErrorBody).error === "object" && Object.keys(body).length === 1;
+}
+
+// What is posted is answered with what came of it. What the core refuses is an answer with an error in it.
+export async function posted(address: string, body: object, where: string, more: RequestInit = {}): Promise<Response> {
+  const request = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), ...more };
+  let answer: Response;
+  try {
+    answer = await fetch(address, request);
+  } catch (error) {
+    throw new ServerError(unreachable, String(error), where);
+  }
+  if (!answer.ok || (await isRefusal(answer))) throw await errorOf(answer);
+  return answer;
+}
+
+export async function got(address: string, where: string, signal?: AbortSignal): Promise<Response> {
+  let answer: Response;
+  try {
+    answer = await fetch(address, signal ? { signal } : {});
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    throw new ServerError(unreachable, String(error), where);
+  }
+  if (!answer.ok) throw await errorOf(answer);
+  return answer;
+}
+
 export class Client {
   constructor(
     private readonly store: number,
@@ -39,20 +72,11 @@ export class Client {
   ) {}
 
   address(path: string): string {
-    const token = this.token === null ? "" : `${path.includes("?") ? "&" : "?"}token=${encodeURIComponent(this.token)}`;
-    return `api/stores/${this.store}${path}${token}`;
+    return withToken(`api/stores/${this.store}${path}`, this.token);
   }
 
-  async get(path: string, signal?: AbortSignal): Promise<Response> {
-    let answer: Response;
-    try {
-      answer = await fetch(this.address(path), signal ? { signal } : {});
-    } catch (error) {
-      if (signal?.aborted) throw error;
-      throw new ServerError(unreachable, String(error), path);
-    }
-    if (!answer.ok) throw await errorOf(answer);
-    return answer;
+  get(path: string, signal?: AbortSignal): Promise<Response> {
+    return got(this.address(path), path, signal);
   }
 
   async json<T>(path: string, signal?: AbortSignal): Promise<T> {

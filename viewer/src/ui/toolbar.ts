@@ -13,6 +13,7 @@ export interface ToolbarActions {
   zones(): void;
   layers(): void;
   edit?(): void; // where the server takes edits
+  make?(): void; // and makes stores
   picture(): void;
   share(): void;
   theme(): void;
@@ -62,7 +63,9 @@ export class Toolbar {
   private more(): HTMLElement {
     const { speech, actions } = this;
     const entry = (key: TextKey, choose: () => void): { text: string; choose: () => void } => ({ text: speech.say(key), choose });
+    const { make } = actions;
     return new Menu(this.button("more", "more"), () => [
+      ...(make ? [entry("newStore", () => make())] : []),
       entry("screenshot", () => actions.picture()),
       entry("share", () => actions.share()),
       entry("theme", () => actions.theme()),

@@ -1,0 +1,122 @@
+// Making stores in the page of `marketgen view`: Debian's Chromium describes one, compares two seeds, drops a floor plan, keeps a store and opens it.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { launch, openPage, program, serve, take } from "./served.mjs";
+
+const patience = 120_000; // milliseconds for stores to be made and shown, on a busy machine
+const words = "a 9 x 7 m corner shop with drinks and snacks, one checkout";
+
+let folder, server, address, browser;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "marketgen-make-"));
+  ({ server, address } = await serve(["--make-in", folder]));
+  browser = await launch();
+});
+
+after(async () => {
+  await browser?.close();
+  server?.kill("SIGINT");
+  if (folder) rmSync(folder, { recursive: true, force: true });
+});
+
+const ready = (page, count) => page.waitForFunction((n) => document.querySelectorAll(".try[data-state=ready]").length === n, count, { timeout: patience });
+const describe = (page) => page.getByLabel("What should the store be?");
+
+test("a server without stores opens the page in which they are made; words and seeds make some, and the one that is kept opens", { timeout: 4 * patience }, async () => {
+  const { page, faults, close } = await openPage(browser, address, { viewport: { width: 1280, height: 900 } });
+  await describe(page).waitFor({ timeout: patience });
+  assert.match(page.url(), /\?make=/);
+  assert.equal(await page.title(), "A new store · MarketGen");
+  await take(page, "make-empty");
+
+  await page.getByRole("button", { name: "Make stores" }).click();
+  assert.equal(await page.getByRole("alert").first().textContent(), "Say what the store should be, or drop a drawing or a photo.");
+
+  await describe(page).fill(`${words}, a helicopter pad`);
+  await page.getByLabel("Stores to compare").fill("2");
+  await page.getByLabel("First seed").fill("5");
+  await page.getByRole("button", { name: "Make stores" }).click();
+  await ready(page, 2);
+  const cards = page.locator(".try");
+  assert.deepEqual(await cards.locator("h2").allTextContents(), ["Seed 5", "Seed 6"]);
+  assert.ok((await cards.first().locator(".wishes .mark.solved").count()) >= 3, "wishes are ticked off");
+  assert.match(await cards.first().textContent(), /not understood:.*helicopter/);
+  assert.ok((await cards.first().locator("svg .fixture").count()) > 5);
+  await page.waitForFunction(() => [...document.querySelectorAll(".try img")].every((img) => img.complete && img.naturalWidth === 480), null, { timeout: patience });
+  await take(page, "make-two-seeds");
+
+  await page.reload();
+  await ready(page, 2); // what was made is still there
+  const second = page.locator(".try").nth(1);
+  await second.getByLabel("Folder").fill("a/b");
+  await second.getByRole("button", { name: "Keep and open" }).click();
+  assert.match(await second.getByRole("alert").textContent(), /name of a new folder/);
+  faults.splice(0); // the browser complains of an answer 400
+  await second.getByLabel("Folder").fill("my-shop");
+  await second.getByRole("button", { name: "Keep and open" }).click();
+  await page.waitForFunction(() => window.marketgen?.times.goods !== undefined, null, { timeout: patience });
+  assert.match(page.url(), /\?store=0/);
+
+  const kept = join(folder, "my-shop");
+  execFileSync(program, ["generate", `${words}, a helicopter pad`, "--seed", "6", "--no-previews", "--quiet", "-o", join(folder, "again")]);
+  const hash = (at) => JSON.parse(readFileSync(join(at, "store.json"), "utf8")).scene_hash;
+  assert.equal(hash(kept), hash(join(folder, "again")));
+  assert.deepEqual(faults, []);
+
+  await page.getByRole("button", { name: "More" }).click();
+  await page.getByRole("menuitem", { name: "New store…" }).click();
+  await page.getByRole("link", { name: "Start from its words" }).click();
+  await page.waitForFunction((said) => document.querySelector("textarea")?.value === said, `${words}, a helicopter pad`, { timeout: patience });
+  assert.equal(await page.getByLabel("First seed").inputValue(), "6");
+  await close();
+});
+
+test("a dropped floor plan is the room; what cannot be read is said; a phone and the keyboard will do", { timeout: 3 * patience }, async () => {
+  const { page, faults, close } = await openPage(browser, `${address}?make`, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
+  await describe(page).waitFor({ timeout: patience });
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="160mm" height="100mm" viewBox="0 0 160 100"><rect x="0" y="0" width="160" height="100" fill="none" stroke="black"/></svg>`;
+  const files = page.locator('input[type="file"]');
+  await files.setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("x") });
+  assert.match(await page.locator(".ask > .failed").textContent(), /notes\.txt is no SVG/);
+  await files.setInputFiles({ name: "room.svg", mimeType: "image/svg+xml", buffer: Buffer.from(svg) });
+  await describe(page).fill("a 16 x 10 m shop with drinks and snacks, one checkout");
+  await page.getByLabel("Stores to compare").fill("1");
+  await page.getByRole("button", { name: "Make stores" }).focus();
+  await page.keyboard.press("Enter");
+  await ready(page, 1);
+  const corners = await page.locator(".made-plan .outline").getAttribute("points");
+  assert.match(corners, /16000,0/);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(wide <= 390, `nothing hangs over the edge of a phone: ${wide}`);
+  await take(page, "make-phone-dark");
+
+  await page.getByRole("button", { name: "Remove room.svg" }).click();
+  await files.setInputFiles({ name: "broken.svg", mimeType: "image/svg+xml", buffer: Buffer.from("no drawing") });
+  await page.getByRole("button", { name: "Make stores" }).click();
+  await page.locator(".news [role=alert]").waitFor({ timeout: patience });
+  assert.doesNotMatch(await page.locator(".news").textContent(), /tmp/);
+  await page.getByRole("button", { name: "中文" }).click();
+  assert.equal(await page.locator("h1").textContent(), "新店铺");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a server that only shows makes nothing", { timeout: patience }, async () => {
+  const store = join(folder, "again");
+  assert.ok(existsSync(store));
+  const reading = await serve([store, "--read-only"]);
+  try {
+    const answer = await fetch(new URL("api/make", reading.address));
+    assert.equal(answer.status, 400);
+    assert.equal((await answer.json()).error.code, "server.refused");
+    const posted = await fetch(new URL("api/make/try", reading.address), { method: "POST", headers: { "Content-Type": "application/json" }, body: "{}" });
+    assert.equal(posted.status, 405);
+  } finally {
+    reading.server.kill("SIGINT");
+  }
+});

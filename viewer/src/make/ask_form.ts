@@ -1,0 +1,176 @@
+// The form: words, dropped files, and what else may be said.
+import { element } from "../ui/dom";
+import type { Speech } from "../ui/speech";
+import type { Ask, DroppedFile, MakeOptions } from "./contract";
+import { acceptedFiles, maxFilesBytes, readDropped, usesOf, type Use } from "./dropped";
+import { say, type MakeKey } from "./strings";
+
+// As one types them; they are read in English.
+export const examples = [
+  "a 20 x 14 m supermarket with dairy along the back wall, a bakery by the entrance and three checkouts",
+  "a 9 x 7 m corner shop with drinks, snacks and sweets, one checkout",
+  "a 24 x 16 m organic market with produce at the entrance, wide aisles and a cheese counter",
+] as const;
+
+interface Dropped {
+  readonly file: File;
+  use: Use;
+}
+
+export class AskForm {
+  readonly root = element("form", { class: "ask panel" });
+  private readonly words = element("textarea", { attributes: { rows: "4", maxlength: "20000" } });
+  private readonly size = element("input", { attributes: { autocomplete: "off", maxlength: "40" } });
+  private readonly profile = element("select");
+  private readonly style = element("select");
+  private readonly seed = element("input", { attributes: { type: "number", min: "0", max: "9007199254740991", step: "1", required: "" } });
+  private readonly count = element("input", { attributes: { type: "number", min: "1", step: "1", required: "" } });
+  private readonly button = element("button", { class: "main", attributes: { type: "submit" } });
+  private readonly fault = element("p", { class: "failed", attributes: { role: "alert" } });
+  private readonly files = element("ul", { class: "files" });
+  private dropped: Dropped[] = [];
+
+  constructor(
+    private readonly speech: Speech,
+    private readonly options: MakeOptions,
+    private readonly begin: (ask: Ask) => Promise<void>,
+    private readonly textOf: (error: unknown) => string,
+  ) {
+    this.seed.value = "1";
+    this.count.value = "3";
+    this.count.max = String(options.max_count);
+    const labelled = (key: MakeKey, input: HTMLElement): HTMLElement => element("label", {}, this.text("span", key), input);
+    const figures = element("div", { class: "figures" }, labelled("count", this.count), labelled("seed", this.seed));
+    const more = element("details", {}, this.text("summary", "more"), element("div", { class: "figures" }, labelled("size", this.size), labelled("profile", this.profile), labelled("style", this.style)));
+    this.root.append(labelled("describe", this.words), this.tryOne(), this.dropZone(), more, figures, this.button, this.fault);
+    this.root.addEventListener("submit", (event) => {
+      event.preventDefault();
+      void this.submit();
+    });
+    speech.bind(() => this.translate());
+  }
+
+  // The words of another store, and its seed.
+  start(words: string, seed: number): void {
+    this.words.value = words;
+    this.seed.value = String(seed);
+    this.words.focus();
+  }
+
+  busy(working: boolean): void {
+    this.button.textContent = this.say(working ? "making" : "make");
+    this.button.setAttribute("aria-busy", String(working));
+  }
+
+  private say(key: MakeKey, values?: Readonly<Record<string, string | number>>): string {
+    return say(this.speech.language, key, values);
+  }
+
+  private text<K extends "span" | "summary">(tag: K, key: MakeKey): HTMLElementTagNameMap[K] {
+    const made = element(tag);
+    this.speech.bind(() => (made.textContent = this.say(key)));
+    return made;
+  }
+
+  private translate(): void {
+    this.words.placeholder = this.say("describeHint");
+    this.size.placeholder = this.say("sizeHint");
+    for (const [select, ids] of [[this.profile, this.options.profiles], [this.style, this.options.styles]] as const) {
+      const chosen = select.value;
+      select.replaceChildren(element("option", { text: this.say("asSaid"), attributes: { value: "" } }), ...ids.map((id) => element("option", { text: id, attributes: { value: id } })));
+      select.value = chosen;
+    }
+    this.busy(this.button.getAttribute("aria-busy") === "true");
+    this.listFiles();
+  }
+
+  private tryOne(): HTMLElement {
+    const chips = examples.map((example) => element("button", { class: "chip", text: example, attributes: { type: "button" }, on: { click: () => (this.words.value = example) } }));
+    return element("div", { class: "examples" }, this.text("span", "tryOne"), ...chips);
+  }
+
+  private dropZone(): HTMLElement {
+    const input = element("input", { attributes: { type: "file", multiple: "", accept: acceptedFiles, tabindex: "-1" } });
+    input.hidden = true;
+    const choose = element("button", { class: "link", attributes: { type: "button" }, on: { click: () => input.click() } });
+    this.speech.bind(() => (choose.textContent = this.say("chooseFiles")));
+    const zone = element("div", { class: "drop", attributes: { role: "group" } }, this.text("span", "drop"), element("p", { class: "muted" }, this.text("span", "dropHint"), choose), input, this.files);
+    this.speech.bind(() => zone.setAttribute("aria-label", this.say("drop")));
+    input.addEventListener("change", () => {
+      this.add([...(input.files ?? [])]);
+      input.value = "";
+    });
+    zone.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      zone.classList.add("over");
+    });
+    zone.addEventListener("dragleave", () => zone.classList.remove("over"));
+    zone.addEventListener("drop", (event) => {
+      event.preventDefault();
+      zone.classList.remove("over");
+      this.add([...(event.dataTransfer?.files ?? [])]);
+    });
+    return zone;
+  }
+
+  private add(files: readonly File[]): void {
+    this.fault.textContent = "";
+    for (const file of files) {
+      const [use] = usesOf(file.name);
+      if (use) this.dropped.push({ file, use });
+      else this.fault.textContent = this.say("badFile", { name: file.name });
+    }
+    this.listFiles();
+  }
+
+  private listFiles(): void {
+    this.files.replaceChildren(
+      ...this.dropped.map((each) => {
+        const { name } = each.file;
+        const use = element("select", { attributes: { "aria-label": this.say("useOf", { name }) } }, ...usesOf(name).map((as) => element("option", { text: this.say(as === "image" ? "asImage" : "asFloorPlan"), attributes: { value: as } })));
+        use.value = each.use;
+        use.addEventListener("change", () => (each.use = use.value as Use));
+        const remove = element("button", { class: "link", text: "×", attributes: { type: "button", "aria-label": this.say("remove", { name }) } });
+        remove.addEventListener("click", () => {
+          this.dropped = this.dropped.filter((other) => other !== each);
+          this.listFiles();
+        });
+        return element("li", {}, element("span", { text: name }), use, remove);
+      }),
+    );
+  }
+
+  // What is wrong with what is on the form; the server says the rest.
+  private complaint(): string | undefined {
+    if (this.words.value.trim() === "" && this.dropped.length === 0) return this.say("sayOrDrop");
+    const [plan, second] = this.dropped.filter(({ use }) => use === "floor_plan");
+    if (plan && second) return this.say("oneFloorPlan", { name: plan.file.name });
+    const bytes = this.dropped.reduce((sum, { file }) => sum + file.size, 0);
+    return bytes > maxFilesBytes ? this.say("filesTooLarge", { megabytes: maxFilesBytes / 1024 / 1024 }) : undefined;
+  }
+
+  private async submit(): Promise<void> {
+    this.fault.textContent = this.complaint() ?? "";
+    if (this.fault.textContent !== "") return;
+    try {
+      await this.begin(await this.ask());
+    } catch (error) {
+      this.fault.textContent = this.textOf(error);
+    }
+  }
+
+  private async ask(): Promise<Ask> {
+    const read = (wanted: Use): Promise<DroppedFile[]> => Promise.all(this.dropped.filter(({ use }) => use === wanted).map(({ file }) => readDropped(file)));
+    const [plans, images] = await Promise.all([read("floor_plan"), read("image")]);
+    return {
+      words: this.words.value.trim(),
+      seed: Number(this.seed.value),
+      count: Number(this.count.value),
+      ...(this.size.value.trim() && { size: this.size.value.trim() }),
+      ...(this.profile.value && { profile: this.profile.value }),
+      ...(this.style.value && { style: this.style.value }),
+      ...(plans[0] && { floor_plan: plans[0] }),
+      ...(images.length > 0 && { images }),
+    };
+  }
+}

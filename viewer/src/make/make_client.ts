@@ -1,0 +1,30 @@
+// Asks the server to make stores.
+import { got, posted, withToken } from "../store/client";
+import type { Ask, Kept, MakeOptions, StoreLine, Tries } from "./contract";
+
+export class MakeClient {
+  constructor(readonly token: string | null) {}
+
+  options(): Promise<MakeOptions> {
+    return this.read("api/make");
+  }
+  tries(): Promise<Tries> {
+    return this.read("api/make/tries");
+  }
+  async stores(): Promise<readonly StoreLine[]> {
+    return (await this.read<{ stores: readonly StoreLine[] }>("api/stores")).stores;
+  }
+  async begin(ask: Ask): Promise<Tries> {
+    return (await (await posted(withToken("api/make/try", this.token), ask, "try")).json()) as Tries;
+  }
+  async keep(batch: number, seed: number, name: string): Promise<Kept> {
+    return (await (await posted(withToken("api/make/keep", this.token), { batch, seed, name }, "keep")).json()) as Kept;
+  }
+  pictureAddress(batch: number, seed: number): string {
+    return withToken(`api/make/pictures/${batch}-${seed}.png`, this.token);
+  }
+
+  private async read<T>(path: string): Promise<T> {
+    return (await (await got(withToken(path, this.token), path)).json()) as T;
+  }
+}
