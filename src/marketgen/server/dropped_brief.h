@@ -8,7 +8,7 @@
 namespace marketgen::server {
 
 // Dropped files are read and gone again: the brief names them as they were called. Errors:
-// server.bad_request for a file's name or bytes; usage.bad_flag for the size; those of
+// server.bad_request for a file's name, net.* for its bytes; brief.bad_size; those of
 // intake::with_drawing.
 Result<intake::Drawn> brief_asked(const TryAsk& ask, const catalog::Catalog& catalog);
 

@@ -15,6 +15,7 @@ export const examples = [
 interface Dropped {
   readonly file: File;
   use: Use;
+  scale: string; // of a floor plan
 }
 
 export class AskForm {
@@ -117,27 +118,35 @@ export class AskForm {
     this.fault.textContent = "";
     for (const file of files) {
       const [use] = usesOf(file.name);
-      if (use) this.dropped.push({ file, use });
+      if (use) this.dropped.push({ file, use, scale: "" });
       else this.fault.textContent = this.say("badFile", { name: file.name });
     }
     this.listFiles();
   }
 
   private listFiles(): void {
-    this.files.replaceChildren(
-      ...this.dropped.map((each) => {
-        const { name } = each.file;
-        const use = element("select", { attributes: { "aria-label": this.say("useOf", { name }) } }, ...usesOf(name).map((as) => element("option", { text: this.say(as === "image" ? "asImage" : "asFloorPlan"), attributes: { value: as } })));
-        use.value = each.use;
-        use.addEventListener("change", () => (each.use = use.value as Use));
-        const remove = element("button", { class: "link", text: "×", attributes: { type: "button", "aria-label": this.say("remove", { name }) } });
-        remove.addEventListener("click", () => {
-          this.dropped = this.dropped.filter((other) => other !== each);
-          this.listFiles();
-        });
-        return element("li", {}, element("span", { text: name }), use, remove);
-      }),
-    );
+    this.files.replaceChildren(...this.dropped.map((each) => this.fileLine(each)));
+  }
+
+  private fileLine(each: Dropped): HTMLElement {
+    const { name } = each.file;
+    const use = element("select", { attributes: { "aria-label": this.say("useOf", { name }) } }, ...usesOf(name).map((as) => element("option", { text: this.say(as === "image" ? "asImage" : "asFloorPlan"), attributes: { value: as } })));
+    use.value = each.use;
+    const label = this.say("scaleOf", { name });
+    const scale = element("input", { attributes: { "aria-label": label, title: label, placeholder: this.say("scaleHint"), autocomplete: "off", maxlength: "100" } });
+    scale.value = each.scale;
+    scale.hidden = each.use !== "floor_plan";
+    scale.addEventListener("input", () => (each.scale = scale.value));
+    use.addEventListener("change", () => {
+      each.use = use.value as Use;
+      scale.hidden = each.use !== "floor_plan";
+    });
+    const remove = element("button", { class: "link", text: "×", attributes: { type: "button", "aria-label": this.say("remove", { name }) } });
+    remove.addEventListener("click", () => {
+      this.dropped = this.dropped.filter((other) => other !== each);
+      this.listFiles();
+    });
+    return element("li", {}, element("span", { text: name }), use, scale, remove);
   }
 
   // What is wrong with what is on the form; the server says the rest.
@@ -162,6 +171,7 @@ export class AskForm {
   private async ask(): Promise<Ask> {
     const read = (wanted: Use): Promise<DroppedFile[]> => Promise.all(this.dropped.filter(({ use }) => use === wanted).map(({ file }) => readDropped(file)));
     const [plans, images] = await Promise.all([read("floor_plan"), read("image")]);
+    const scale = this.dropped.find(({ use }) => use === "floor_plan")?.scale.trim();
     return {
       words: this.words.value.trim(),
       seed: Number(this.seed.value),
@@ -170,6 +180,7 @@ export class AskForm {
       ...(this.profile.value && { profile: this.profile.value }),
       ...(this.style.value && { style: this.style.value }),
       ...(plans[0] && { floor_plan: plans[0] }),
+      ...(scale && { floor_plan_scale: scale }),
       ...(images.length > 0 && { images }),
     };
   }

@@ -19,6 +19,7 @@ export interface Ask {
   readonly profile?: string;
   readonly style?: string;
   readonly floor_plan?: DroppedFile;
+  readonly floor_plan_scale?: string;
   readonly images?: readonly DroppedFile[];
   readonly seed: number;
   readonly count: number;
