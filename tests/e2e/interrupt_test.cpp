@@ -84,6 +84,7 @@ const std::map<std::string, Work>& works() {
       {"grasps", {{"--tries", "20"}}},
       {"bench", {{}}},
       {"completion", {{"bash"}, false}},
+      {"manual", {{"-o", "{out}"}, false}},
       {"schemas", {{"-o", "{out}"}, false}}};
   return all;
 }
