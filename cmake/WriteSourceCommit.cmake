@@ -1,9 +1,11 @@
 # Writes which commit a build is of: `cmake -D SOURCE=… -D OUTPUT=… -P`. Twelve digits of the commit, with "+" when files that are
-# built or read differ from it; nothing where there is no Git. The file is written only when that has changed.
+# built or read differ from it; nothing where the tree is no Git repository. The file is written only when that has changed.
 set(commit "")
 set(git git --no-optional-locks -C "${SOURCE}")
 execute_process(COMMAND ${git} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
-if(failed)
+# Of a repository around the tree, as where an sdist is unpacked, the commit says nothing.
+execute_process(COMMAND ${git} rev-parse --show-prefix OUTPUT_VARIABLE prefix OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(failed OR prefix)
   set(commit "")
 else()
   execute_process(COMMAND ${git} diff --quiet HEAD -- src data cmake apps python CMakeLists.txt ERROR_QUIET RESULT_VARIABLE differs)

@@ -15,6 +15,7 @@
 #include "io/output.h"
 #include "io/png.h"
 #include "llm/language_model.h"
+#include "named_flag.h"
 #include "number_flags.h"
 #include "render/contact_sheet.h"
 #include "render/fixture_picture.h"
@@ -353,13 +354,17 @@ using Action = Result<void> (*)(const AssetFlags&);
 
 void add_filters(CLI::App& sub, AssetFlags& flags) {
   catalog::AssetQuery& q = flags.query;
-  sub.add_option("--zone", q.zone, "what belongs in a zone type: dairy, snacks ...");
-  sub.add_option("--category", q.category, "category of goods");
+  sub.add_option("--zone", q.zone, "what belongs in a zone type: dairy, snacks ...")
+      ->type_name("ZONE");
+  sub.add_option("--category", q.category, "category of goods")->type_name("CATEGORY");
   sub.add_option("--subcategory", q.subcategory, "shelf group of goods");
-  sub.add_option("--archetype", q.archetype, "container shape, or generator of facilities");
-  sub.add_option("--material", q.material, "contact material, or body material of facilities");
-  sub.add_option("--style", q.style, "what suits a style");
-  sub.add_option("--storage", q.storage, "ambient, chilled or frozen");
+  sub.add_option("--archetype", q.archetype, "container shape, or generator of facilities")
+      ->type_name("SHAPE");
+  sub.add_option("--material", q.material, "contact material, or body material of facilities")
+      ->type_name("MATERIAL");
+  sub.add_option("--style", q.style, "what suits a style")->type_name("STYLE");
+  sub.add_option("--storage", q.storage, "how it is kept")
+      ->type_name(choice_of(names_of(catalog::Storage{})));
   const NumberCheck size_mm = real_number(0.1, 1e5);
   sub.add_option("--max-width-mm", q.max_width_mm, "no wider")->check(size_mm);
   sub.add_option("--max-depth-mm", q.max_depth_mm, "no deeper")->check(size_mm);
@@ -383,10 +388,13 @@ void add_heaps(CLI::App& sub, AssetFlags& flags) {
 }
 
 void add_show(CLI::App& sub, AssetFlags& flags) {
-  sub.add_option("id", flags.shown.id, "SKU, fixture kind or material")->required();
+  sub.add_option("id", flags.shown.id, "SKU, fixture kind or material")
+      ->type_name("ASSET")
+      ->required();
   add_output(sub, "--picture", flags.shown.picture, "PNG or JPEG: three-quarter view");
   add_output(sub, "--label", flags.shown.label, "PNG or JPEG: the printed sheet");
-  sub.add_option("--joint", flags.shown.joints, "NAME=STATE or NAME=NUMBER, all=open (repeatable)");
+  sub.add_option("--joint", flags.shown.joints, "NAME=STATE or NAME=NUMBER, all=open (repeatable)")
+      ->type_name("JOINT");
   sub.add_option("--size", flags.size_px, "pixels a side")
       ->check(whole_number(64, 4096))
       ->capture_default_str();
@@ -394,7 +402,8 @@ void add_show(CLI::App& sub, AssetFlags& flags) {
 
 void add_sheet(CLI::App& sub, AssetFlags& flags) {
   add_output(sub, "-o,--output", flags.folder, "folder for the pictures")->required();
-  sub.add_option("--only", flags.only, "a category, facilities or materials (repeatable)");
+  sub.add_option("--only", flags.only, "a category, facilities or materials (repeatable)")
+      ->type_name("CATEGORY");
   sub.add_option("--pixels,--size", flags.size_px, "pixels an asset")
       ->check(whole_number(64, 1024))
       ->capture_default_str();
@@ -405,26 +414,33 @@ void add_vlm(CLI::App& sub, AssetFlags& flags) {
       sub.add_option("--vlm",
                      flags.vlm,
                      "PROVIDER:MODEL that says what it is (" + llm::provider_names() +
-                         "); the key comes from the environment. Default: offline");
+                         "); the key comes from the environment. Default: offline")
+          ->type_name("MODEL");
   sub.add_option("--vlm-url", flags.vlm_url, "base URL of another server of that kind")
+      ->type_name("URL")
       ->needs(model);
   CLI::Option* record =
       add_output(sub, "--vlm-record", flags.vlm_record, "folder to keep the exchange in")
           ->needs(model);
   sub.add_option("--vlm-replay", flags.vlm_replay, "answer from that folder; nothing is sent")
+      ->type_name("FOLDER")
       ->needs(model)
       ->excludes(record);
 }
 
 void add_import(CLI::App& sub, AssetFlags& flags) {
-  sub.add_option("model", flags.model, "GLB or OBJ file")->required();
+  sub.add_option("model", flags.model, "GLB or OBJ file")->type_name("FILE")->required();
   add_output(sub, "-o,--output", flags.folder, "new folder; default assets/<sku>");
-  sub.add_option("--unit", flags.unit, "length unit of the file")->capture_default_str();
-  sub.add_option("--up", flags.up, "its axis that points up: y or z")->capture_default_str();
+  sub.add_option("--unit", flags.unit, "length unit of the file")
+      ->type_name(choice_of(names_of(catalog::LengthUnit{})))
+      ->capture_default_str();
+  sub.add_option("--up", flags.up, "its axis that points up")
+      ->type_name(choice_of(names_of(assets::UpAxis{})))
+      ->capture_default_str();
   sub.add_option("--name", flags.import.name, "what it is");
-  sub.add_option("--category", flags.import.category, "category id");
+  sub.add_option("--category", flags.import.category, "category id")->type_name("CATEGORY");
   sub.add_option("--subcategory", flags.import.subcategory, "shelf group");
-  sub.add_option("--material", flags.import.material, "contact material");
+  sub.add_option("--material", flags.import.material, "contact material")->type_name("MATERIAL");
   sub.add_option("--mass-kg", flags.mass_kg, "gross mass; estimated otherwise")
       ->check(real_number(1e-6, 1e4));
   sub.add_flag("!--no-coacd", flags.coacd, "one hull as contact shape, without CoACD");
@@ -442,8 +458,10 @@ Run add_assets(CLI::App& app) {
   const auto add = [&](const char* name, const char* what, Action run, Takes takes) {
     CLI::App* sub = command->add_subcommand(name, what);
     sub->callback([action, run] { *action = run; });
-    sub->add_option(
-        "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
+    sub->add_option("--catalog",
+                    flags->catalogs,
+                    "products of your own: CSV, JSON or asset.json (repeatable)")
+        ->type_name("FILE");
     add_common_flags(*sub, flags->common, takes);
     return sub;
   };
@@ -452,7 +470,9 @@ Run add_assets(CLI::App& app) {
            *flags);
   CLI::App* search =
       add("search", "Assets that match a text, best first", search_assets, Takes::json);
-  search->add_option("text", flags->query.text, "words to look for")->required();
+  search->add_option("text", flags->query.text, "words to look for")
+      ->type_name("WORDS")
+      ->required();
   add_filters(*search, *flags);
   add_sheet(*add("sheet",
                  "Contact sheets: goods by category, facilities, materials",

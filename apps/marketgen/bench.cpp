@@ -47,7 +47,7 @@ Run add_bench(CLI::App& app) {
   std::string list;
   for (const bench::Benchmark& b : bench::benchmarks())
     list += fmt::format("\n  {:<10} {}", b.name, b.description);
-  command->add_option("names", flags->names, "which ones; none = all");
+  command->add_option("names", flags->names, "which ones; none = all")->type_name("BENCHMARK");
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer("Benchmarks:" + list + "\nExample:  marketgen bench generate load");
   return [flags] {

@@ -74,19 +74,25 @@ Result<render::Camera> named_camera(const CameraFlags& flags,
 }  // namespace
 
 void add_camera_flags(CLI::App& command, CameraFlags& flags) {
-  command.add_option(
-      "--camera", flags.name, "standard view: top, entrance, aisle, checkout, zone:<id>");
-  command.add_option("--camera-file",
-                     flags.file,
-                     "a camera in any pose with its lens, market-camera/1 (docs/cameras.md)");
-  command.add_option("--from", flags.from, "stand at x,y,z (metres)");
-  command.add_option("--at", flags.at, "look at x,y,z (metres)");
+  command
+      .add_option(
+          "--camera", flags.name, "standard view: top, entrance, aisle, checkout, zone:<id>")
+      ->type_name("CAMERA");
+  command
+      .add_option("--camera-file",
+                  flags.file,
+                  "a camera in any pose with its lens, market-camera/1 (docs/cameras.md)")
+      ->type_name("FILE");
+  command.add_option("--from", flags.from, "stand at x,y,z (metres)")->type_name("POINT");
+  command.add_option("--at", flags.at, "look at x,y,z (metres)")->type_name("POINT");
   command
       .add_option("--fov-deg",
                   flags.fov_deg,
                   "vertical field of view, with --from and --at; 60 when not given")
       ->check(real_number(render::narrowest_view_deg, render::widest_view_deg));
-  command.add_option("--size", flags.size, "picture size in pixels")->capture_default_str();
+  command.add_option("--size", flags.size, "picture size in pixels")
+      ->type_name("SIZE")
+      ->capture_default_str();
 }
 
 Result<render::Camera> camera_of(const CameraFlags& flags, const scene::Scene& scene) {

@@ -84,7 +84,9 @@ Run add_check(CLI::App& app) {
   auto flags = std::make_shared<CheckFlags>();
   CLI::App* command =
       app.add_subcommand("check", "Check a store folder or a plan against schema and design rules");
-  command->add_option("path", flags->path, "store folder, or market-plan/1 file")->required();
+  command->add_option("path", flags->path, "store folder, or market-plan/1 file")
+      ->type_name("PATH")
+      ->required();
   add_common_flags(*command, flags->common, Takes::seed_and_json);
   command->footer(
       "Exit status 1 when a hard rule is broken or a file was changed.\nExample:  marketgen check "

@@ -8,12 +8,11 @@
 #include "assets/print/fonts.h"
 #include "assets/shapes/convex_worker.h"
 #include "base/build_info.h"
+#include "build_facts.h"
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/program.h"
-#include "physics/settle/settle.h"
-#include "render/render.h"
 
 namespace marketgen::app {
 namespace {
@@ -111,14 +110,26 @@ Finding check_worker_part(const std::string& package,
           io::worker_python() + " -m pip install " + package};
 }
 
+// What it was built of is no fault, but whoever reports one is asked for it.
+Finding program() {
+  return {"program", "ok", fmt::format("marketgen {}, {}", program_version, build_in_words()), ""};
+}
+
+Finding check_libraries() {
+  std::vector<std::string> found;
+  for (const BuildFact& library : deciding_libraries())
+    found.push_back(library.name + " " + library.value);
+  return {"libraries", "ok", fmt::format("{}", fmt::join(found, ", ")), ""};
+}
+
 std::vector<Finding> look() {
-  return {check_processor(),
+  return {program(),
+          check_processor(),
           check_memory(),
           check_rows(),
           check_cache(),
           check_fonts(),
-          {"physics", "ok", "MuJoCo " + physics::physics_version(), ""},
-          {"renderer", "ok", "Embree " + render::renderer_version(), ""},
+          check_libraries(),
           check_program(
               "zbarimg", "reads the printed bar codes in tests", "apt-get install zbar-tools"),
           check_worker_part("coacd",
@@ -138,7 +149,6 @@ int doctor(const CommonFlags& flags) {
     fmt::print("{}", io::write_json(findings));
     return healthy ? 0 : 1;
   }
-  fmt::print("marketgen {} ({}, {} build)\n", program_version, compiler_name, build_type);
   for (const Finding& f : findings) {
     fmt::print("{:<9} {:<10} {}\n", f.state == "missing" ? "MISSING" : f.state, f.part, f.detail);
     if (!f.mend.empty()) fmt::print("{:<20} mend: {}\n", "", f.mend);

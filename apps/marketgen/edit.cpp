@@ -171,9 +171,12 @@ Run add_edit(CLI::App& app) {
   auto flags = std::make_shared<EditFlags>();
   CLI::App* command =
       app.add_subcommand("edit", "Change a store: a new folder, in which the rest is as it was");
-  command->add_option("store", flags->store, "store folder; it is not written")->required();
-  command->add_option("--say", flags->words, "what shall change, in words");
-  command->add_option("--patch", flags->patch_file, "what shall change, as a market-patch/1 file");
+  command->add_option("store", flags->store, "store folder; it is not written")
+      ->type_name("STORE")
+      ->required();
+  command->add_option("--say", flags->words, "what shall change, in words")->type_name("WORDS");
+  command->add_option("--patch", flags->patch_file, "what shall change, as a market-patch/1 file")
+      ->type_name("FILE");
   add_output(*command,
              "-o,--output",
              flags->folder,

@@ -379,12 +379,14 @@ void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
           "what every episode is shown to be: planned (a way through it), certified (done "
           "in physics, in ten perturbed worlds, too: minutes an episode), paper (a way to the "
           "place, front row), all (nothing)")
+      ->type_name(choice_of(names_of(episodes::Split{})))
       ->capture_default_str();
   command
       .add_option("--instructions",
                   flags.instructions,
                   "how goals are told: words (a text that fits one product on offer) or ids (SKUs, "
                   "too)")
+      ->type_name(choice_of(names_of(episodes::Instructions{})))
       ->capture_default_str();
   CLI::Option* trained_on =
       command
@@ -392,6 +394,7 @@ void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
                       flags.trained_on,
                       "a file of episodes that a policy was trained on: what is drawn it has not "
                       "seen; may be given again")
+          ->type_name("EPISODES")
           ->allow_extra_args(false);
   command
       .add_option("--unseen",
@@ -399,6 +402,7 @@ void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
                   "with --trained-on, what is to be new, with commas: products (no goal is one of "
                   "those files' products, or easily taken for one), layouts and looks (a store "
                   "with one of theirs is refused)")
+      ->type_name("TEXT")
       ->needs(trained_on)
       ->capture_default_str();
 }
@@ -408,16 +412,12 @@ void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
 Run add_episodes(CLI::App& app) {
   auto flags = std::make_shared<EpisodesFlags>();
   CLI::App* command = app.add_subcommand("episodes", "Draw tasks for robots from stores");
-  command->add_option("folders", flags->folders, "store folders")->required();
-  command
-      ->add_option("--track",
-                   flags->track,
-                   fmt::format("what kind of task: {}",
-                               fmt::join(episodes::names_of(episodes::Track{}), " or ")))
+  command->add_option("folders", flags->folders, "store folders")->type_name("STORE")->required();
+  command->add_option("--track", flags->track, "what kind of task")
+      ->type_name(choice_of(names_of(episodes::Track{})))
       ->capture_default_str();
-  command->add_option("--tools",
-                      flags->tools,
-                      "what the robot takes goods with: gripper or suction; gripper by itself");
+  command->add_option("--tools", flags->tools, "what the robot takes goods with; gripper by itself")
+      ->type_name("{gripper,suction}");
   add_rule_flags(*command, *flags);
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(whole_number(1, 100000))

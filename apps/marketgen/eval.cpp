@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "command.h"
+#include "environments/policies.h"
 #include "environments/policy_name.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
@@ -17,6 +18,7 @@
 #include "io/json.h"
 #include "io/output.h"
 #include "leaderboard_table.h"
+#include "named_flag.h"
 #include "number_flags.h"
 #include "say.h"
 
@@ -274,6 +276,7 @@ void add_policy(CLI::App& command, EvalFlags& flags) {
                   flags.policy,
                   "who acts: oracle (knows everything), classical (sees pictures), vlm (classical "
                   "whose targets --model chooses), highest, random or stop (know nothing)")
+      ->type_name(choice_of(environments::policies))
       ->capture_default_str();
   command
       .add_option(
@@ -281,6 +284,7 @@ void add_policy(CLI::App& command, EvalFlags& flags) {
           flags.truth,
           "modules of classical or vlm in whose place the truth stands: masks, target, grasp, "
           "language")
+      ->type_name(choice_of(environments::names_of(environments::TrueModule{})))
       ->delimiter(',');
   command
       .add_option("--realism",
@@ -288,21 +292,27 @@ void add_policy(CLI::App& command, EvalFlags& flags) {
                   "what stands between the world and the robot: ideal (nothing), standard or "
                   "hard, or a file of your own that ends with .json; rankings are meant to use "
                   "standard")
+      ->type_name("REALISM")
       ->capture_default_str();
 }
 
 // That of `vlm`, as `assets import` has its own.
 void add_model(CLI::App& command, EvalFlags& flags) {
-  command.add_option(
-      "--model",
-      flags.model,
-      "model that sees pictures and chooses for --policy vlm: openai:MODEL, anthropic:MODEL, "
-      "gemini:MODEL, qwen:MODEL; it is sent pictures of the robot's cameras and product names");
-  command.add_option("--model-url", flags.model_url, "base URL of another server of that kind");
+  command
+      .add_option(
+          "--model",
+          flags.model,
+          "model that sees pictures and chooses for --policy vlm: openai:MODEL, anthropic:MODEL, "
+          "gemini:MODEL, qwen:MODEL; it is sent pictures of the robot's cameras and product names")
+      ->type_name("MODEL");
+  command.add_option("--model-url", flags.model_url, "base URL of another server of that kind")
+      ->type_name("URL");
   add_output(
       command, "--model-record", flags.model_record, "folder to keep the exchange with it in");
-  command.add_option(
-      "--model-replay", flags.model_replay, "such a folder to answer from: nothing is sent");
+  command
+      .add_option(
+          "--model-replay", flags.model_replay, "such a folder to answer from: nothing is sent")
+      ->type_name("FOLDER");
 }
 
 // Of a policy that acts in a process of its own.
@@ -331,18 +341,23 @@ Run add_eval(CLI::App& app) {
   command
       ->add_option(
           "--episodes", flags->episodes, "file of `marketgen episodes`; - = standard input")
+      ->type_name("EPISODES")
       ->required();
   add_policy(*command, *flags);
   add_model(*command, *flags);
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(whole_number(0, 1024));
-  command->add_option("--shard",
-                      flags->shard,
-                      "run a part of the file, 2/4: the second of four; `marketgen merge` joins "
-                      "them");
-  command->add_option("--against",
-                      flags->against,
-                      "results of other policies on the same episodes, to be compared with");
+  command
+      ->add_option("--shard",
+                   flags->shard,
+                   "run a part of the file, 2/4: the second of four; `marketgen merge` joins "
+                   "them")
+      ->type_name("PART");
+  command
+      ->add_option("--against",
+                   flags->against,
+                   "results of other policies on the same episodes, to be compared with")
+      ->type_name("RESULTS");
   add_output(*command, "-o,--output", flags->output, "folder for the results");
   add_limits(*command, *flags);
   command->add_flag("--worker", flags->worker, "run what standard input says")->group("");

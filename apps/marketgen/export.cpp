@@ -13,6 +13,7 @@
 #include "command.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "named_flag.h"
 #include "say.h"
 
 namespace marketgen::app {
@@ -97,13 +98,20 @@ Run add_export(CLI::App& app) {
   auto flags = std::make_shared<ExportFlags>();
   CLI::App* command = app.add_subcommand("export", "Write a store in another program's format");
   std::string formats;
-  for (const exporters::ExportFormat& format : exporters::export_formats())
+  std::vector<std::string_view> names;
+  for (const exporters::ExportFormat& format : exporters::export_formats()) {
     formats += fmt::format("\n  {:<10} {}", format.name, format.description);
-  command->add_option("folder", flags->folder, "store folder")->required();
-  command->add_option("--format", flags->format, "format, see below")->required();
+    names.push_back(format.name);
+  }
+  command->add_option("folder", flags->folder, "store folder")->type_name("STORE")->required();
+  command->add_option("--format", flags->format, "format, see below")
+      ->type_name(choice_of(names))
+      ->required();
   add_output(*command, "-o,--output", flags->output, "file to write")->required();
-  command->add_option(
-      "--free-region", flags->free_region, "mjcf: products in x0,y0,x1,y1 become free bodies");
+  command
+      ->add_option(
+          "--free-region", flags->free_region, "mjcf: products in x0,y0,x1,y1 become free bodies")
+      ->type_name("REGION");
   command->add_flag(
       "--instanced",
       flags->instanced,
@@ -120,6 +128,7 @@ Run add_export(CLI::App& app) {
           "--robot",
           flags->robots,
           "mjcf: put a robot in (repeatable): ROW@X,Y[,HEADING_DEG][,...] as `render` takes it")
+      ->type_name("ROBOT")
       ->allow_extra_args(false);
   command->add_option("--resolution",
                       flags->resolution,
@@ -130,7 +139,8 @@ Run add_export(CLI::App& app) {
   command->add_option("--robot-height",
                       flags->robot_height,
                       "nav2: metres over the floor; what hangs higher is not on the map (2)");
-  command->add_option("--skin", flags->skin, "export the store in the look of this style");
+  command->add_option("--skin", flags->skin, "export the store in the look of this style")
+      ->type_name("STYLE");
   command->add_flag("--check", flags->check, "read the file back and compare it with the store");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Formats:" + formats +

@@ -243,18 +243,22 @@ void add_planner(CLI::App& command, GenerateFlags& flags) {
                   flags.planner,
                   "who plans: offline, or a language model: openai:MODEL, anthropic:MODEL, "
                   "gemini:MODEL, qwen:MODEL, http:MODEL with --planner-url, replay:FOLDER")
+      ->type_name("PLANNER")
       ->capture_default_str();
   planners::PlannerAccess& access = flags.planner_access;
-  command.add_option("--planner-url", access.url, "base URL of another server of that kind");
+  command.add_option("--planner-url", access.url, "base URL of another server of that kind")
+      ->type_name("URL");
   add_output(command, "--record", flags.record, "folder to keep the exchange with the model in");
   command.add_option("--max-tokens", access.limits.max_tokens, "of the model, read and written")
       ->capture_default_str();
   command.add_option("--max-seconds", access.limits.max_seconds, "of waiting for the model")
       ->capture_default_str();
   command.add_option("--max-usd", access.limits.max_usd, "needs --usd-per-million");
-  command.add_option("--usd-per-million",
-                     access.limits.usd_per_million,
-                     "price of a million tokens read, and written: 0.15 0.6");
+  command
+      .add_option("--usd-per-million",
+                  access.limits.usd_per_million,
+                  "price of a million tokens read, and written: 0.15 0.6")
+      ->type_name("FLOAT");
 }
 
 }  // namespace
@@ -262,33 +266,52 @@ void add_planner(CLI::App& command, GenerateFlags& flags) {
 Run add_generate(CLI::App& app) {
   auto flags = std::make_shared<GenerateFlags>();
   CLI::App* command = app.add_subcommand("generate", "Make a store folder from a prompt or a plan");
-  command->add_option("prompt", flags->words, "what the store should be, in words");
+  command->add_option("prompt", flags->words, "what the store should be, in words")
+      ->type_name("WORDS");
   add_output(*command, "-o,--output", flags->folder, "folder to make; must not exist or be empty")
       ->required();
-  command->add_option("--prompt-file", flags->prompt_file, "read the prompt from a file");
-  command->add_option(
-      "--plan", flags->plan_file, "start from a market-plan/1 file instead of a prompt");
-  command->add_option("--floor-plan",
-                      flags->floor_plan,
-                      "SVG, DXF, PNG or JPEG of the room: outline, doors and columns");
-  command->add_option(
-      "--floor-plan-scale",
-      flags->floor_plan_scale,
-      "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100");
-  command->add_option(
-      "--image",
-      flags->images,
-      "PNG or JPEG: a photo of a shop, whose materials, light and shelves the store "
-      "gets, or one drawing of zones with names on them (repeatable); a language model that plans "
-      "is shown them, too");
-  command->add_option("--size", flags->size, "size of the room, e.g. 24x15m");
-  command->add_option(
-      "--profile", flags->profile, "kind of shop, e.g. supermarket-eu, discounter, convenience-us");
-  command->add_option("--style", flags->style, "look, e.g. scandinavian, industrial, warm-deli");
-  command->add_option(
-      "--skin", flags->skin, "a style's materials, colours and light; the layout stays as it is");
-  command->add_option(
-      "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
+  command->add_option("--prompt-file", flags->prompt_file, "read the prompt from a file")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--plan", flags->plan_file, "start from a market-plan/1 file instead of a prompt")
+      ->type_name("FILE");
+  command
+      ->add_option("--floor-plan",
+                   flags->floor_plan,
+                   "SVG, DXF, PNG or JPEG of the room: outline, doors and columns")
+      ->type_name("FILE");
+  command
+      ->add_option("--floor-plan-scale",
+                   flags->floor_plan_scale,
+                   "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100")
+      ->type_name("SCALE");
+  command
+      ->add_option("--image",
+                   flags->images,
+                   "PNG or JPEG: a photo of a shop, whose materials, light and shelves the store "
+                   "gets, or one drawing of zones with names on them (repeatable); a language "
+                   "model that plans "
+                   "is shown them, too")
+      ->type_name("FILE");
+  command->add_option("--size", flags->size, "size of the room, e.g. 24x15m")->type_name("SIZE");
+  command
+      ->add_option("--profile",
+                   flags->profile,
+                   "kind of shop, e.g. supermarket-eu, discounter, convenience-us")
+      ->type_name("PROFILE");
+  command->add_option("--style", flags->style, "look, e.g. scandinavian, industrial, warm-deli")
+      ->type_name("STYLE");
+  command
+      ->add_option("--skin",
+                   flags->skin,
+                   "a style's materials, colours and light; the layout stays as it is")
+      ->type_name("STYLE");
+  command
+      ->add_option("--catalog",
+                   flags->catalogs,
+                   "products of your own: CSV, JSON or asset.json (repeatable)")
+      ->type_name("FILE");
   add_planner(*command, *flags);
   command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")
       ->check(whole_number(1, 10000));

@@ -16,6 +16,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
+#include "named_flag.h"
 #include "number_flags.h"
 #include "say.h"
 
@@ -248,12 +249,14 @@ Run add_grasps(CLI::App& app) {
   auto flags = std::make_shared<GraspFlags>();
   CLI::App* command = app.add_subcommand(
       "grasps", "Try grasps of products in physics; keep and print how often they hold");
-  command->add_option("skus", flags->skus, "products; none = the whole catalogue");
+  command->add_option("skus", flags->skus, "products; none = the whole catalogue")
+      ->type_name("SKU");
   command
       ->add_option("--tool",
                    flags->tools,
                    "row of a tool: panda-hand, parallel-gripper, suction-cup; "
                    "again for more; none = all")
+      ->type_name("TOOL")
       ->allow_extra_args(false);
   CLI::Option* setting =
       command
@@ -262,8 +265,10 @@ Run add_grasps(CLI::App& app) {
               flags->settings,
               "free (on a table), stocked (on a shelf, gaps of 2 to 8 mm), spaced (gaps of "
               "30 mm) or basket (among its likes); again for more; none = free")
+          ->type_name(choice_of(grasping::names_of(grasping::GraspSetting{})))
           ->allow_extra_args(false);
-  command->add_option("--archetype", flags->archetype, "only products of this shape");
+  command->add_option("--archetype", flags->archetype, "only products of this shape")
+      ->type_name("SHAPE");
   command->add_option("--sample", flags->sample, "only so many of them, drawn by the seed; 0 = all")
       ->check(whole_number(0, 100000));
   CLI::Option* tries =
@@ -274,10 +279,14 @@ Run add_grasps(CLI::App& app) {
       ->add_option("--table",
                    flags->table,
                    "also write what episodes in aisles ask for as rows, like data/grasps.csv")
+      ->type_name("FILE")
       ->excludes(setting)
       ->excludes(tries);
-  command->add_option(
-      "--catalog", flags->catalogs, "products of your own: CSV, JSON or asset.json (repeatable)");
+  command
+      ->add_option("--catalog",
+                   flags->catalogs,
+                   "products of your own: CSV, JSON or asset.json (repeatable)")
+      ->type_name("FILE");
   add_common_flags(*command, flags->common, Takes::seed_and_json);
   command->footer(
       "Example:  marketgen grasps beverages-cola-original-330ml --tool panda-hand --tries 5");

@@ -39,7 +39,9 @@ Run add_leaderboard(CLI::App& app) {
   auto flags = std::make_shared<LeaderboardFlags>();
   CLI::App* command = app.add_subcommand(
       "leaderboard", "Rank policies on the same episodes, with intervals and paired tests");
-  command->add_option("results", flags->folders, "folders of eval or merge")->required();
+  command->add_option("results", flags->folders, "folders of eval or merge")
+      ->type_name("RESULTS")
+      ->required();
   add_output(*command, "--html", flags->html, "HTML page of the same");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer(

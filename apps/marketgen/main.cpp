@@ -10,10 +10,10 @@
 #include <new>
 #include <system_error>
 
-#include "base/build_info.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "base/text.h"
+#include "build_facts.h"
 #include "command.h"
 #include "io/destination.h"
 
@@ -101,7 +101,8 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error, int argc, ch
 int run(int argc, char** argv) {
   CLI::App app("Turns a sentence into a complete, stocked supermarket that robots can work in.",
                "marketgen");
-  app.set_version_flag("--version", program_version);
+  app.set_version_flag(
+      "--version", version_text, "Print what this build is, and its libraries, and exit");
   app.require_subcommand(1);
   app.footer(
       "Start with:  marketgen generate \"a small supermarket with a bakery by the entrance\" -o "

@@ -34,7 +34,9 @@ Result<void> merge(const MergeFlags& flags) {
 Run add_merge(CLI::App& app) {
   auto flags = std::make_shared<MergeFlags>();
   CLI::App* command = app.add_subcommand("merge", "Join the shards of a run (eval --shard)");
-  command->add_option("results", flags->folders, "folders of eval")->required();
+  command->add_option("results", flags->folders, "folders of eval")
+      ->type_name("RESULTS")
+      ->required();
   add_output(*command, "-o,--output", flags->output, "folder for the whole run");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen merge part-1 part-2 -o results");

@@ -1,4 +1,4 @@
-// A flag whose value is one of a list of names.
+// An option whose value is one of a list of names.
 #pragma once
 #include <string>
 #include <string_view>
@@ -10,6 +10,12 @@
 #include "base/result.h"
 
 namespace marketgen::app {
+
+// As the type of an option: "{text,csv}". Help shows it, and shells complete it.
+template <class Names>
+std::string choice_of(const Names& names) {
+  return fmt::format("{{{}}}", fmt::join(names, ","));
+}
 
 // `no_such` begins the message about another name: "there is no split". Error usage.bad_flag, with
 // the names there are.

@@ -200,10 +200,13 @@ Run add_pick(CLI::App& app) {
   auto flags = std::make_shared<PickFlags>();
   CLI::App* command =
       app.add_subcommand("pick", "Let a robot take one product off its shelf, in physics");
-  command->add_option("folder", flags->folder, "store folder")->required();
+  command->add_option("folder", flags->folder, "store folder")->type_name("STORE")->required();
   command->add_option("product", flags->product, "item id, or a SKU: its first item within reach")
+      ->type_name("PRODUCT")
       ->required();
-  command->add_option("--robot", flags->robot, "row in data/robots")->capture_default_str();
+  command->add_option("--robot", flags->robot, "row in data/robots")
+      ->type_name("ROBOT")
+      ->capture_default_str();
   add_output(*command, "-o,--output", flags->output, "PNG or JPEG file for a strip of pictures");
   command->add_option("--frames", flags->frames, "pictures in the strip")
       ->check(whole_number(1, 64))

@@ -3,7 +3,9 @@
 
 #include "command.h"
 #include "io/output.h"
+#include "named_flag.h"
 #include "scene/query.h"
+#include "scene/query_tables.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -34,17 +36,18 @@ Result<void> query(const QueryFlags& flags) {
 Run add_query(CLI::App& app) {
   auto flags = std::make_shared<QueryFlags>();
   CLI::App* command = app.add_subcommand("query", "Print a table of a store as CSV or JSON");
-  command->add_option("folder", flags->folder, "store folder")->required();
-  command
-      ->add_option(
-          "table", flags->table, "products, fixtures, zones, prices, materials or planogram")
+  command->add_option("folder", flags->folder, "store folder")->type_name("STORE")->required();
+  command->add_option("table", flags->table, "which table")
+      ->type_name(choice_of(scene::query_tables))
       ->required();
-  command->add_option("--format", flags->format, "csv or json")
+  command->add_option("--format", flags->format, "how it is written")
       ->check(CLI::IsMember({"csv", "json"}))
       ->capture_default_str();
-  command->add_option("--where",
-                      flags->where,
-                      "keep rows with column=value (also != < <= > >= ~), commas mean \"and\"");
+  command
+      ->add_option("--where",
+                   flags->where,
+                   "keep rows with column=value (also != < <= > >= ~), commas mean \"and\"")
+      ->type_name("FILTER");
   add_output(*command, "-o,--output", flags->output, "write to a file instead");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer(

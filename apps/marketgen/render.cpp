@@ -272,7 +272,7 @@ void add_plane_flags(CLI::App& command, RenderFlags& flags) {
 Run add_render(CLI::App& app) {
   auto flags = std::make_shared<RenderFlags>();
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a store");
-  command->add_option("folder", flags->folder, "store folder")->required();
+  command->add_option("folder", flags->folder, "store folder")->type_name("STORE")->required();
   add_output(*command,
              "-o,--output",
              flags->output,
@@ -280,12 +280,14 @@ Run add_render(CLI::App& app) {
   add_camera_flags(*command, flags->camera);
   command->add_flag("--list-cameras", flags->list, "print the standard views and stop");
   add_drawing_flags(*command, *flags);
-  command->add_option("--skin", flags->skin, "draw the store in the look of this style");
+  command->add_option("--skin", flags->skin, "draw the store in the look of this style")
+      ->type_name("STYLE");
   command
       ->add_option("--robot",
                    flags->robots,
                    "put a robot into the picture (repeatable): "
                    "ROW@X,Y[,HEADING_DEG][,z=M][,posture=NAME][,JOINT=VALUE][,SLOT=TOOL]")
+      ->type_name("ROBOT")
       ->allow_extra_args(false);
   add_plane_flags(*command, *flags);
   add_common_flags(*command, flags->common, Takes::seed);

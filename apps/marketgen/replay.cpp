@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "command.h"
+#include "environments/policies.h"
 #include "environments/run_episode.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/film.h"
@@ -16,6 +17,7 @@
 #include "io/json.h"
 #include "io/output.h"
 #include "io/picture_file.h"
+#include "named_flag.h"
 #include "number_flags.h"
 #include "say.h"
 
@@ -141,13 +143,21 @@ Run add_replay(CLI::App& app) {
   command
       ->add_option(
           "--episodes", flags->episodes, "file of `marketgen episodes`; - = standard input")
+      ->type_name("EPISODES")
       ->required();
-  command->add_option("--episode", flags->episode, "its id, or its number from 0 on")->required();
-  command->add_option("--policy", flags->policy, "who acts")->capture_default_str();
-  command->add_option("--realism",
-                      flags->realism,
-                      "as of eval; that of --results where they are given, else ideal");
-  command->add_option("--results", flags->results, "results.jsonl with which it is compared");
+  command->add_option("--episode", flags->episode, "its id, or its number from 0 on")
+      ->type_name("EPISODE")
+      ->required();
+  command->add_option("--policy", flags->policy, "who acts")
+      ->type_name(choice_of(environments::policies))
+      ->capture_default_str();
+  command
+      ->add_option("--realism",
+                   flags->realism,
+                   "as of eval; that of --results where they are given, else ideal")
+      ->type_name("REALISM");
+  command->add_option("--results", flags->results, "results.jsonl with which it is compared")
+      ->type_name("FILE");
   add_output(*command, "--film", flags->film, "MP4 file");
   add_output(*command, "--strip", flags->strip, "PNG or JPEG file with six pictures of it");
   command->add_option("--speed", flags->speed, "of the film, times real time")

@@ -127,7 +127,9 @@ Run add_report(CLI::App& app) {
       app.add_subcommand("report",
                          "Measure stores, physics included, or show results of eval: JSON and one "
                          "HTML page");
-  command->add_option("folders", flags->folders, "store folders, or folders of eval")->required();
+  command->add_option("folders", flags->folders, "store folders, or folders of eval")
+      ->type_name("FOLDER")
+      ->required();
   add_output(*command, "-o,--output", flags->html, "HTML page to write")->capture_default_str();
   command
       ->add_option("--strips",
@@ -135,7 +137,8 @@ Run add_report(CLI::App& app) {
                    "run so many episodes of each failure code again, and film them for the page")
       ->check(whole_number(0, 1000))
       ->capture_default_str();
-  command->add_option("--episodes", flags->episodes, "file of the episodes, for --strips");
+  command->add_option("--episodes", flags->episodes, "file of the episodes, for --strips")
+      ->type_name("EPISODES");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen report shop -o shop-report.html");
   return [flags] {

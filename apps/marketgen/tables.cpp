@@ -111,8 +111,9 @@ Run add_tables(CLI::App& app) {
                        const char* of = "folders of eval or merge") {
     CLI::App* sub = command->add_subcommand(name, what);
     sub->callback([action, run] { *action = run; });
-    sub->add_option("folders", flags->folders, of)->required();
-    sub->add_option("--format", flags->format, "text, markdown, latex or csv")
+    sub->add_option("folders", flags->folders, of)->type_name("FOLDER")->required();
+    sub->add_option("--format", flags->format, "how it is written")
+        ->type_name(choice_of(evaluation::names_of(evaluation::TableFormat{})))
         ->capture_default_str();
     add_output(*sub, "-o,--output", flags->output, "file for the table");
     add_common_flags(*sub, flags->common, Takes::json);

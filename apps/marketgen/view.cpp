@@ -46,11 +46,15 @@ Run add_view(CLI::App& app) {
   auto flags = std::make_shared<ViewFlags>();
   CLI::App* command =
       app.add_subcommand("view", "Make, show and edit stores in a browser, until Ctrl-C");
-  command->add_option(
-      "folders", flags->folders, "store folders; none: the page in which stores are made");
-  command->add_option("--results",
-                      flags->serve.results,
-                      "folder of an evaluation in one of the stores; may be given several times");
+  command
+      ->add_option(
+          "folders", flags->folders, "store folders; none: the page in which stores are made")
+      ->type_name("STORE");
+  command
+      ->add_option("--results",
+                   flags->serve.results,
+                   "folder of an evaluation in one of the stores; may be given several times")
+      ->type_name("RESULTS");
   constexpr int max_port = 65535;
   command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
       ->check(whole_number(0, max_port))
@@ -60,12 +64,15 @@ Run add_view(CLI::App& app) {
       ->add_option("--host",
                    flags->serve.host,
                    "numeric address to listen on; any but loopback needs --token")
+      ->type_name("ADDRESS")
       ->capture_default_str();
-  command->add_option("--token", flags->serve.token, "secret that every request must carry");
+  command->add_option("--token", flags->serve.token, "secret that every request must carry")
+      ->type_name("SECRET");
   command
       ->add_option("--make-in",
                    flags->serve.make_in,
                    "folder in which stores are kept that are made in the browser")
+      ->type_name("FOLDER")
       ->capture_default_str();
   command->add_flag(
       "--read-only", flags->serve.read_only, "stores are shown; none is made or edited");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -58,8 +59,29 @@ TEST(Help, EveryActionOnAssets) {
     EXPECT_NE(output_of({"assets", action, "--help"}).find("Usage"), std::string::npos) << action;
 }
 
-TEST(Help, Version) {
-  EXPECT_TRUE(std::regex_search(output_of({"--version"}), std::regex("^[0-9]+\\.[0-9]+\\.[0-9]+")));
+TEST(Help, VersionSaysWhatThisBuildIs) {
+  const std::string text = output_of({"--version"});
+  EXPECT_TRUE(std::regex_search(text, std::regex("^marketgen [0-9]+\\.[0-9]+\\.[0-9]+\n"))) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("\ncommit +([0-9a-f]{12}\\+?|unknown)\n")))
+      << text;
+  for (const char* fact : {"build", "compiler", "Embree", "Eigen", "OpenCV", "Pango", "Cairo"})
+    EXPECT_TRUE(std::regex_search(text, std::regex("\n" + std::string(fact) + " +\\S"))) << text;
+  // The one that was asked for is the one that runs.
+  const std::string pins = contents_of(fs::path(MARKETGEN_SOURCE_DIR) / "tools/requirements.txt");
+  std::smatch pinned;
+  ASSERT_TRUE(std::regex_search(pins, pinned, std::regex("mujoco-core==(\\S+)")));
+  EXPECT_NE(text.find("MuJoCo     " + pinned[1].str() + "\n"), std::string::npos) << text;
+}
+
+TEST(Help, DoctorKnowsTheSameBuild) {
+  const std::string version = output_of({"--version"});
+  std::smatch commit;
+  ASSERT_TRUE(std::regex_search(version, commit, std::regex("commit +(\\S+)")));
+  std::map<std::string, std::string> found;
+  for (const json& finding : json_of({"doctor", "--json"}))
+    found[finding["part"]] = finding["detail"];
+  EXPECT_NE(found["program"].find("commit " + commit[1].str()), std::string::npos);
+  EXPECT_NE(found["libraries"].find("MuJoCo"), std::string::npos);
 }
 
 // ---- generate. ----

@@ -83,6 +83,8 @@ const std::map<std::string, Work>& works() {
       {"assets heaps", {{"-o", "{out}"}}},
       {"grasps", {{"--tries", "20"}}},
       {"bench", {{}}},
+      {"completion", {{"bash"}, false}},
+      {"manual", {{"-o", "{out}"}, false}},
       {"schemas", {{"-o", "{out}"}, false}}};
   return all;
 }

@@ -125,6 +125,7 @@ const std::vector<Output>& outputs() {
        {"{model}", "--no-coacd", "-o", "{spare}", "--vlm", "openai:x", "--vlm-record", "{out}"},
        true},
       {{"assets", "heaps"}, "--output", {"-o", "{out}"}},
+      {{"manual"}, "--output", {"-o", "{out}"}, true, true},
       {{"schemas"}, "--output", {"-o", "{out}"}, true, true}};
   return all;
 }
@@ -375,7 +376,8 @@ TEST_F(Gate, WhatCannotBePrintedIsAnError) {
                                     {"assets", "list"},
                                     {"assets", "search", "milk"},
                                     {"assets", "show", "gondola"},
-                                    {"bench", "--help"}};
+                                    {"bench", "--help"},
+                                    {"completion", "bash"}};
   for (const Words& words : printing) {
     Words command{"sh", "-c", "exec \"$@\" > " + full.string(), "sh", MARKETGEN_BINARY};
     command.insert(command.end(), words.begin(), words.end());

@@ -2,7 +2,10 @@
 #pragma once
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -41,6 +44,23 @@ inline std::vector<std::vector<std::string>> whole_commands() {
       all.push_back({command, (*it)[1]});
   }
   return all;
+}
+
+// The options of a help text, each with the names of its choice.
+inline std::map<std::string, std::set<std::string>> options_in(const std::string& help) {
+  std::map<std::string, std::set<std::string>> options;
+  const std::regex entry(R"(\n  (-[^ {\n]+)(?: [A-Z]*:?\{([^}\n]*)\})?)");
+  for (auto it = std::sregex_iterator(help.begin(), help.end(), entry);
+       it != std::sregex_iterator();
+       ++it) {
+    std::istringstream names((*it)[1]), choices((*it)[2]);
+    std::set<std::string> choice;
+    for (std::string word; std::getline(choices, word, ',');)
+      choice.insert(word);
+    for (std::string name; std::getline(names, name, ',');)
+      options[name] = choice;
+  }
+  return options;
 }
 
 inline std::string joined(const std::vector<std::string>& words) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# `pip install .` as a user does it: a copy of the tree, an empty environment, a build of its own. Then the tree is gone, and what
+# `pip install` of an sdist as a user does it: its sources, an empty environment, a build of its own. Then the sources are gone, and what
 # README and docs promise is done with what was installed: the steps of tools/newcomer. With its libraries inside, the same wheel
 # works in a bare root. What the release build compiled is found by ccache, for which the copy's build folder lies as deep in it.
-# (Wheels for the other versions of Python: tools/wheels --check.)
+# (`pip install .` of a clean clone: tools/newcomer. Wheels for the other versions of Python: tools/wheels --check.)
 set -euo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 scratch=$(mktemp -d)
@@ -12,7 +12,16 @@ unset PYTHONPATH MARKETGEN_DATA MARKETGEN_PYTHON VIRTUAL_ENV
 
 mkdir "$scratch/tree" "$scratch/work" "$scratch/docs"
 cd "$repository"
-git ls-files -z --cached --others --exclude-standard | xargs -0 ls -d 2> /dev/null | tar -cf - -T - | tar -xf - -C "$scratch/tree"
+began=$SECONDS
+.venv/bin/python -c 'import sys; from scikit_build_core import build; build.build_sdist(sys.argv[1])' "$scratch" > "$scratch/log" 2>&1 ||
+  { cat "$scratch/log"; printf 'wheel: FAIL: sdist\n'; exit 1; }
+tar -xzf "$scratch"/marketgen-*.tar.gz --strip-components=1 -C "$scratch/tree"
+# It has what Git has, and what pip adds.
+if git rev-parse --git-dir > /dev/null 2>&1; then
+  git ls-files --cached --others --exclude-standard | (while read -r file; do [ ! -f "$file" ] || printf '%s\n' "$file"; done; echo PKG-INFO) | sort > "$scratch/known"
+  (cd "$scratch/tree" && find . -type f | sed 's/^\.\///' | sort) | diff "$scratch/known" - || { printf 'wheel: FAIL: the sdist has other files\n'; exit 1; }
+fi
+printf 'wheel: sdist, %d MB, %d s\n' $(($(stat -c %s "$scratch"/marketgen-*.tar.gz) / 1000000)) $((SECONDS - began))
 
 werror=$(sed -n 's/^MARKETGEN_WERROR:BOOL=//p' "$repository/build/release/CMakeCache.txt")
 "$repository/.venv/bin/python" -m venv "$scratch/venv"
@@ -27,7 +36,7 @@ rm -r "$scratch/tree"
 
 export TREE=$scratch/docs VENV=$scratch/venv WORK=$scratch/work
 PATH=$VENV/bin:$PATH
-for step in doctor readme-python check-env eval evaluate uninstall; do
+for step in doctor manual readme-python check-env eval evaluate uninstall; do
   began=$SECONDS
   (cd "$WORK" && bash -euo pipefail -c '. "$1"; . "$2"' wheel_test "$repository/tools/newcomer.d/lib.bash" \
     "$repository"/tools/newcomer.d/[0-9]*-"$step".sh) > "$scratch/log" 2>&1 < /dev/null ||

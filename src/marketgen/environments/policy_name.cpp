@@ -6,12 +6,11 @@
 #include <fmt/ranges.h>
 
 #include "base/fields.h"
+#include "environments/policies.h"
 
 namespace marketgen::environments {
 namespace {
 
-constexpr std::array<std::string_view, 8> policies{
-    "classical", "highest", "oracle", "oracle-plain", "oracle-thorough", "random", "stop", "vlm"};
 constexpr std::array<std::string_view, 3> floors{"highest", "random", "stop"};
 
 constexpr std::string_view with_model = "vlm";

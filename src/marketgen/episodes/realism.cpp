@@ -9,13 +9,12 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "episodes/realism_rows.h"
 #include "io/file.h"
 #include "io/json.h"
 
 namespace marketgen::episodes {
 namespace {
-
-constexpr std::array<std::string_view, 3> realism_rows{"ideal", "standard", "hard"};
 
 Result<Realism> read_realism(const std::filesystem::path& file, const std::string& called) {
   MARKETGEN_TRY(const std::string text, io::read_file(file, 1U << 20));

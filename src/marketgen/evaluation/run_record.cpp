@@ -31,6 +31,11 @@ std::string instructions_of(const episodes::EpisodeFile& file) {
 
 }  // namespace
 
+std::string commit_of_program() {
+  const std::string commit = source_commit;
+  return commit.empty() ? "unknown" : commit;
+}
+
 Result<Shard> read_shard(const std::string& text) {
   const std::size_t slash = text.find('/');
   if (slash != std::string::npos) {
@@ -55,8 +60,7 @@ RunRecord record_of(const episodes::EpisodeFile& file,
   record.policy = policy;
   record.realism = realism;
   record.version = program_version;
-  const std::string commit = source_commit;
-  record.commits = {commit.empty() ? "unknown" : commit};
+  record.commits = {commit_of_program()};
   record.split = file.header.split;
   record.instructions = instructions_of(file);
   record.shard = shard;

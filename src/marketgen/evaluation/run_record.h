@@ -23,6 +23,10 @@ struct Shard {
                  field("of", &Shard::of, "how many there are", range(1, 10000)));
 };
 
+// That this program was built of: twelve digits, with "+" when its files differed from it; "unknown"
+// where there was no Git.
+std::string commit_of_program();
+
 // "2/4". Error usage.bad_flag at --shard.
 Result<Shard> read_shard(const std::string& text);
 

@@ -13,6 +13,7 @@
 #include "io/json.h"
 #include "scene/placements.h"
 #include "scene/planogram_rows.h"
+#include "scene/query_tables.h"
 
 namespace marketgen::scene {
 namespace {
@@ -324,9 +325,6 @@ std::string text_cell(const std::string& text) {
   return io::csv_field(formula ? "'" + cell : cell);
 }
 
-constexpr std::string_view table_names[] = {
-    "products", "fixtures", "zones", "prices", "materials", "planogram"};
-
 }  // namespace
 
 Table table_of(const TypeInfo& type, const void* rows, std::size_t count, std::size_t row_bytes) {
@@ -367,7 +365,7 @@ Result<Table> query_scene(const Scene& scene, std::string_view name, std::string
     table = table_of(planogram_rows(scene));
   else
     return catalog::unknown_name(
-        "usage.bad_flag", "query", "table", name, {std::begin(table_names), std::end(table_names)});
+        "usage.bad_flag", "query", "table", name, {query_tables.begin(), query_tables.end()});
   MARKETGEN_CHECK(filter(table, where));
   return table;
 }

@@ -1,0 +1,10 @@
+// The realisms that are rows, data/benchmark/realism/NAME.json.
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace marketgen::episodes {
+
+inline constexpr std::array<std::string_view, 3> realism_rows{"ideal", "standard", "hard"};
+
+}  // namespace marketgen::episodes
