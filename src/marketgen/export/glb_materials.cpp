@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "assets/materials/material_texture.h"
 #include "export/material_pictures.h"
 
 namespace marketgen::exporters {
@@ -29,15 +28,9 @@ int GlbMaterials::add(const assets::Surface& surface, int texture) {
   return document_.add_material(material);
 }
 
-const catalog::MaterialRow* GlbMaterials::row(const std::string& id) const {
-  const auto found = std::ranges::find(scene_.materials, id, &catalog::MaterialRow::id);
-  return found == scene_.materials.end() ? nullptr : &*found;
-}
-
 Result<int> GlbMaterials::add_tiled(const std::string& id) {
-  const catalog::MaterialRow* material = row(id);
-  if (material == nullptr)
-    return add({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F, .texture = ""});
+  const catalog::MaterialRow* material = scene_material(scene_, id);
+  if (material == nullptr) return add(plain_plaster());
   const auto known = tiled_.find(id);
   if (known != tiled_.end()) return known->second;
   MARKETGEN_TRY(const io::GltfJson gltf, textured(*material));
@@ -61,8 +54,7 @@ Result<io::GltfJson> GlbMaterials::textured(const catalog::MaterialRow& material
 }
 
 double GlbMaterials::extent_m(const std::string& id) const {
-  const catalog::MaterialRow* material = row(id);
-  return material == nullptr ? 1 : assets::material_extent_m(*material);
+  return material_repeat_m(scene_, id);
 }
 
 }  // namespace marketgen::exporters

@@ -1,5 +1,7 @@
 #include "export/material_pictures.h"
 
+#include <algorithm>
+
 #include "assets/materials/material_texture.h"
 #include "io/png.h"
 
@@ -21,6 +23,20 @@ Image metallic_roughness(const assets::MaterialMaps& maps) {
 }
 
 }  // namespace
+
+const catalog::MaterialRow* scene_material(const scene::Scene& scene, const std::string& id) {
+  const auto found = std::ranges::find(scene.materials, id, &catalog::MaterialRow::id);
+  return found == scene.materials.end() ? nullptr : &*found;
+}
+
+assets::Surface plain_plaster() {
+  return {.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F, .texture = ""};
+}
+
+double material_repeat_m(const scene::Scene& scene, const std::string& id) {
+  const catalog::MaterialRow* material = scene_material(scene, id);
+  return material == nullptr ? 1 : assets::material_extent_m(*material);
+}
 
 Result<MaterialPictures> material_pictures(const catalog::MaterialRow& material) {
   const assets::MaterialMaps relief = assets::draw_material_maps(material, relief_px);

@@ -2,8 +2,10 @@
 #pragma once
 #include <string>
 
+#include "assets/product_model.h"
 #include "base/result.h"
 #include "catalog/rows.h"
+#include "scene/scene.h"
 
 namespace marketgen::exporters {
 
@@ -15,6 +17,12 @@ struct MaterialPictures {
   std::string normal;  // tangent space, green up
   std::string gloss;   // linear: roughness in green, metallic in blue
 };
+
+// The row of this id; null when the scene has none: then it shows as plain_plaster().
+const catalog::MaterialRow* scene_material(const scene::Scene& scene, const std::string& id);
+assets::Surface plain_plaster();
+// Metres that one repeat of it covers.
+double material_repeat_m(const scene::Scene& scene, const std::string& id);
 
 // Errors: image.*.
 Result<MaterialPictures> material_pictures(const catalog::MaterialRow& material);
