@@ -11,7 +11,7 @@ Result<int> add_product_mesh(const catalog::Product& product,
                              io::GlbDocument& document,
                              GlbMaterials& materials) {
   if (made.error) return *made.error;
-  const int label = made.label_png.empty() ? -1 : document.add_texture(made.label_png);
+  const int label = made.label.empty() ? -1 : document.add_texture(made.label);
   std::vector<int> surfaces;
   for (const assets::Surface& surface : made.model.surfaces) {
     if (surface.texture.empty() || surface.texture == "label") {
@@ -83,7 +83,8 @@ Result<void> add_products(const scene::Scene& scene,
     add_place(copies[item.sku], scene::world_from_product(item));
     copies[item.sku].ids.push_back(scene::product_id(scene, row));
   }
-  const std::vector<GoodsLook> made = goods_looks(scene);
+  const std::vector<GoodsLook> made =
+      goods_looks(scene, assets::Detail::near, LabelCoding::png);
   const int group = document.add_node({{"name", "products"}}, -1);
   for (std::size_t sku = 0; sku < made.size(); ++sku) {
     if (copies[sku].ids.empty()) continue;

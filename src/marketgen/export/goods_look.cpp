@@ -4,12 +4,15 @@
 
 #include "base/parallel.h"
 #include "export/label_picture.h"
+#include "io/jpeg.h"
 #include "io/png.h"
 
 namespace marketgen::exporters {
 namespace {
 
-GoodsLook goods_look(const catalog::Product& product, assets::Detail detail) {
+GoodsLook goods_look(const catalog::Product& product,
+                     assets::Detail detail,
+                     LabelCoding coding) {
   Result<assets::ProductModel> model = assets::make_product_model(product, detail);
   if (!model.ok()) return {{}, {}, model.error()};
   GoodsLook look{std::move(model).value(), {}, {}};
@@ -17,22 +20,26 @@ GoodsLook goods_look(const catalog::Product& product, assets::Detail detail) {
                            [](const assets::Surface& s) { return s.texture == "label"; }))
     return look;
   const Result<Image> label = exported_label(product);
-  Result<std::string> png = label.ok() ? io::encode_png(*label) : label.error();
-  if (!png.ok())
-    look.error = png.error();
+  Result<std::string> bytes = !label.ok()                        ? label.error()
+                              : coding == LabelCoding::jpeg ? io::encode_jpeg(*label)
+                                                            : io::encode_png(*label);
+  if (!bytes.ok())
+    look.error = bytes.error();
   else
-    look.label_png = std::move(png).value();
+    look.label = std::move(bytes).value();
   return look;
 }
 
 }  // namespace
 
-std::vector<GoodsLook> goods_looks(const scene::Scene& scene, assets::Detail detail) {
+std::vector<GoodsLook> goods_looks(const scene::Scene& scene,
+                                   assets::Detail detail,
+                                   LabelCoding coding) {
   std::vector<bool> stands(scene.catalog.size(), false);
   for (const scene::SceneProduct& item : scene.products)
     stands[item.sku] = true;
   return parallel_map(scene.catalog.size(), [&](std::size_t sku) {
-    return stands[sku] ? goods_look(scene.catalog[sku], detail) : GoodsLook{};
+    return stands[sku] ? goods_look(scene.catalog[sku], detail, coding) : GoodsLook{};
   });
 }
 

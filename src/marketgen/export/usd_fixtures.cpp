@@ -214,7 +214,7 @@ class UsdFixtureWriter {
       if (joint.kind == assets::JointKind::belt) write_belt(joint);
       out_.line("float physics:mass = {}", joint.mass_kg);
     }
-    out_.line("quatf xformOp:orient = {}", usd_quaternion(body.fixture_from_body.rotation));
+    out_.line("quatd xformOp:orient = {}", usd_orient(body.fixture_from_body.rotation));
     out_.line("double3 xformOp:translate = {}", usd_vector(body.fixture_from_body.position));
     out_.close();
     return {};

@@ -64,17 +64,19 @@ class GoodsWriter {
 
   void write_item(std::uint32_t row, const std::string& name, const std::string& id) {
     const scene::SceneProduct& item = parts_.scene.products[row];
-    std::vector<std::string> metadata{
-        fmt::format("displayName = {}", usd_quoted(id)),
-        "instanceable = true",
-        fmt::format("prepend references = @./products.usda@</Products/{}>",
-                    usd_identifier(parts_.scene.catalog[item.sku].sku))};
-    if (parts_.free[row]) metadata.emplace_back("variants = { string physics = \"free\" }");
-    out_.open(fmt::format("def \"{}\"", name), metadata);
     const Pose pose = scene::world_from_product(item);
-    out_.line("quatf xformOp:orient = {}", usd_quaternion(pose.rotation));
-    out_.line("double3 xformOp:translate = {}", usd_vector(pose.position));
-    out_.close();
+    // Most of a store's text: on as few lines as its grammar allows.
+    out_.line(
+        "def \"{}\" (displayName = {}; instanceable = true; "
+        "prepend references = @./products.usda@</Products/{}>{})",
+        name,
+        usd_quoted(id),
+        usd_identifier(parts_.scene.catalog[item.sku].sku),
+        parts_.free[row] ? "; variants = { string physics = \"free\" }" : "");
+    out_.line("{{");
+    out_.line("    quatd xformOp:orient = {}", usd_orient(pose.rotation));
+    out_.line("    double3 xformOp:translate = {}", usd_vector(pose.position));
+    out_.line("}}");
   }
 
   bool hangs_free(std::uint32_t row) const {
@@ -104,7 +106,7 @@ class GoodsWriter {
     constexpr std::string_view path = "/Shop/price_labels";
     std::vector<std::string> files;
     for (std::size_t i = 0; i < prints.pictures.size(); ++i)
-      files.push_back(parts_.pictures.add(fmt::format("price_{}", i), prints.pictures[i]));
+      files.push_back(parts_.pictures.add(fmt::format("price_{}", i), ".png", prints.pictures[i]));
     UsdLooks looks(parts_.pictures);
     UsdNames names;
     out_.open("def Xform \"price_labels\"", {"kind = \"group\""});

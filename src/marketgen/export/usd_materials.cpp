@@ -44,8 +44,10 @@ void write_contact_material(UsdText& out, double friction) {
 
 }  // namespace
 
-std::string UsdPictures::add(const std::string& name, std::string png) {
-  files_.push_back({usd_identifier(name) + ".png", std::move(png)});
+std::string UsdPictures::add(const std::string& name,
+                             std::string_view ending,
+                             std::string bytes) {
+  files_.push_back({usd_identifier(name) + std::string(ending), std::move(bytes)});
   return files_.back().name;
 }
 
@@ -53,9 +55,9 @@ Result<UsdPictures::Tiled> UsdPictures::tiled(const catalog::MaterialRow& materi
   const auto known = tiled_.find(material.id);
   if (known != tiled_.end()) return known->second;
   MARKETGEN_TRY(MaterialPictures made, material_pictures(material));
-  Tiled tiled{add("material_" + material.id + "_color", std::move(made.color)),
-              add("material_" + material.id + "_normal", std::move(made.normal)),
-              add("material_" + material.id + "_gloss", std::move(made.gloss)),
+  Tiled tiled{add("material_" + material.id + "_color", ".png", std::move(made.color)),
+              add("material_" + material.id + "_normal", ".png", std::move(made.normal)),
+              add("material_" + material.id + "_gloss", ".png", std::move(made.gloss)),
               static_cast<float>(1 - material.transmission)};
   tiled_.emplace(material.id, tiled);
   return tiled;

@@ -23,7 +23,8 @@ class UsdPictures {
     std::string color, normal, gloss;  // names of files
     float opacity = 1;
   };
-  std::string add(const std::string& name, std::string png);  // returns the file's name
+  // Returns the file's name.
+  std::string add(const std::string& name, std::string_view ending, std::string bytes);
   // Of a row of Scene::materials. Errors: image.*.
   Result<Tiled> tiled(const catalog::MaterialRow& material);
   const scene::Scene& scene() const { return *scene_; }

@@ -60,7 +60,7 @@ class ProductWriter {
   // What takes time, side by side.
   Result<void> prepare() {
     const scene::Scene& scene = parts_.scene;
-    looks_ = goods_looks(scene, assets::Detail::middle);
+    looks_ = goods_looks(scene, assets::Detail::middle, LabelCoding::jpeg);
     for (const GoodsLook& look : looks_) {
       if (look.error) return *look.error;
     }
@@ -88,7 +88,7 @@ class ProductWriter {
     MARKETGEN_TRY(const std::vector<int> by_surface, looks_of(product, looks_[sku], looks));
     std::vector<std::string> metadata{
         "prepend apiSchemas = [\"PhysicsMassAPI\"" + usd_label_schemas(labels_of(product)) + "]",
-        fmt::format("assetInfo = {{ string identifier = {0} string name = {0} }}",
+        fmt::format("assetInfo = {{ string name = {} }}",
                     usd_quoted(product.sku)),
         fmt::format("displayName = {}", usd_quoted(product.name)),
         "kind = \"component\""};
@@ -118,7 +118,7 @@ class ProductWriter {
                                     const GoodsLook& look,
                                     UsdLooks& looks) {
     const std::string label =
-        look.label_png.empty() ? "" : parts_.pictures.add("label_" + product.sku, look.label_png);
+        look.label.empty() ? "" : parts_.pictures.add("label_" + product.sku, ".jpg", look.label);
     std::vector<int> by_surface;
     for (const assets::Surface& surface : look.model.surfaces) {
       if (surface.texture.empty() || surface.texture == "label") {

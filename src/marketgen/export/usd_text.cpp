@@ -69,13 +69,31 @@ std::string usd_vector(const Vec3& v) {
       "({}, {}, {})", static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
 }
 
-std::string usd_quaternion(const Quaternion& q) {
+namespace {
+
+Quaternion unit(const Quaternion& q) {
   const double norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {q.w / norm, q.x / norm, q.y / norm, q.z / norm};
+}
+
+std::string quaternion_text(std::string_view w, const Quaternion& q) {
   return fmt::format("({}, {}, {}, {})",
-                     static_cast<float>(q.w / norm),
-                     static_cast<float>(q.x / norm),
-                     static_cast<float>(q.y / norm),
-                     static_cast<float>(q.z / norm));
+                     w,
+                     static_cast<float>(q.x),
+                     static_cast<float>(q.y),
+                     static_cast<float>(q.z));
+}
+
+}  // namespace
+
+std::string usd_quaternion(const Quaternion& q) {
+  const Quaternion one = unit(q);
+  return quaternion_text(fmt::format("{}", static_cast<float>(one.w)), one);
+}
+
+std::string usd_orient(const Quaternion& q) {
+  const Quaternion one = unit(q);
+  return quaternion_text(fmt::format("{:.13g}", one.w), one);
 }
 
 std::string usd_extent(const Bounds3& bounds) {
@@ -89,13 +107,13 @@ std::string usd_extent(const Bounds3& bounds) {
 }
 
 void write_usd_pose(UsdText& out, const Pose& pose) {
-  out.line("quatf xformOp:orient = {}", usd_quaternion(pose.rotation));
+  out.line("quatd xformOp:orient = {}", usd_orient(pose.rotation));
   out.line("double3 xformOp:translate = {}", usd_vector(pose.position));
   out.line("uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]");
 }
 
 void write_usd_pose(UsdText& out, const Pose& pose, const Vec3& scale) {
-  out.line("quatf xformOp:orient = {}", usd_quaternion(pose.rotation));
+  out.line("quatd xformOp:orient = {}", usd_orient(pose.rotation));
   out.line("float3 xformOp:scale = {}", usd_vector(scale));
   out.line("double3 xformOp:translate = {}", usd_vector(pose.position));
   out.line(

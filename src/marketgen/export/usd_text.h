@@ -58,6 +58,9 @@ class UsdNames {
 
 std::string usd_vector(const Vec3& v);        // (1, 2, 3)
 std::string usd_quaternion(const Quaternion& q);  // (w, x, y, z)
+// The value of an xformOp:orient: OpenUSD takes the angle from w's arc cosine, which single
+// precision spoils for turns of less than a fiftieth of a degree.
+std::string usd_orient(const Quaternion& q);
 std::string usd_extent(const Bounds3& bounds);
 // Translation and rotation, to be changed as others do. `scale`: sizes of a cube of 1 m, or none.
 void write_usd_pose(UsdText& out, const Pose& pose);
