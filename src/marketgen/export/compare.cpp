@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "base/text.h"
 #include "export/exporter.h"
 #include "export/mjcf_fixtures.h"
 #include "physics/goods/contact_shape.h"
+#include "physics/goods/standing_goods.h"
 #include "physics/world/shell_pieces.h"
 #include "scene/articulation.h"
 
@@ -17,6 +19,7 @@ namespace marketgen::exporters {
 namespace {
 
 constexpr double position_tolerance_m = 1e-4;  // the promise of check_export: 0.1 mm
+constexpr double turn_tolerance_rad = 0.01 * std::numbers::pi / 180;
 constexpr double bounds_tolerance_m =
     2e-3;  // fixtures reach past the walls in no store, so this is all about walls
 
@@ -63,6 +66,43 @@ Result<void> compare_fixtures(const scene::Scene& scene,
   return {};
 }
 
+Result<void> compare_turn(const scene::SceneProduct& product,
+                          const ExportedItem& found,
+                          const std::string& where) {
+  if (!found.rotation) return {};
+  // By its sine: turn_between() takes an arc cosine, which single precision spoils below 0.03
+  // degrees.
+  const Quaternion apart =
+      inverse(scene::world_from_product(product).rotation) * *found.rotation;
+  const double turn = 2 * std::atan2(length(Vec3{apart.x, apart.y, apart.z}), std::abs(apart.w));
+  if (turn <= turn_tolerance_rad) return {};
+  return mismatch(where,
+                  fmt::format("product \"{}\" is turned by {:.3f} degrees from its place",
+                              found.id,
+                              turn * 180 / std::numbers::pi));
+}
+
+// Of every SKU of which the file has items.
+Result<void> compare_goods(const scene::Scene& scene,
+                           const ExportContents& contents,
+                           const std::string& where) {
+  if (!contents.goods) return {};
+  constexpr double relative = 1e-5;  // files hold single precision
+  std::map<std::string_view, const catalog::Product*> by_sku;
+  for (const catalog::Product& product : scene.catalog)
+    by_sku.emplace(product.sku, &product);
+  for (const ExportedGoods& goods : *contents.goods) {
+    const auto product = by_sku.find(goods.sku);
+    if (product == by_sku.end()) return mismatch(where, "the scene has no \"" + goods.sku + "\"");
+    MARKETGEN_TRY(const physics::StandingGoods wanted, physics::standing_goods(*product->second));
+    if (!(std::abs(goods.mass_kg - wanted.mass_kg) <= relative * wanted.mass_kg))
+      return mismatch(where, "\"" + goods.sku + "\" has another mass");
+    if (!(std::abs(goods.friction - wanted.contact.sliding) <= relative))
+      return mismatch(where, "\"" + goods.sku + "\" has another friction");
+  }
+  return {};
+}
+
 // Largest distance of a product from its place. Every product of the scene must occur just once, as
 // the right SKU.
 Result<double> compare_products(const scene::Scene& scene,
@@ -93,6 +133,7 @@ Result<double> compare_products(const scene::Scene& scene,
     if (!(distance <= position_tolerance_m))
       return mismatch(
           where, fmt::format("product \"{}\" is {:.2f} mm from its place", id, distance * 1e3));
+    MARKETGEN_CHECK(compare_turn(scene.products[row], *item->second, where));
     worst = std::max(worst, distance);
   }
   return worst;
@@ -226,6 +267,7 @@ Result<ExportSummary> compare_with_scene(const scene::Scene& scene,
                                          const std::string& where) {
   MARKETGEN_CHECK(compare_fixtures(scene, contents.fixtures, where));
   MARKETGEN_TRY(const double worst, compare_products(scene, contents.products, where));
+  MARKETGEN_CHECK(compare_goods(scene, contents, where));
   MARKETGEN_CHECK(compare_bounds(bounds_of(scene), contents.bounds, where));
   MARKETGEN_CHECK(compare_free_bodies(scene, options, contents, where));
   MARKETGEN_CHECK(compare_joints(scene, options, contents, where));

@@ -26,6 +26,13 @@ struct ExportFiles {
 struct ExportedItem {
   std::string id, sku;
   Vec3 position;  // of the product frame's origin, in the store frame
+  std::optional<Quaternion> rotation = {};  // world_from_product; absent: the reader has none
+};
+
+// What a file says of the items of one SKU.
+struct ExportedGoods {
+  std::string sku;
+  double mass_kg = 0, friction = 0;
 };
 
 // Everything at position 0, in the store frame.
@@ -46,6 +53,7 @@ struct ExportContents {
   std::uint64_t meshes = 0;
   std::optional<std::uint64_t> free_bodies;          // absent: nothing moves in this format
   std::optional<std::vector<ExportedJoint>> joints;  // absent: this format has none
+  std::optional<std::vector<ExportedGoods>> goods;   // absent: this format says no masses
   std::optional<std::uint64_t> looks;  // products whose look is apart from what they touch with
   std::uint64_t robots = 0;
   Bounds3 bounds;  // of everything solid but an endless floor

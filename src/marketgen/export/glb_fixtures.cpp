@@ -1,7 +1,7 @@
 #include <map>
 
-#include "assets/fixtures/fixture_model.h"
 #include "export/glb_room.h"
+#include "export/part_mesh.h"
 
 namespace marketgen::exporters {
 namespace {
@@ -27,28 +27,18 @@ class ModuleMesh {
   Result<void> add(const scene::ScenePart& part) {
     const catalog::MaterialRow* row =
         part.material < 0 ? nullptr : &scene_.materials[static_cast<std::size_t>(part.material)];
-    assets::Surface look;
-    look.color = {part.color[0], part.color[1], part.color[2]};
-    look.roughness = part.roughness;
-    look.metallic = part.metallic;
-    look.kind = part.kind;
+    const assets::Surface look = part_surface(part);
     int material = -1;
     if (row == nullptr)
       material = materials_.add(look);
     else {
       MARKETGEN_TRY(material, materials_.add_tiled(row->id));
     }
-    assets::FixturePart shape;
-    shape.unit = part.unit;
-    shape.shape = part.shape;
-    shape.fixture_from_part = scene::fixture_from_part(part);
-    shape.half_size = {part.half_size_m[0], part.half_size_m[1], part.half_size_m[2]};
-    const std::size_t first = mesh.uvs.size();
-    assets::add_part_mesh(mesh, shape, surface_of(material));
-    const auto scale =
-        static_cast<float>(1 / (row == nullptr ? 1.0 : materials_.extent_m(row->id)));
-    for (std::size_t v = first; v < mesh.uvs.size(); ++v)
-      mesh.uvs[v] = mesh.uvs[v] * scale;
+    add_part(mesh,
+             part,
+             scene::fixture_from_part(part),
+             surface_of(material),
+             row == nullptr ? 1.0 : materials_.extent_m(row->id));
     return {};
   }
 

@@ -1,65 +1,17 @@
 #include "export/glb_goods.h"
 
-#include <algorithm>
-#include <map>
-#include <optional>
-#include <tuple>
-
-#include <fmt/format.h>
-
-#include "assets/print/label.h"
-#include "base/parallel.h"
-#include "export/label_picture.h"
-#include "io/json.h"
-#include "io/png.h"
-#include "render/picture_cache.h"
+#include "export/goods_look.h"
+#include "export/price_prints.h"
 
 namespace marketgen::exporters {
 namespace {
 
-constexpr int tag_px = 64, card_px = 148;  // heights
-constexpr auto card_width_m = static_cast<float>(assets::promotion_card_width_mm * 1e-3);
-constexpr auto card_height_m = static_cast<float>(assets::promotion_card_height_mm * 1e-3);
-constexpr float tag_lift_m = 8e-4F;  // label stock before the rail
-constexpr float tag_roughness = 0.5F;
-
-using PictureResult = Result<std::string>;
-
-PictureResult png_of(const std::string& content, const std::function<Result<Image>()>& draw) {
-  MARKETGEN_TRY(const Image image, render::raytrace::cached_picture(content, draw));
-  return io::encode_png(image);
-}
-
-// What one SKU needs, made apart from the document so that SKUs can be made side by side.
-struct MadeProduct {
-  assets::ProductModel model;
-  std::string label_png;  // empty when no surface shows the label
-  std::optional<Error> error;
-};
-
-MadeProduct make(const catalog::Product& product) {
-  MadeProduct made;
-  Result<assets::ProductModel> model = assets::make_product_model(product);
-  if (!model.ok()) return {{}, {}, model.error()};
-  made.model = std::move(model).value();
-  if (std::ranges::none_of(made.model.surfaces,
-                           [](const assets::Surface& s) { return s.texture == "label"; }))
-    return made;
-  const Result<Image> label = exported_label(product);
-  PictureResult png = label.ok() ? io::encode_png(*label) : label.error();
-  if (!png.ok())
-    made.error = png.error();
-  else
-    made.label_png = std::move(png).value();
-  return made;
-}
-
 Result<int> add_product_mesh(const catalog::Product& product,
-                             const MadeProduct& made,
+                             const GoodsLook& made,
                              io::GlbDocument& document,
                              GlbMaterials& materials) {
   if (made.error) return *made.error;
-  const int label = made.label_png.empty() ? -1 : document.add_texture(made.label_png);
+  const int label = made.label.empty() ? -1 : document.add_texture(made.label);
   std::vector<int> surfaces;
   for (const assets::Surface& surface : made.model.surfaces) {
     if (surface.texture.empty() || surface.texture == "label") {
@@ -100,83 +52,23 @@ void add_copies(io::GltfJson node,
   }
 }
 
-// One design of tag or card and where it is stuck on.
-struct Prints {
-  const scene::PriceLabel* first = nullptr;
-  std::vector<Pose> places;
-};
-
-Mesh upright_quad(float width_m, float height_m) {
-  const float x = width_m / 2, z = height_m / 2;
-  Mesh quad;
-  add_quad(quad, {-x, 0, -z}, {x, 0, -z}, {x, 0, z}, {-x, 0, z}, 0);
-  return quad;
-}
-
 // Nobody asks for one print among its copies: without instances they are one mesh and one node, for
 // every node costs a viewer time.
-void add_prints(const std::string& name,
-                const Mesh& print,
+void add_prints(const PricePrint& print,
                 int material,
-                const std::vector<Pose>& places,
                 const ExportOptions& options,
                 io::GlbDocument& document,
                 int group) {
   if (options.instanced) {
     io::GlbInstances copies;
-    for (const Pose& pose : places)
+    for (const Pose& pose : print.places)
       add_place(copies, pose);
-    const int mesh = document.add_mesh(name, print, {material});
-    document.add_instanced_node({{"name", name}, {"mesh", mesh}}, copies, group);
+    const int mesh = document.add_mesh(print.name, print.mesh, {material});
+    document.add_instanced_node({{"name", print.name}, {"mesh", mesh}}, copies, group);
     return;
   }
-  Mesh all;
-  for (const Pose& pose : places) {
-    const std::size_t first = all.positions.size();
-    all.append(print);
-    place(all, pose, first);
-  }
-  document.add_node({{"name", name}, {"mesh", document.add_mesh(name, all, {material})}}, group);
-}
-
-Pose place_of(const scene::Scene& scene, const scene::PriceLabel& label) {
-  const scene::SceneShelf& shelf = scene.shelves[label.shelf];
-  const double middle_m = (assets::price_rail_top_m + assets::price_rail_bottom_m) / 2;
-  return scene::world_from_shelf(scene, label.shelf) *
-         Pose{{label.x_m - shelf.width_m / 2, assets::price_rail_face_m - tag_lift_m, middle_m},
-              {}};
-}
-
-// The card of an offer hangs below its tag; those of neighbours, which may overlap, a little apart.
-Pose place_of_card(const scene::Scene& scene, std::size_t row) {
-  const scene::PriceLabel& label = scene.price_labels[row];
-  const double apart_m = tag_lift_m * static_cast<double>(1 + row % 3);
-  return place_of(scene, label) *
-         Pose{{0, -apart_m, -static_cast<double>(label.height_m + card_height_m) / 2}, {}};
-}
-
-// One card a SKU on offer, at all its places.
-Result<void> add_promotion_cards(const scene::Scene& scene,
-                                 const ExportOptions& options,
-                                 io::GlbDocument& document,
-                                 GlbMaterials& materials,
-                                 int group) {
-  std::map<std::uint32_t, std::vector<Pose>> cards;  // by SKU
-  for (std::size_t row = 0; row < scene.price_labels.size(); ++row) {
-    const scene::PriceLabel& label = scene.price_labels[row];
-    if (label.promotion != 0) cards[label.sku].push_back(place_of_card(scene, row));
-  }
-  const Mesh card = upright_quad(card_width_m, card_height_m);
-  for (const auto& [sku, places] : cards) {
-    const catalog::Product& product = scene.catalog[sku];
-    MARKETGEN_TRY(const std::string png,
-                  png_of(fmt::format("promotion card {} {}", card_px, io::write_json_line(product)),
-                         [&] { return assets::draw_promotion_card(product, card_px); }));
-    const int material = materials.add(
-        {.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""}, document.add_texture(png));
-    add_prints("offer/" + product.sku, card, material, places, options, document, group);
-  }
-  return {};
+  const int mesh = document.add_mesh(print.name, mesh_of_all(print), {material});
+  document.add_node({{"name", print.name}, {"mesh", mesh}}, group);
 }
 
 }  // namespace
@@ -191,9 +83,8 @@ Result<void> add_products(const scene::Scene& scene,
     add_place(copies[item.sku], scene::world_from_product(item));
     copies[item.sku].ids.push_back(scene::product_id(scene, row));
   }
-  const std::vector<MadeProduct> made = parallel_map(scene.catalog.size(), [&](std::size_t sku) {
-    return copies[sku].ids.empty() ? MadeProduct{} : make(scene.catalog[sku]);
-  });
+  const std::vector<GoodsLook> made =
+      goods_looks(scene, assets::Detail::near, LabelCoding::png);
   const int group = document.add_node({{"name", "products"}}, -1);
   for (std::size_t sku = 0; sku < made.size(); ++sku) {
     if (copies[sku].ids.empty()) continue;
@@ -212,39 +103,23 @@ Result<void> add_price_labels(const scene::Scene& scene,
                               const ExportOptions& options,
                               io::GlbDocument& document,
                               GlbMaterials& materials) {
-  std::map<std::tuple<std::uint32_t, std::uint32_t>, int> material_of;            // SKU, promotion
-  std::map<std::tuple<std::uint32_t, std::uint32_t, float, float>, Prints> tags;  // and size
-  for (const scene::PriceLabel& label : scene.price_labels) {
-    Prints& same = tags[{label.sku, label.promotion, label.width_m, label.height_m}];
-    if (same.first == nullptr) same.first = &label;
-    same.places.push_back(place_of(scene, label));
-    material_of[{label.sku, label.promotion}] = -1;
-  }
-  std::vector<std::pair<std::tuple<std::uint32_t, std::uint32_t>, PictureResult>> drawn;
-  for (const auto& [key, index] : material_of)
-    drawn.emplace_back(key, std::string());
-  parallel_for(drawn.size(), [&](std::size_t i) {
-    const auto& [sku, promotion] = drawn[i].first;
-    const Result<Image> tag = exported_price_tag(scene.catalog[sku], promotion != 0, tag_px);
-    drawn[i].second = tag.ok() ? io::encode_png(*tag) : tag.error();
-  });
-  for (const auto& [key, png] : drawn) {
-    if (!png.ok()) return png.error();
-    material_of[key] =
-        materials.add({.color = {1, 1, 1}, .roughness = tag_roughness, .texture = ""},
-                      document.add_texture(*png));
-  }
+  MARKETGEN_TRY(const PricePrints prints, price_prints(scene));
+  std::vector<int> materials_of;  // by picture; those of cards follow the tags' meshes
+  const auto draw = [&](std::size_t pictures) {
+    for (std::size_t i = materials_of.size(); i < pictures; ++i)
+      materials_of.push_back(
+          materials.add({.color = {1, 1, 1}, .roughness = print_roughness, .texture = ""},
+                        document.add_texture(prints.pictures[i])));
+  };
+  draw(prints.pictures.size() - prints.cards.size());
   const int group = document.add_node({{"name", "price-labels"}}, -1);
-  for (const auto& [key, same] : tags) {
-    add_prints("price/" + scene.catalog[same.first->sku].sku,
-               upright_quad(same.first->width_m, same.first->height_m),
-               material_of[{same.first->sku, same.first->promotion}],
-               same.places,
-               options,
-               document,
-               group);
+  for (const PricePrint& tag : prints.tags)
+    add_prints(tag, materials_of[tag.picture], options, document, group);
+  for (const PricePrint& card : prints.cards) {
+    draw(card.picture + 1);
+    add_prints(card, materials_of[card.picture], options, document, group);
   }
-  return add_promotion_cards(scene, options, document, materials, group);
+  return {};
 }
 
 }  // namespace marketgen::exporters

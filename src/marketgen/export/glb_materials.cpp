@@ -2,28 +2,9 @@
 
 #include <algorithm>
 
-#include "assets/materials/material_texture.h"
-#include "io/png.h"
+#include "export/material_pictures.h"
 
 namespace marketgen::exporters {
-namespace {
-
-// Colour is looked at, relief and gloss only light it: half as fine is enough for them.
-constexpr int color_px = 512, relief_px = 256;
-constexpr float glass_alpha = 0.25F;
-
-// Roughness in green, metallic in blue, as glTF has them.
-Image metallic_roughness(const assets::MaterialMaps& maps) {
-  Image image(maps.roughness.width, maps.roughness.height);
-  for (std::size_t i = 0; i < maps.roughness.pixels.size(); ++i) {
-    image.pixels[3 * i] = 255;
-    image.pixels[3 * i + 1] = maps.roughness.pixels[i];
-    image.pixels[3 * i + 2] = maps.metallic.pixels[i];
-  }
-  return image;
-}
-
-}  // namespace
 
 int GlbMaterials::add(const assets::Surface& surface, int texture) {
   const Vec3f c = surface.color;
@@ -47,15 +28,9 @@ int GlbMaterials::add(const assets::Surface& surface, int texture) {
   return document_.add_material(material);
 }
 
-const catalog::MaterialRow* GlbMaterials::row(const std::string& id) const {
-  const auto found = std::ranges::find(scene_.materials, id, &catalog::MaterialRow::id);
-  return found == scene_.materials.end() ? nullptr : &*found;
-}
-
 Result<int> GlbMaterials::add_tiled(const std::string& id) {
-  const catalog::MaterialRow* material = row(id);
-  if (material == nullptr)
-    return add({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F, .texture = ""});
+  const catalog::MaterialRow* material = scene_material(scene_, id);
+  if (material == nullptr) return add(plain_plaster());
   const auto known = tiled_.find(id);
   if (known != tiled_.end()) return known->second;
   MARKETGEN_TRY(const io::GltfJson gltf, textured(*material));
@@ -65,25 +40,21 @@ Result<int> GlbMaterials::add_tiled(const std::string& id) {
 }
 
 Result<io::GltfJson> GlbMaterials::textured(const catalog::MaterialRow& material) {
-  const assets::MaterialMaps relief = assets::draw_material_maps(material, relief_px);
-  MARKETGEN_TRY(const std::string color, io::encode_png(assets::draw_material(material, color_px)));
-  MARKETGEN_TRY(const std::string normal, io::encode_png(relief.normal));
-  MARKETGEN_TRY(const std::string gloss, io::encode_png(metallic_roughness(relief)));
+  MARKETGEN_TRY(const MaterialPictures pictures, material_pictures(material));
   // A value of its own until it is whole: a reference into an ordered object does not outlive the
   // next insertion.
-  io::GltfJson pbr{{"baseColorTexture", {{"index", document_.add_texture(color)}}},
-                   {"metallicRoughnessTexture", {{"index", document_.add_texture(gloss)}}}};
+  io::GltfJson pbr{{"baseColorTexture", {{"index", document_.add_texture(pictures.color)}}},
+                   {"metallicRoughnessTexture", {{"index", document_.add_texture(pictures.gloss)}}}};
   const bool clear = material.transmission > 0;
   if (clear) pbr["baseColorFactor"] = {1, 1, 1, 1 - material.transmission};
   io::GltfJson gltf{{"name", material.id}, {"pbrMetallicRoughness", std::move(pbr)}};
-  gltf["normalTexture"] = {{"index", document_.add_texture(normal)}};
+  gltf["normalTexture"] = {{"index", document_.add_texture(pictures.normal)}};
   if (clear) gltf["alphaMode"] = "BLEND";
   return gltf;
 }
 
 double GlbMaterials::extent_m(const std::string& id) const {
-  const catalog::MaterialRow* material = row(id);
-  return material == nullptr ? 1 : assets::material_extent_m(*material);
+  return material_repeat_m(scene_, id);
 }
 
 }  // namespace marketgen::exporters

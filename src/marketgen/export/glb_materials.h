@@ -23,7 +23,6 @@ class GlbMaterials {
   double extent_m(const std::string& id) const;
 
  private:
-  const catalog::MaterialRow* row(const std::string& id) const;
   Result<io::GltfJson> textured(const catalog::MaterialRow& material);
 
   const scene::Scene& scene_;

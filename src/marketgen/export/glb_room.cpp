@@ -1,82 +1,27 @@
 #include "export/glb_room.h"
 
-#include <array>
-
-#include "physics/world/shell_pieces.h"
-#include "render/stage/room.h"
+#include "export/room_mesh.h"
 
 namespace marketgen::exporters {
-namespace {
-
-// Surfaces of the room's mesh, in this order.
-enum RoomSurface : std::uint16_t {
-  room_floor,
-  room_wall,
-  room_ceiling,
-  room_door,
-  room_pane,
-  room_surfaces
-};
-
-void add_horizontal(Mesh& mesh,
-                    const PolygonMm& outline,
-                    float z,
-                    bool faces_up,
-                    RoomSurface surface,
-                    double extent_m) {
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  for (const PointMm& p : outline) {
-    const Vec3f at{static_cast<float>(p[0]) * 1e-3F, static_cast<float>(p[1]) * 1e-3F, z};
-    const auto scale = static_cast<float>(1 / extent_m);
-    mesh.add_vertex(at, {0, 0, faces_up ? 1.0F : -1.0F}, {at.x * scale, -at.y * scale});
-  }
-  for (const auto& [a, b, c] : render::raytrace::triangulated(outline)) {
-    mesh.add_triangle(first + a, first + (faces_up ? b : c), first + (faces_up ? c : b), surface);
-  }
-}
-
-RoomSurface surface_of(physics::ShellPieceKind kind) {
-  if (kind == physics::ShellPieceKind::door) return room_door;
-  return kind == physics::ShellPieceKind::pane ? room_pane : room_wall;
-}
-
-void add_piece(Mesh& mesh, const physics::ShellPiece& piece, double wall_extent_m) {
-  const std::size_t first = mesh.positions.size();
-  const Vec3f half = to_float(piece.half_size);
-  add_box(mesh, -half, half, 0, surface_of(piece.kind), static_cast<float>(1 / wall_extent_m));
-  place(mesh, piece.pose, first);
-}
-
-}  // namespace
 
 Result<void> add_room(const scene::Scene& scene,
                       io::GlbDocument& document,
                       GlbMaterials& materials) {
   const plan::Look& look = scene.layout.look;
-  const plan::Shell& shell = scene.layout.shell;
-  const PolygonMm outline =
-      shell.outline_mm.value_or(polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm}));
-  Mesh mesh;
-  add_horizontal(mesh, outline, 0, true, room_floor, materials.extent_m(look.floor));
-  add_horizontal(mesh,
-                 outline,
-                 static_cast<float>(shell.ceiling_mm) * 1e-3F,
-                 false,
-                 room_ceiling,
-                 materials.extent_m(look.ceiling));
-  for (const physics::ShellPiece& piece : physics::shell_pieces(shell))
-    add_piece(mesh, piece, materials.extent_m(look.wall));
-
-  std::vector<int> indices(room_surfaces);
-  MARKETGEN_TRY(indices[room_floor], materials.add_tiled(look.floor));
-  MARKETGEN_TRY(indices[room_wall], materials.add_tiled(look.wall));
-  MARKETGEN_TRY(indices[room_ceiling], materials.add_tiled(look.ceiling));
-  indices[room_door] = materials.add(
-      {.color = {0.3F, 0.32F, 0.34F}, .roughness = 0.4F, .metallic = 0.2F, .texture = ""});
-  indices[room_pane] = materials.add({.color = {0.8F, 0.9F, 0.9F},
-                                      .roughness = 0.05F,
-                                      .kind = assets::SurfaceKind::glass,
-                                      .texture = ""});
+  const Mesh mesh = room_mesh(scene.layout.shell, look, [&](const std::string& material) {
+    return materials.extent_m(material);
+  });
+  std::vector<int> indices;
+  for (std::uint16_t i = 0; i < room_surfaces; ++i) {
+    const auto surface = static_cast<RoomSurface>(i);
+    const std::string material = room_material(surface, look);
+    if (material.empty())
+      indices.push_back(materials.add(plain_room_surface(surface)));
+    else {
+      MARKETGEN_TRY(const int tiled, materials.add_tiled(material));
+      indices.push_back(tiled);
+    }
+  }
   document.add_node({{"name", "room"}, {"mesh", document.add_mesh("room", mesh, indices)}}, -1);
   return {};
 }

@@ -116,10 +116,16 @@ std::string last_line(const std::string& text) {
 }
 
 struct WorkerParts {
-  std::string coacd, av;
+  std::string coacd, av, usd_core;
   static constexpr auto fields =
       field_list(field("coacd", &WorkerParts::coacd, "version"),
-                 field("av", &WorkerParts::av, "version of PyAV, for films"));
+                 field("av", &WorkerParts::av, "version of PyAV, for films"),
+                 field("usd-core", &WorkerParts::usd_core, "version of OpenUSD, reads exports"));
+
+  const std::string& of(std::string_view package) const {
+    if (package == "av") return av;
+    return package == "usd-core" ? usd_core : coacd;
+  }
 };
 
 }  // namespace
@@ -186,7 +192,7 @@ Result<std::string> run_worker(const std::string& job, std::string_view request,
 Result<std::string> worker_part(const std::string& package) {
   MARKETGEN_TRY(const std::string answer, run_worker("parts", "", 20));
   MARKETGEN_TRY(const WorkerParts parts, read_json<WorkerParts>(answer, "worker"));
-  const std::string& version = package == "av" ? parts.av : parts.coacd;
+  const std::string& version = parts.of(package);
   if (!version.empty()) return version;
   return Error{"usage.unavailable",
                package,

@@ -32,8 +32,8 @@ void use_python(const std::string& interpreter);
 // The script of our workers, run by itself: beside the data of the installation or in the source
 // tree. Error: usage.unavailable.
 Result<std::filesystem::path> worker_script();
-// The version of a Python package that a worker uses: "coacd" or "av". Error: usage.unavailable or
-// program.failed, with what installs it.
+// The version of a Python package that a worker uses: "coacd", "av" or "usd-core". Error:
+// usage.unavailable or program.failed, with what installs it.
 Result<std::string> worker_part(const std::string& package);
 // What the worker answers to one job (python/marketgen/worker.py). Errors: those of both above and
 // of run_program.

@@ -1,0 +1,170 @@
+#include "export/usd_geometry.h"
+
+#include <bit>
+#include <cmath>
+#include <span>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "base/hash.h"
+#include "geometry/convex_hull.h"
+#include "geometry/weld.h"
+
+namespace marketgen::exporters {
+namespace {
+
+constexpr std::size_t shape_hash_letters = 12;  // no two of a store's shapes share them
+constexpr float least_area_m2 = 1e-12F;         // thinner triangles show nothing
+constexpr float normal_steps = 1 << 14;         // normals nearer than a step are one
+
+template <class T>
+void add_to(Hasher& hash, const std::vector<T>& values) {
+  hash.add(static_cast<std::int64_t>(values.size()));
+  hash.add_bytes(std::as_bytes(std::span<const T>(values)));
+}
+
+std::string hash_of(const std::vector<UsdMesh>& meshes) {
+  Hasher hash;
+  for (const UsdMesh& mesh : meshes) {
+    hash.add(static_cast<std::int64_t>(mesh.surface));
+    add_to(hash, mesh.points);
+    add_to(hash, mesh.normals);
+    add_to(hash, mesh.st);
+    add_to(hash, mesh.corners);
+    add_to(hash, mesh.corner_normals);
+    add_to(hash, mesh.corner_st);
+  }
+  return hash.hex().substr(0, shape_hash_letters);
+}
+
+// The values of one list, each once, by the order in which they came.
+template <class Key, class Value>
+class UsdList {
+ public:
+  std::int32_t row(const Key& key, const Value& value, std::vector<Value>& list) {
+    const auto [entry, is_new] = known_.try_emplace(key, static_cast<std::int32_t>(list.size()));
+    if (is_new) list.push_back(value);
+    return entry->second;
+  }
+
+ private:
+  std::map<Key, std::int32_t> known_;
+};
+
+// Builds the mesh of one surface.
+class SurfaceMesh {
+ public:
+  SurfaceMesh(const Mesh& mesh,
+              const std::vector<std::uint32_t>& welded,
+              std::uint16_t surface,
+              bool textured)
+      : mesh_(mesh), welded_(welded), textured_(textured) {
+    made_.surface = surface;
+  }
+
+  void add(const std::array<std::uint32_t, 3>& triangle) {
+    const Vec3f a = at(triangle[0]), b = at(triangle[1]), c = at(triangle[2]);
+    const Vec3f across = cross(b - a, c - a);
+    if (!(length(across) / 2 > least_area_m2)) return;
+    for (const std::uint32_t v : triangle) {
+      made_.corners.push_back(points_.row(welded_[v], at(v), made_.points));
+      const Vec3f given = mesh_.normals[v];
+      const Vec3f n = normalized(length(given) > 0 ? given : across);
+      made_.corner_normals.push_back(
+          normals_.row({step(n.x), step(n.y), step(n.z)}, n, made_.normals));
+      if (!textured_) continue;
+      const Vec2f uv{mesh_.uvs[v].x, 1 - mesh_.uvs[v].y};
+      made_.corner_st.push_back(
+          st_.row({std::bit_cast<std::uint32_t>(uv.x), std::bit_cast<std::uint32_t>(uv.y)},
+                  uv,
+                  made_.st));
+    }
+  }
+
+  UsdMesh take() { return std::move(made_); }
+
+ private:
+  Vec3f at(std::uint32_t vertex) const { return mesh_.positions[welded_[vertex]]; }
+  static int step(float part) { return static_cast<int>(std::lround(part * normal_steps)); }
+
+  const Mesh& mesh_;
+  const std::vector<std::uint32_t>& welded_;
+  bool textured_;
+  UsdMesh made_;
+  UsdList<std::uint32_t, Vec3f> points_;
+  UsdList<std::tuple<int, int, int>, Vec3f> normals_;
+  UsdList<std::pair<std::uint32_t, std::uint32_t>, Vec2f> st_;
+};
+
+// Of faces of hulls, one normal each.
+Mesh hull_mesh(const std::vector<Vec3f>& points) {
+  Mesh mesh;
+  for (const auto& triangle : convex_hull(points).triangles) {
+    const Vec3f a = points[triangle[0]], b = points[triangle[1]], c = points[triangle[2]];
+    const Vec3f across = cross(b - a, c - a);
+    if (!(length(across) > 0)) continue;
+    const Vec3f n = normalized(across);
+    const std::uint32_t first = mesh.add_vertex(a, n, {});
+    mesh.add_vertex(b, n, {});
+    mesh.add_vertex(c, n, {});
+    mesh.add_triangle(first, first + 1, first + 2, 0);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<UsdMesh> usd_meshes(const Mesh& mesh, const std::vector<bool>& textured) {
+  const std::vector<std::uint32_t> welded = weld_positions(mesh.positions, weld_distance_m);
+  std::map<std::uint16_t, SurfaceMesh> by_surface;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint16_t surface = mesh.surfaces[t];
+    by_surface.try_emplace(surface, mesh, welded, surface, textured[surface])
+        .first->second.add(mesh.triangles[t]);
+  }
+  std::vector<UsdMesh> made;
+  for (auto& [surface, part] : by_surface) {
+    UsdMesh one = part.take();
+    if (!one.corners.empty()) made.push_back(std::move(one));
+  }
+  return made;
+}
+
+UsdShape UsdGeometry::add(std::string_view kind, const std::vector<UsdMesh>& meshes) {
+  const std::string name = fmt::format("{}_{}", kind, hash_of(meshes));
+  const auto [entry, is_new] = known_.try_emplace(name);
+  if (!is_new) return entry->second;
+  const int prim = crate_.add_prim(0, name, "Xform");
+  entry->second.reference = fmt::format("@./{}@</Geometry/{}>", usd_geometry_file, name);
+  for (const UsdMesh& mesh : meshes) {
+    entry->second.surfaces.push_back(mesh.surface);
+    add_mesh(crate_.add_prim(prim, fmt::format("part_{}", mesh.surface), "Mesh"), mesh);
+  }
+  meshes_ += meshes.size();
+  return entry->second;
+}
+
+UsdShape UsdGeometry::add_hull(const std::vector<Vec3f>& points) {
+  return add("hull", usd_meshes(hull_mesh(points), {false}));
+}
+
+void UsdGeometry::add_mesh(int prim, const UsdMesh& mesh) {
+  Bounds3 bounds;
+  for (const Vec3f& p : mesh.points)
+    bounds.include(p);
+  const auto add = [&](io::UsdAttribute attribute) { crate_.add_attribute(prim, attribute); };
+  add({"extent", "float3[]", std::vector{bounds.low, bounds.high}, false, ""});
+  add({"faceVertexCounts", "int[]", std::vector<std::int32_t>(mesh.corners.size() / 3, 3), false, ""});
+  add({"faceVertexIndices", "int[]", mesh.corners, false, ""});
+  add({"points", "point3f[]", mesh.points, false, ""});
+  add({"primvars:normals", "normal3f[]", mesh.normals, false, "faceVarying"});
+  add({"primvars:normals:indices", "int[]", mesh.corner_normals, false, ""});
+  if (!mesh.st.empty()) {
+    add({"primvars:st", "texCoord2f[]", mesh.st, false, "faceVarying"});
+    add({"primvars:st:indices", "int[]", mesh.corner_st, false, ""});
+  }
+  add({"subdivisionScheme", "token", std::string("none"), true, ""});
+}
+
+}  // namespace marketgen::exporters
