@@ -101,6 +101,9 @@ class UsdExport:
     def bound(self, prim, purpose="allPurpose"):
         return self.UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial(purpose)[0]
 
+    def mass(self, prim):
+        return self.UsdPhysics.MassAPI(prim).GetMassAttr().Get() if prim.HasAPI(self.UsdPhysics.MassAPI) else 0.0
+
     def products(self):
         found = []
         for prim in self.items():
@@ -117,14 +120,15 @@ class UsdExport:
             if prototype in seen:
                 continue
             seen.add(prototype)
-            frictions = set()
+            frictions, mass = set(), 0.0
             for part in self.Usd.PrimRange(prim.GetPrototype()):
                 if part.HasAPI(self.UsdPhysics.CollisionAPI):
                     material = self.bound(part, "physics")
                     frictions.add(self.UsdPhysics.MaterialAPI(material).GetStaticFrictionAttr().Get() if material else 0.0)
             if len(frictions) != 1:
                 self.faults.append(f"{prim.GetPath()} has {len(frictions)} frictions")
-            mass = self.UsdPhysics.MassAPI(prim).GetMassAttr().Get()
+                    mass += self.mass(part)
+            mass = self.mass(prim) or mass  # a body's own counts before that of what it is made up of
             sku = str(prim.GetAssetInfoByKey("name"))
             found.append({"sku": sku, "mass_kg": mass, "friction": max(frictions, default=0.0)})
         return found

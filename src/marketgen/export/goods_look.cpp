@@ -21,7 +21,7 @@ GoodsLook goods_look(const catalog::Product& product,
     return look;
   const Result<Image> label = exported_label(product);
   Result<std::string> bytes = !label.ok()                        ? label.error()
-                              : coding == LabelCoding::jpeg ? io::encode_jpeg(*label)
+                              : coding == LabelCoding::jpeg ? io::encode_jpeg(*label, io::JpegUse::texture)
                                                             : io::encode_png(*label);
   if (!bytes.ok())
     look.error = bytes.error();

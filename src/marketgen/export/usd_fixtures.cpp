@@ -87,12 +87,15 @@ class ModuleWriter {
     UsdLooks looks(parts_.pictures);
     Mesh mesh;
     std::vector<int> by_surface;
-    for (const std::uint32_t row : body.parts)
+    std::vector<std::uint32_t> pieces;
+    for (const std::uint32_t row : body.parts) {
+      pieces.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
       MARKETGEN_CHECK(add_to(mesh, by_surface, looks, parts_.scene.parts[row], body_from_fixture));
+    }
     std::vector<bool> textured;
     for (const int look : by_surface)
       textured.push_back(looks.textured(look));
-    const UsdShape shape = parts_.geometry.add("module", usd_meshes(mesh, textured));
+    const UsdShape shape = parts_.geometry.add("module", usd_meshes(mesh, textured, pieces));
     out_.open(fmt::format("def Xform \"{}\"", name), {"kind = \"subcomponent\""});
     write_usd_pose(out_, {});
     out_.open("def Xform \"look\"", {"prepend references = " + shape.reference});
@@ -106,7 +109,7 @@ class ModuleWriter {
                          parts_.geometry,
                          names.of(name_of(part.unit)),
                          body_from_fixture * physics::contact_shape_of(part),
-                         usd_contact_material(path));
+                         UsdContact{usd_contact_material(path)});
     }
     out_.close();
     return {};

@@ -171,10 +171,10 @@ void UsdLooks::write_bindings(UsdText& out,
                               std::string_view path,
                               const UsdShape& shape,
                               const std::vector<int>& looks) {
-  for (const std::uint16_t surface : shape.surfaces) {
-    out.open(fmt::format("over \"part_{}\"", surface),
+  for (const UsdShape::Part& part : shape.parts) {
+    out.open(fmt::format("over \"{}\"", part.name),
              {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
-    out.line("rel material:binding = <{}/materials/look_{}>", path, looks[surface]);
+    out.line("rel material:binding = <{}/materials/look_{}>", path, looks[part.surface]);
     out.close();
   }
 }

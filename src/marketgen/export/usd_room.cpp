@@ -32,11 +32,11 @@ Result<std::vector<int>> room_looks(const scene::Scene& scene, UsdLooks& looks) 
 
 void write_look(UsdText& out, const UsdShape& shape, const std::vector<int>& by_surface) {
   out.open("def Xform \"look\"", {"prepend references = " + shape.reference});
-  for (const std::uint16_t surface : shape.surfaces) {
-    const UsdLabels labels{{"class", std::string(room_surface_names[surface])}};
-    out.open(fmt::format("over \"part_{}\"", surface),
+  for (const UsdShape::Part& part : shape.parts) {
+    const UsdLabels labels{{"class", std::string(room_surface_names[part.surface])}};
+    out.open(fmt::format("over \"{}\"", part.name),
              {"prepend apiSchemas = [\"MaterialBindingAPI\"" + usd_label_schemas(labels) + "]"});
-    out.line("rel material:binding = <{}/materials/look_{}>", room_path, by_surface[surface]);
+    out.line("rel material:binding = <{}/materials/look_{}>", room_path, by_surface[part.surface]);
     write_usd_labels(out, labels);
     out.close();
   }
@@ -92,11 +92,11 @@ Result<std::string> usd_room(UsdParts& parts) {
   std::vector<bool> textured;
   for (const int look : by_surface)
     textured.push_back(looks.textured(look));
-  const Mesh mesh =
+  const RoomMesh room =
       room_mesh(scene.layout.shell, scene.layout.look, [&](const std::string& material) {
         return material_repeat_m(scene, material);
       });
-  const UsdShape shape = parts.geometry.add("room", usd_meshes(mesh, textured));
+  const UsdShape shape = parts.geometry.add("room", usd_meshes(room.mesh, textured, room.pieces));
   const std::string contact = usd_contact_material(room_path);
   UsdText out;
   out.append(usd_head("Shop"));
@@ -112,7 +112,7 @@ Result<std::string> usd_room(UsdParts& parts) {
                        parts.geometry,
                        names.of(piece.id),
                        assets::ContactShape{assets::CollisionShape::box, piece.pose, piece.half_size},
-                       contact);
+                       UsdContact{contact});
   out.close();
   out.close();
   return out.take();

@@ -34,7 +34,7 @@ class UsdText {
   std::string take() { return std::move(text_); }
 
  private:
-  void indent() { text_.append(static_cast<std::size_t>(4 * depth_), ' '); }
+  void indent() { text_.append(static_cast<std::size_t>(2 * depth_), ' '); }
 
   std::string text_;
   int depth_;
