@@ -109,8 +109,9 @@ Run add_export(CLI::App& app) {
       flags->instanced,
       "glb: a node a SKU with EXT_mesh_gpu_instancing, which few viewers read; smaller "
       "and faster where they do");
-  command->add_flag(
-      "--still-fixtures", flags->still, "mjcf, usd: doors, lids and drawers of fixtures do not move");
+  command->add_flag("--still-fixtures",
+                    flags->still,
+                    "mjcf, usd: doors, lids and drawers of fixtures do not move");
   command->add_flag(
       "--primitives",
       flags->primitives,

@@ -582,8 +582,14 @@ TEST(Export, UsdReadsBackWithOpenUsd) {
   EXPECT_EQ(summary["products"], counts["products"]);
   EXPECT_EQ(summary["skus"], counts["skus"]);
   EXPECT_LT(summary["worst_position_error_m"].get<double>(), 1e-4);
-  for (const char* name : {"room.usda", "fixtures.usda", "goods.usda", "lights.usda",
-                           "products.usda", "modules.usda", "geometry.usdc", "LICENCES.md"})
+  for (const char* name : {"room.usda",
+                           "fixtures.usda",
+                           "goods.usda",
+                           "lights.usda",
+                           "products.usda",
+                           "modules.usda",
+                           "geometry.usdc",
+                           "LICENCES.md"})
     EXPECT_TRUE(fs::exists(scratch.path() / "shop_assets" / name)) << name;
 }
 

@@ -72,8 +72,7 @@ Result<void> compare_turn(const scene::SceneProduct& product,
   if (!found.rotation) return {};
   // By its sine: turn_between() takes an arc cosine, which single precision spoils below 0.03
   // degrees.
-  const Quaternion apart =
-      inverse(scene::world_from_product(product).rotation) * *found.rotation;
+  const Quaternion apart = inverse(scene::world_from_product(product).rotation) * *found.rotation;
   const double turn = 2 * std::atan2(length(Vec3{apart.x, apart.y, apart.z}), std::abs(apart.w));
   if (turn <= turn_tolerance_rad) return {};
   return mismatch(where,

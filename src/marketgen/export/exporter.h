@@ -25,7 +25,7 @@ struct ExportFiles {
 
 struct ExportedItem {
   std::string id, sku;
-  Vec3 position;  // of the product frame's origin, in the store frame
+  Vec3 position;                            // of the product frame's origin, in the store frame
   std::optional<Quaternion> rotation = {};  // world_from_product; absent: the reader has none
 };
 

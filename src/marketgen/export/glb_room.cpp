@@ -22,7 +22,8 @@ Result<void> add_room(const scene::Scene& scene,
       indices.push_back(tiled);
     }
   }
-  document.add_node({{"name", "room"}, {"mesh", document.add_mesh("room", room.mesh, indices)}}, -1);
+  document.add_node({{"name", "room"}, {"mesh", document.add_mesh("room", room.mesh, indices)}},
+                    -1);
   return {};
 }
 

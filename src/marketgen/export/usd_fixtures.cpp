@@ -34,8 +34,7 @@ std::vector<FixtureBody> bodies_of(const scene::Scene& scene,
   for (std::uint32_t j = 0; !still_fixtures && j < row.joint_count; ++j) {
     const auto joint = static_cast<int>(row.first_joint + j);
     body_of[joint] = bodies.size();
-    bodies.push_back(
-        {joint, scene::fixture_from_joint(scene.joints[row.first_joint + j]), {}});
+    bodies.push_back({joint, scene::fixture_from_joint(scene.joints[row.first_joint + j]), {}});
   }
   for (std::uint32_t p = row.first_part; p < row.first_part + row.part_count; ++p) {
     const auto found = body_of.find(scene.parts[p].joint);
@@ -75,8 +74,13 @@ class ModuleWriter {
       hash.add_bytes(std::as_bytes(std::span(&part, 1)));
     }
     const Pose& p = body.fixture_from_body;
-    for (const double v : {p.position.x, p.position.y, p.position.z, p.rotation.w, p.rotation.x,
-                           p.rotation.y, p.rotation.z})
+    for (const double v : {p.position.x,
+                           p.position.y,
+                           p.position.z,
+                           p.rotation.w,
+                           p.rotation.x,
+                           p.rotation.y,
+                           p.rotation.z})
       hash.add_rounded(v, 1e-7);
     return hash.hex();
   }
@@ -169,9 +173,8 @@ class UsdFixtureWriter {
       return body.joint >= 0 && joint_of(body).kind != assets::JointKind::belt;
     });
     const UsdLabels labels{{"class", placed.kind}, {"zone", placed.zone}};
-    const std::string root =
-        moves ? "\"PhysicsArticulationRootAPI\"" + usd_label_schemas(labels)
-              : usd_label_schemas(labels).substr(2);
+    const std::string root = moves ? "\"PhysicsArticulationRootAPI\"" + usd_label_schemas(labels)
+                                   : usd_label_schemas(labels).substr(2);
     const std::string path = "/Shop/fixtures/" + name;
     out_.open(fmt::format("def Xform \"{}\"", name),
               {"prepend apiSchemas = [" + root + "]",
@@ -204,13 +207,12 @@ class UsdFixtureWriter {
     body_path_[body.joint] = path + "/" + name;
     std::vector<std::string> metadata{"instanceable = true", "prepend references = " + reference};
     if (!is_base)
-      metadata.emplace_back(
-          "prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]");
+      metadata.emplace_back("prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]");
     else if (moves)
       metadata.emplace_back("prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]");
     if (!is_base)
-      metadata.push_back(fmt::format(
-          "displayName = {}", usd_quoted(mjcf_joint_name(scene_, joint_of(body)))));
+      metadata.push_back(
+          fmt::format("displayName = {}", usd_quoted(mjcf_joint_name(scene_, joint_of(body)))));
     out_.open(fmt::format("def \"{}\"", name), metadata);
     if (!is_base) {
       const scene::SceneJoint& joint = joint_of(body);
@@ -257,7 +259,8 @@ class UsdFixtureWriter {
                           names_.of("joint/" + joint.name)),
               {fmt::format("prepend apiSchemas = [\"PhysicsDriveAPI:{}\"]", drive),
                fmt::format("displayName = {}", usd_quoted(mjcf_joint_name(scene_, joint)))});
-    out_.line("float drive:{}:physics:damping = {}", drive, static_cast<float>(joint.damping / unit));
+    out_.line(
+        "float drive:{}:physics:damping = {}", drive, static_cast<float>(joint.damping / unit));
     out_.line(
         "float drive:{}:physics:stiffness = {}", drive, static_cast<float>(joint.stiffness / unit));
     out_.line("float drive:{}:physics:targetPosition = {}",

@@ -85,10 +85,8 @@ class SurfaceMesh {
           normals_.row({step(n.x), step(n.y), step(n.z)}, n, made_.normals));
       if (!textured_) continue;
       const Vec2f uv{mesh_.uvs[v].x, 1 - mesh_.uvs[v].y};
-      made_.corner_st.push_back(
-          st_.row({std::bit_cast<std::uint32_t>(uv.x), std::bit_cast<std::uint32_t>(uv.y)},
-                  uv,
-                  made_.st));
+      made_.corner_st.push_back(st_.row(
+          {std::bit_cast<std::uint32_t>(uv.x), std::bit_cast<std::uint32_t>(uv.y)}, uv, made_.st));
     }
   }
 
@@ -143,7 +141,8 @@ std::vector<UsdMesh> usd_meshes(const Mesh& mesh,
     }
     const std::uint16_t surface = place.first;
     std::vector<SurfaceMesh>& of = sheets[surface];
-    auto sheet = std::ranges::find_if(of, [&](const SurfaceMesh& s) { return !s.touches(corners); });
+    auto sheet =
+        std::ranges::find_if(of, [&](const SurfaceMesh& s) { return !s.touches(corners); });
     if (sheet == of.end()) {
       of.emplace_back(
           mesh, welded, surface, static_cast<std::uint16_t>(of.size()), textured[surface]);
@@ -169,9 +168,8 @@ UsdShape UsdGeometry::add(std::string_view kind, const std::vector<UsdMesh>& mes
   const int prim = crate_.add_prim(0, name, "Xform");
   entry->second.reference = fmt::format("@./{}@</Geometry/{}>", usd_geometry_file, name);
   for (const UsdMesh& mesh : meshes) {
-    const std::string part = mesh.sheet == 0
-                                 ? fmt::format("part_{}", mesh.surface)
-                                 : fmt::format("part_{}_{}", mesh.surface, mesh.sheet);
+    const std::string part = mesh.sheet == 0 ? fmt::format("part_{}", mesh.surface)
+                                             : fmt::format("part_{}_{}", mesh.surface, mesh.sheet);
     entry->second.parts.push_back({part, mesh.surface});
     add_mesh(crate_.add_prim(prim, part, "Mesh"), mesh);
   }
@@ -189,7 +187,11 @@ void UsdGeometry::add_mesh(int prim, const UsdMesh& mesh) {
     bounds.include(p);
   const auto add = [&](io::UsdAttribute attribute) { crate_.add_attribute(prim, attribute); };
   add({"extent", "float3[]", std::vector{bounds.low, bounds.high}, false, ""});
-  add({"faceVertexCounts", "int[]", std::vector<std::int32_t>(mesh.corners.size() / 3, 3), false, ""});
+  add({"faceVertexCounts",
+       "int[]",
+       std::vector<std::int32_t>(mesh.corners.size() / 3, 3),
+       false,
+       ""});
   add({"faceVertexIndices", "int[]", mesh.corners, false, ""});
   add({"points", "point3f[]", mesh.points, false, ""});
   add({"primvars:normals", "normal3f[]", mesh.normals, false, "faceVarying"});

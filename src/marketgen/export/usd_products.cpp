@@ -88,8 +88,7 @@ class ProductWriter {
     MARKETGEN_TRY(const std::vector<int> by_surface, looks_of(product, looks_[sku], looks));
     std::vector<std::string> metadata{
         "prepend apiSchemas = [" + usd_label_schemas(labels_of(product)).substr(2) + "]",
-        fmt::format("assetInfo = {{ string name = {} }}",
-                    usd_quoted(product.sku)),
+        fmt::format("assetInfo = {{ string name = {} }}", usd_quoted(product.sku)),
         fmt::format("displayName = {}", usd_quoted(product.name)),
         "kind = \"component\""};
     if (free_[sku] != nullptr) {
@@ -140,7 +139,8 @@ class ProductWriter {
     out.open("variantSet \"physics\" =");
     out.open("\"free\"", {"prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]"});
     if (goods.form == physics::GoodsForm::ball)
-      out.line("point3f physics:centerOfMass = {}", usd_vector(to_double(goods.body.pieces[0].center)));
+      out.line("point3f physics:centerOfMass = {}",
+               usd_vector(to_double(goods.body.pieces[0].center)));
     else
       out.line("point3f physics:centerOfMass = {}", usd_vector(to_double(middle)));
     out.line("float3 physics:diagonalInertia = {}", usd_vector(inertia.moments));

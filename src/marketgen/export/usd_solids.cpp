@@ -9,10 +9,9 @@ namespace {
 constexpr int ellipsoid_points = 64;
 
 std::string schemas_of(const UsdContact& contact, std::string_view more = {}) {
-  return fmt::format(
-      "prepend apiSchemas = [\"PhysicsCollisionAPI\", \"MaterialBindingAPI\"{}{}]",
-      more,
-      contact.mass_kg ? ", \"PhysicsMassAPI\"" : "");
+  return fmt::format("prepend apiSchemas = [\"PhysicsCollisionAPI\", \"MaterialBindingAPI\"{}{}]",
+                     more,
+                     contact.mass_kg ? ", \"PhysicsMassAPI\"" : "");
 }
 
 void write_contact(UsdText& out, const UsdContact& contact) {

@@ -56,7 +56,7 @@ class UsdNames {
   std::set<std::string> taken_;
 };
 
-std::string usd_vector(const Vec3& v);        // (1, 2, 3)
+std::string usd_vector(const Vec3& v);            // (1, 2, 3)
 std::string usd_quaternion(const Quaternion& q);  // (w, x, y, z)
 // The value of an xformOp:orient: OpenUSD takes the angle from w's arc cosine, which single
 // precision spoils for turns of less than a fiftieth of a degree.

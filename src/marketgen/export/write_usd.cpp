@@ -32,12 +32,14 @@ std::string licences(const scene::Scene& scene) {
     if (product.archetype == "mesh") imported.insert(product.sku);
   }
   std::string text = fmt::format(
-      "# Licences\n\nThe meshes, pictures and layers of this store were made by MarketGen {}, from its "
+      "# Licences\n\nThe meshes, pictures and layers of this store were made by MarketGen {}, from "
+      "its "
       "own rows\nand drawings: Apache-2.0. Brands, names and designs are invented.\n",
       program_version);
   if (imported.empty()) return text;
   text +=
-      "\nThese products show models that were imported; each is under the licence of its own model, "
+      "\nThese products show models that were imported; each is under the licence of its own "
+      "model, "
       "which\nMarketGen does not know:\n\n";
   for (const std::string& sku : imported)
     text += fmt::format("- `{}`\n", sku);

@@ -68,11 +68,8 @@ Decoded decode(std::string_view bytes, Fault& fault, Image& image) {
 constexpr int picture_quality = 92, texture_quality = 85;
 
 // No object with a destructor may live here either. `bytes` is malloc's.
-bool encode(const Image& image,
-            JpegUse use,
-            Fault& fault,
-            unsigned char** bytes,
-            unsigned long* size) {
+bool encode(
+    const Image& image, JpegUse use, Fault& fault, unsigned char** bytes, unsigned long* size) {
   jpeg_compress_struct jpeg{};
   jpeg.err = jpeg_std_error(&fault.manager);
   fault.manager.error_exit = leave;
