@@ -125,9 +125,9 @@ class UsdExport:
                 if part.HasAPI(self.UsdPhysics.CollisionAPI):
                     material = self.bound(part, "physics")
                     frictions.add(self.UsdPhysics.MaterialAPI(material).GetStaticFrictionAttr().Get() if material else 0.0)
+                    mass += self.mass(part)
             if len(frictions) != 1:
                 self.faults.append(f"{prim.GetPath()} has {len(frictions)} frictions")
-                    mass += self.mass(part)
             mass = self.mass(prim) or mass  # a body's own counts before that of what it is made up of
             sku = str(prim.GetAssetInfoByKey("name"))
             found.append({"sku": sku, "mass_kg": mass, "friction": max(frictions, default=0.0)})
