@@ -154,8 +154,8 @@ class UsdExport:
             "kind": "hinge" if hinge else "slide",
             "at": list(at),
             "axis": list(axis),
-            "lower": joint.GetLowerLimitAttr().Get() * unit,
-            "upper": joint.GetUpperLimitAttr().Get() * unit,
+            "lower": max(joint.GetLowerLimitAttr().Get() * unit, -ENDLESS),
+            "upper": min(joint.GetUpperLimitAttr().Get() * unit, ENDLESS),
             "damping": drive.GetDampingAttr().Get() / unit,
             "stiffness": drive.GetStiffnessAttr().Get() / unit,
             "spring_rest": drive.GetTargetPositionAttr().Get() * unit,
@@ -202,6 +202,7 @@ class UsdExport:
         return count
 
 
+ENDLESS = 1e6  # for no limit, of which JSON has none
 JOINT_NUMBERS = {"friction": "friction", "gasket": "gasket", "gasket_reach": "gasketReach", "hold_open_factor": "holdOpenFactor"}
 
 

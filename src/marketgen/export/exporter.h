@@ -35,6 +35,9 @@ struct ExportedGoods {
   double mass_kg = 0, friction = 0;
 };
 
+// A hinge that turns further has no limits in formats that have a word for that.
+constexpr double endless_hinge_rad = 8 * 3.14159265358979;
+
 // Everything at position 0, in the store frame.
 struct ExportedJoint {
   std::string name;  // "<fixture id>/<joint>"

@@ -17,6 +17,11 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t module_hash_letters = 12;
 
+// Wheels: engines take limits of no more than two turns.
+bool turns_endlessly(const scene::SceneJoint& joint) {
+  return joint.upper - joint.lower > endless_hinge_rad;
+}
+
 // One rigid body of a fixture: its body, or what one joint moves.
 struct FixtureBody {
   int joint = -1;  // row in Scene::joints
@@ -280,8 +285,10 @@ class UsdFixtureWriter {
             ? Pose{}
             : scene::fixture_from_joint(scene_.joints[static_cast<std::size_t>(joint.parent)]);
     write_frames(inverse(fixture_from_parent) * body.fixture_from_body, {});
-    out_.line("float physics:lowerLimit = {}", static_cast<float>(joint.lower * unit));
-    out_.line("float physics:upperLimit = {}", static_cast<float>(joint.upper * unit));
+    if (!hinge || !turns_endlessly(joint)) {  // none said: none there
+      out_.line("float physics:lowerLimit = {}", static_cast<float>(joint.lower * unit));
+      out_.line("float physics:upperLimit = {}", static_cast<float>(joint.upper * unit));
+    }
     out_.close();
   }
 
