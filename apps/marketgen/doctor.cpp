@@ -136,9 +136,8 @@ std::vector<Finding> look() {
                             "contact pieces of imported models",
                             "imported models get one hull as contact shape"),
           check_worker_part("av", "films of episodes", "`replay` writes no films"),
-          check_worker_part("usd-core",
-                            "reads USD exports back",
-                            "`export --format usd` goes without --check"),
+          check_worker_part(
+              "usd-core", "reads USD exports back", "`export --format usd` goes without --check"),
           check_program("flatc", "reads scene.bin as JSON", "apt-get install flatbuffers-compiler"),
           check_program("node", "runs the glTF validator in tests", "tools/setup test")};
 }

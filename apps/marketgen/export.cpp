@@ -109,16 +109,18 @@ Run add_export(CLI::App& app) {
       ->required();
   add_output(*command, "-o,--output", flags->output, "file to write")->required();
   command
-      ->add_option(
-          "--free-region", flags->free_region, "mjcf: products in x0,y0,x1,y1 become free bodies")
+      ->add_option("--free-region",
+                   flags->free_region,
+                   "mjcf, usd: products in x0,y0,x1,y1 become free bodies")
       ->type_name("REGION");
   command->add_flag(
       "--instanced",
       flags->instanced,
       "glb: a node a SKU with EXT_mesh_gpu_instancing, which few viewers read; smaller "
       "and faster where they do");
-  command->add_flag(
-      "--still-fixtures", flags->still, "mjcf: doors, lids and drawers of fixtures do not move");
+  command->add_flag("--still-fixtures",
+                    flags->still,
+                    "mjcf, usd: doors, lids and drawers of fixtures do not move");
   command->add_flag(
       "--primitives",
       flags->primitives,
@@ -147,6 +149,7 @@ Run add_export(CLI::App& app) {
                   "\nExample:  marketgen export shop --format glb -o shop.glb --check"
                   "\n          marketgen export shop --format mjcf -o shop.xml --robot "
                   "realman-rm75@4.2,3.1,90"
+                  "\n          marketgen export shop --format usd -o shop.usda --check"
                   "\n          marketgen export shop --format nav2 -o shop.yaml --check"
                   "\n          marketgen export shop --format planogram -o planogram.csv --check");
   return [flags] {

@@ -101,6 +101,9 @@ class UsdExport:
     def bound(self, prim, purpose="allPurpose"):
         return self.UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial(purpose)[0]
 
+    def mass(self, prim):
+        return self.UsdPhysics.MassAPI(prim).GetMassAttr().Get() if prim.HasAPI(self.UsdPhysics.MassAPI) else 0.0
+
     def products(self):
         found = []
         for prim in self.items():
@@ -117,14 +120,15 @@ class UsdExport:
             if prototype in seen:
                 continue
             seen.add(prototype)
-            frictions = set()
+            frictions, mass = set(), 0.0
             for part in self.Usd.PrimRange(prim.GetPrototype()):
                 if part.HasAPI(self.UsdPhysics.CollisionAPI):
                     material = self.bound(part, "physics")
                     frictions.add(self.UsdPhysics.MaterialAPI(material).GetStaticFrictionAttr().Get() if material else 0.0)
+                    mass += self.mass(part)
             if len(frictions) != 1:
                 self.faults.append(f"{prim.GetPath()} has {len(frictions)} frictions")
-            mass = self.UsdPhysics.MassAPI(prim).GetMassAttr().Get()
+            mass = self.mass(prim) or mass  # a body's own counts before that of what it is made up of
             sku = str(prim.GetAssetInfoByKey("name"))
             found.append({"sku": sku, "mass_kg": mass, "friction": max(frictions, default=0.0)})
         return found
@@ -150,8 +154,8 @@ class UsdExport:
             "kind": "hinge" if hinge else "slide",
             "at": list(at),
             "axis": list(axis),
-            "lower": joint.GetLowerLimitAttr().Get() * unit,
-            "upper": joint.GetUpperLimitAttr().Get() * unit,
+            "lower": max(joint.GetLowerLimitAttr().Get() * unit, -ENDLESS),
+            "upper": min(joint.GetUpperLimitAttr().Get() * unit, ENDLESS),
             "damping": drive.GetDampingAttr().Get() / unit,
             "stiffness": drive.GetStiffnessAttr().Get() / unit,
             "spring_rest": drive.GetTargetPositionAttr().Get() * unit,
@@ -198,6 +202,7 @@ class UsdExport:
         return count
 
 
+ENDLESS = 1e6  # for no limit, of which JSON has none
 JOINT_NUMBERS = {"friction": "friction", "gasket": "gasket", "gasket_reach": "gasketReach", "hold_open_factor": "holdOpenFactor"}
 
 

@@ -595,6 +595,26 @@ TEST(Export, GlbAndMjcfReadBack) {
   }
 }
 
+TEST(Export, UsdReadsBackWithOpenUsd) {
+  const ScratchFolder scratch;
+  const json counts = manifest()["counts"];
+  const json summary =
+      json_of({"export", shop(), "--format", "usd", "-o", "shop.usda", "--check", "--json"},
+              scratch.path());
+  EXPECT_EQ(summary["products"], counts["products"]);
+  EXPECT_EQ(summary["skus"], counts["skus"]);
+  EXPECT_LT(summary["worst_position_error_m"].get<double>(), 1e-4);
+  for (const char* name : {"room.usda",
+                           "fixtures.usda",
+                           "goods.usda",
+                           "lights.usda",
+                           "products.usda",
+                           "modules.usda",
+                           "geometry.usdc",
+                           "LICENCES.md"})
+    EXPECT_TRUE(fs::exists(scratch.path() / "shop_assets" / name)) << name;
+}
+
 TEST(Export, MapsAndPlanogramsReadBack) {
   const ScratchFolder scratch;
   const json counts = manifest()["counts"];

@@ -72,8 +72,7 @@ Result<void> compare_turn(const scene::SceneProduct& product,
   if (!found.rotation) return {};
   // By its sine: turn_between() takes an arc cosine, which single precision spoils below 0.03
   // degrees.
-  const Quaternion apart =
-      inverse(scene::world_from_product(product).rotation) * *found.rotation;
+  const Quaternion apart = inverse(scene::world_from_product(product).rotation) * *found.rotation;
   const double turn = 2 * std::atan2(length(Vec3{apart.x, apart.y, apart.z}), std::abs(apart.w));
   if (turn <= turn_tolerance_rad) return {};
   return mismatch(where,
@@ -201,7 +200,12 @@ std::string difference(const ExportedJoint& wanted, const ExportedJoint& found) 
   if (wanted.kind != found.kind) return "kind";
   if (!(length(wanted.at - found.at) <= position_tolerance_m)) return "place";
   if (!(length(wanted.axis - found.axis) <= 1e-4)) return "axis";
-  if (differ(wanted.lower, found.lower) || differ(wanted.upper, found.upper)) return "limits";
+  const auto endless = [](const ExportedJoint& j) {
+    return j.kind == assets::JointKind::hinge && j.upper - j.lower > endless_hinge_rad;
+  };
+  if (endless(wanted) != endless(found)) return "limits";
+  if (!endless(wanted) && (differ(wanted.lower, found.lower) || differ(wanted.upper, found.upper)))
+    return "limits";
   if (differ(wanted.mass_kg, found.mass_kg)) return "mass";
   if (wanted.kind == assets::JointKind::belt) return "";
   if (differ(wanted.friction, found.friction)) return "friction";

@@ -25,7 +25,7 @@ struct ExportFiles {
 
 struct ExportedItem {
   std::string id, sku;
-  Vec3 position;  // of the product frame's origin, in the store frame
+  Vec3 position;                            // of the product frame's origin, in the store frame
   std::optional<Quaternion> rotation = {};  // world_from_product; absent: the reader has none
 };
 
@@ -34,6 +34,9 @@ struct ExportedGoods {
   std::string sku;
   double mass_kg = 0, friction = 0;
 };
+
+// A hinge that turns further has no limits in formats that have a word for that.
+constexpr double endless_hinge_rad = 8 * 3.14159265358979;
 
 // Everything at position 0, in the store frame.
 struct ExportedJoint {

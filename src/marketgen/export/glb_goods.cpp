@@ -83,8 +83,7 @@ Result<void> add_products(const scene::Scene& scene,
     add_place(copies[item.sku], scene::world_from_product(item));
     copies[item.sku].ids.push_back(scene::product_id(scene, row));
   }
-  const std::vector<GoodsLook> made =
-      goods_looks(scene, assets::Detail::near, LabelCoding::png);
+  const std::vector<GoodsLook> made = goods_looks(scene, assets::Detail::near, LabelCoding::png);
   const int group = document.add_node({{"name", "products"}}, -1);
   for (std::size_t sku = 0; sku < made.size(); ++sku) {
     if (copies[sku].ids.empty()) continue;

@@ -43,8 +43,9 @@ Result<io::GltfJson> GlbMaterials::textured(const catalog::MaterialRow& material
   MARKETGEN_TRY(const MaterialPictures pictures, material_pictures(material));
   // A value of its own until it is whole: a reference into an ordered object does not outlive the
   // next insertion.
-  io::GltfJson pbr{{"baseColorTexture", {{"index", document_.add_texture(pictures.color)}}},
-                   {"metallicRoughnessTexture", {{"index", document_.add_texture(pictures.gloss)}}}};
+  io::GltfJson pbr{
+      {"baseColorTexture", {{"index", document_.add_texture(pictures.color)}}},
+      {"metallicRoughnessTexture", {{"index", document_.add_texture(pictures.gloss)}}}};
   const bool clear = material.transmission > 0;
   if (clear) pbr["baseColorFactor"] = {1, 1, 1, 1 - material.transmission};
   io::GltfJson gltf{{"name", material.id}, {"pbrMetallicRoughness", std::move(pbr)}};

@@ -8,7 +8,7 @@ Result<void> add_room(const scene::Scene& scene,
                       io::GlbDocument& document,
                       GlbMaterials& materials) {
   const plan::Look& look = scene.layout.look;
-  const Mesh mesh = room_mesh(scene.layout.shell, look, [&](const std::string& material) {
+  const RoomMesh room = room_mesh(scene.layout.shell, look, [&](const std::string& material) {
     return materials.extent_m(material);
   });
   std::vector<int> indices;
@@ -22,7 +22,8 @@ Result<void> add_room(const scene::Scene& scene,
       indices.push_back(tiled);
     }
   }
-  document.add_node({{"name", "room"}, {"mesh", document.add_mesh("room", mesh, indices)}}, -1);
+  document.add_node({{"name", "room"}, {"mesh", document.add_mesh("room", room.mesh, indices)}},
+                    -1);
   return {};
 }
 

@@ -10,9 +10,7 @@
 namespace marketgen::exporters {
 namespace {
 
-GoodsLook goods_look(const catalog::Product& product,
-                     assets::Detail detail,
-                     LabelCoding coding) {
+GoodsLook goods_look(const catalog::Product& product, assets::Detail detail, LabelCoding coding) {
   Result<assets::ProductModel> model = assets::make_product_model(product, detail);
   if (!model.ok()) return {{}, {}, model.error()};
   GoodsLook look{std::move(model).value(), {}, {}};
@@ -20,9 +18,10 @@ GoodsLook goods_look(const catalog::Product& product,
                            [](const assets::Surface& s) { return s.texture == "label"; }))
     return look;
   const Result<Image> label = exported_label(product);
-  Result<std::string> bytes = !label.ok()                        ? label.error()
-                              : coding == LabelCoding::jpeg ? io::encode_jpeg(*label)
-                                                            : io::encode_png(*label);
+  Result<std::string> bytes = !label.ok() ? label.error()
+                              : coding == LabelCoding::jpeg
+                                  ? io::encode_jpeg(*label, io::JpegUse::texture)
+                                  : io::encode_png(*label);
   if (!bytes.ok())
     look.error = bytes.error();
   else

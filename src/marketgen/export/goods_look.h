@@ -10,7 +10,7 @@
 
 namespace marketgen::exporters {
 
-// How a label is written to a file: JPEG takes half the bytes.
+// How a label is written to a file: JPEG takes a third of the bytes.
 enum class LabelCoding { png, jpeg };
 
 struct GoodsLook {

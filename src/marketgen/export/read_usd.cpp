@@ -18,11 +18,10 @@ struct UsdItem {
   std::string id, sku;
   std::array<double, 3> position{};
   std::array<double, 4> rotation{};
-  static constexpr auto fields = field_list(
-      field("id", &UsdItem::id, "of the item"),
-      field("sku", &UsdItem::sku, "of its asset"),
-      field("position", &UsdItem::position, "store frame"),
-      field("rotation", &UsdItem::rotation, "w, x, y, z"));
+  static constexpr auto fields = field_list(field("id", &UsdItem::id, "of the item"),
+                                            field("sku", &UsdItem::sku, "of its asset"),
+                                            field("position", &UsdItem::position, "store frame"),
+                                            field("rotation", &UsdItem::rotation, "w, x, y, z"));
 };
 
 struct UsdSku {
@@ -63,16 +62,16 @@ struct UsdAnswer {
   std::vector<UsdJoint> joints;
   std::uint64_t free_bodies = 0, meshes = 0;
   std::array<double, 3> low{}, high{};
-  static constexpr auto fields = field_list(
-      field("fixtures", &UsdAnswer::fixtures, "ids"),
-      field("faults", &UsdAnswer::faults, "what OpenUSD cannot find or put together"),
-      field("products", &UsdAnswer::products, "items"),
-      field("goods", &UsdAnswer::goods, "SKUs"),
-      field("joints", &UsdAnswer::joints, "of fixtures"),
-      field("free_bodies", &UsdAnswer::free_bodies, "items that can move"),
-      field("meshes", &UsdAnswer::meshes, "meshes"),
-      field("low", &UsdAnswer::low, "lowest corner"),
-      field("high", &UsdAnswer::high, "highest corner"));
+  static constexpr auto fields =
+      field_list(field("fixtures", &UsdAnswer::fixtures, "ids"),
+                 field("faults", &UsdAnswer::faults, "what OpenUSD cannot find or put together"),
+                 field("products", &UsdAnswer::products, "items"),
+                 field("goods", &UsdAnswer::goods, "SKUs"),
+                 field("joints", &UsdAnswer::joints, "of fixtures"),
+                 field("free_bodies", &UsdAnswer::free_bodies, "items that can move"),
+                 field("meshes", &UsdAnswer::meshes, "meshes"),
+                 field("low", &UsdAnswer::low, "lowest corner"),
+                 field("high", &UsdAnswer::high, "highest corner"));
 };
 
 Vec3 vector_of(const std::array<double, 3>& v) {

@@ -37,22 +37,26 @@ void add_piece(Mesh& mesh, const physics::ShellPiece& piece, double wall_extent_
 
 }  // namespace
 
-Mesh room_mesh(const plan::Shell& shell,
-               const plan::Look& look,
-               const std::function<double(const std::string&)>& extent_m) {
+RoomMesh room_mesh(const plan::Shell& shell,
+                   const plan::Look& look,
+                   const std::function<double(const std::string&)>& extent_m) {
   const PolygonMm outline =
       shell.outline_mm.value_or(polygon_of(RectMm{0, 0, shell.width_mm, shell.depth_mm}));
-  Mesh mesh;
-  add_horizontal(mesh, outline, 0, true, room_floor, extent_m(look.floor));
-  add_horizontal(mesh,
+  RoomMesh room;
+  const auto begin_piece = [&]() -> Mesh& {
+    room.pieces.push_back(static_cast<std::uint32_t>(room.mesh.positions.size()));
+    return room.mesh;
+  };
+  add_horizontal(begin_piece(), outline, 0, true, room_floor, extent_m(look.floor));
+  add_horizontal(begin_piece(),
                  outline,
                  static_cast<float>(shell.ceiling_mm) * 1e-3F,
                  false,
                  room_ceiling,
                  extent_m(look.ceiling));
   for (const physics::ShellPiece& piece : physics::shell_pieces(shell))
-    add_piece(mesh, piece, extent_m(look.wall));
-  return mesh;
+    add_piece(begin_piece(), piece, extent_m(look.wall));
+  return room;
 }
 
 std::string room_material(RoomSurface surface, const plan::Look& look) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "assets/product_model.h"
 #include "geometry/mesh.h"
@@ -24,11 +25,16 @@ enum RoomSurface : std::uint16_t {
 constexpr std::array<std::string_view, room_surfaces> room_surface_names{
     "floor", "wall", "ceiling", "door", "window"};
 
+struct RoomMesh {
+  Mesh mesh;
+  std::vector<std::uint32_t> pieces;  // first vertex of each: floor, ceiling, boxes
+};
+
 // In the store frame. `extent_m` says of a material how many metres one repeat covers: UVs count
 // repeats.
-Mesh room_mesh(const plan::Shell& shell,
-               const plan::Look& look,
-               const std::function<double(const std::string&)>& extent_m);
+RoomMesh room_mesh(const plan::Shell& shell,
+                   const plan::Look& look,
+                   const std::function<double(const std::string&)>& extent_m);
 
 // The material of floor, walls or ceiling; empty for a surface that is plain.
 std::string room_material(RoomSurface surface, const plan::Look& look);

@@ -17,6 +17,11 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t module_hash_letters = 12;
 
+// Wheels: engines take limits of no more than two turns.
+bool turns_endlessly(const scene::SceneJoint& joint) {
+  return joint.upper - joint.lower > endless_hinge_rad;
+}
+
 // One rigid body of a fixture: its body, or what one joint moves.
 struct FixtureBody {
   int joint = -1;  // row in Scene::joints
@@ -34,8 +39,7 @@ std::vector<FixtureBody> bodies_of(const scene::Scene& scene,
   for (std::uint32_t j = 0; !still_fixtures && j < row.joint_count; ++j) {
     const auto joint = static_cast<int>(row.first_joint + j);
     body_of[joint] = bodies.size();
-    bodies.push_back(
-        {joint, scene::fixture_from_joint(scene.joints[row.first_joint + j]), {}});
+    bodies.push_back({joint, scene::fixture_from_joint(scene.joints[row.first_joint + j]), {}});
   }
   for (std::uint32_t p = row.first_part; p < row.first_part + row.part_count; ++p) {
     const auto found = body_of.find(scene.parts[p].joint);
@@ -75,8 +79,13 @@ class ModuleWriter {
       hash.add_bytes(std::as_bytes(std::span(&part, 1)));
     }
     const Pose& p = body.fixture_from_body;
-    for (const double v : {p.position.x, p.position.y, p.position.z, p.rotation.w, p.rotation.x,
-                           p.rotation.y, p.rotation.z})
+    for (const double v : {p.position.x,
+                           p.position.y,
+                           p.position.z,
+                           p.rotation.w,
+                           p.rotation.x,
+                           p.rotation.y,
+                           p.rotation.z})
       hash.add_rounded(v, 1e-7);
     return hash.hex();
   }
@@ -87,12 +96,15 @@ class ModuleWriter {
     UsdLooks looks(parts_.pictures);
     Mesh mesh;
     std::vector<int> by_surface;
-    for (const std::uint32_t row : body.parts)
+    std::vector<std::uint32_t> pieces;
+    for (const std::uint32_t row : body.parts) {
+      pieces.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
       MARKETGEN_CHECK(add_to(mesh, by_surface, looks, parts_.scene.parts[row], body_from_fixture));
+    }
     std::vector<bool> textured;
     for (const int look : by_surface)
       textured.push_back(looks.textured(look));
-    const UsdShape shape = parts_.geometry.add("module", usd_meshes(mesh, textured));
+    const UsdShape shape = parts_.geometry.add("module", usd_meshes(mesh, textured, pieces));
     out_.open(fmt::format("def Xform \"{}\"", name), {"kind = \"subcomponent\""});
     write_usd_pose(out_, {});
     out_.open("def Xform \"look\"", {"prepend references = " + shape.reference});
@@ -106,7 +118,7 @@ class ModuleWriter {
                          parts_.geometry,
                          names.of(name_of(part.unit)),
                          body_from_fixture * physics::contact_shape_of(part),
-                         usd_contact_material(path));
+                         UsdContact{usd_contact_material(path)});
     }
     out_.close();
     return {};
@@ -166,9 +178,8 @@ class UsdFixtureWriter {
       return body.joint >= 0 && joint_of(body).kind != assets::JointKind::belt;
     });
     const UsdLabels labels{{"class", placed.kind}, {"zone", placed.zone}};
-    const std::string root =
-        moves ? "\"PhysicsArticulationRootAPI\"" + usd_label_schemas(labels)
-              : usd_label_schemas(labels).substr(2);
+    const std::string root = moves ? "\"PhysicsArticulationRootAPI\"" + usd_label_schemas(labels)
+                                   : usd_label_schemas(labels).substr(2);
     const std::string path = "/Shop/fixtures/" + name;
     out_.open(fmt::format("def Xform \"{}\"", name),
               {"prepend apiSchemas = [" + root + "]",
@@ -201,13 +212,12 @@ class UsdFixtureWriter {
     body_path_[body.joint] = path + "/" + name;
     std::vector<std::string> metadata{"instanceable = true", "prepend references = " + reference};
     if (!is_base)
-      metadata.emplace_back(
-          "prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]");
+      metadata.emplace_back("prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]");
     else if (moves)
       metadata.emplace_back("prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]");
     if (!is_base)
-      metadata.push_back(fmt::format(
-          "displayName = {}", usd_quoted(mjcf_joint_name(scene_, joint_of(body)))));
+      metadata.push_back(
+          fmt::format("displayName = {}", usd_quoted(mjcf_joint_name(scene_, joint_of(body)))));
     out_.open(fmt::format("def \"{}\"", name), metadata);
     if (!is_base) {
       const scene::SceneJoint& joint = joint_of(body);
@@ -254,7 +264,8 @@ class UsdFixtureWriter {
                           names_.of("joint/" + joint.name)),
               {fmt::format("prepend apiSchemas = [\"PhysicsDriveAPI:{}\"]", drive),
                fmt::format("displayName = {}", usd_quoted(mjcf_joint_name(scene_, joint)))});
-    out_.line("float drive:{}:physics:damping = {}", drive, static_cast<float>(joint.damping / unit));
+    out_.line(
+        "float drive:{}:physics:damping = {}", drive, static_cast<float>(joint.damping / unit));
     out_.line(
         "float drive:{}:physics:stiffness = {}", drive, static_cast<float>(joint.stiffness / unit));
     out_.line("float drive:{}:physics:targetPosition = {}",
@@ -274,8 +285,10 @@ class UsdFixtureWriter {
             ? Pose{}
             : scene::fixture_from_joint(scene_.joints[static_cast<std::size_t>(joint.parent)]);
     write_frames(inverse(fixture_from_parent) * body.fixture_from_body, {});
-    out_.line("float physics:lowerLimit = {}", static_cast<float>(joint.lower * unit));
-    out_.line("float physics:upperLimit = {}", static_cast<float>(joint.upper * unit));
+    if (!hinge || !turns_endlessly(joint)) {  // none said: none there
+      out_.line("float physics:lowerLimit = {}", static_cast<float>(joint.lower * unit));
+      out_.line("float physics:upperLimit = {}", static_cast<float>(joint.upper * unit));
+    }
     out_.close();
   }
 

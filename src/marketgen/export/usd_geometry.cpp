@@ -1,7 +1,9 @@
 #include "export/usd_geometry.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 #include <span>
 #include <tuple>
 
@@ -27,7 +29,7 @@ void add_to(Hasher& hash, const std::vector<T>& values) {
 std::string hash_of(const std::vector<UsdMesh>& meshes) {
   Hasher hash;
   for (const UsdMesh& mesh : meshes) {
-    hash.add(static_cast<std::int64_t>(mesh.surface));
+    hash.add(static_cast<std::int64_t>(mesh.surface)).add(static_cast<std::int64_t>(mesh.sheet));
     add_to(hash, mesh.points);
     add_to(hash, mesh.normals);
     add_to(hash, mesh.st);
@@ -48,6 +50,8 @@ class UsdList {
     return entry->second;
   }
 
+  bool has(const Key& key) const { return known_.contains(key); }
+
  private:
   std::map<Key, std::int32_t> known_;
 };
@@ -58,9 +62,15 @@ class SurfaceMesh {
   SurfaceMesh(const Mesh& mesh,
               const std::vector<std::uint32_t>& welded,
               std::uint16_t surface,
+              std::uint16_t sheet,
               bool textured)
       : mesh_(mesh), welded_(welded), textured_(textured) {
     made_.surface = surface;
+    made_.sheet = sheet;
+  }
+
+  bool touches(const std::set<std::uint32_t>& corners) const {
+    return std::ranges::any_of(corners, [&](std::uint32_t c) { return points_.has(c); });
   }
 
   void add(const std::array<std::uint32_t, 3>& triangle) {
@@ -75,10 +85,8 @@ class SurfaceMesh {
           normals_.row({step(n.x), step(n.y), step(n.z)}, n, made_.normals));
       if (!textured_) continue;
       const Vec2f uv{mesh_.uvs[v].x, 1 - mesh_.uvs[v].y};
-      made_.corner_st.push_back(
-          st_.row({std::bit_cast<std::uint32_t>(uv.x), std::bit_cast<std::uint32_t>(uv.y)},
-                  uv,
-                  made_.st));
+      made_.corner_st.push_back(st_.row(
+          {std::bit_cast<std::uint32_t>(uv.x), std::bit_cast<std::uint32_t>(uv.y)}, uv, made_.st));
     }
   }
 
@@ -115,18 +123,40 @@ Mesh hull_mesh(const std::vector<Vec3f>& points) {
 
 }  // namespace
 
-std::vector<UsdMesh> usd_meshes(const Mesh& mesh, const std::vector<bool>& textured) {
+std::vector<UsdMesh> usd_meshes(const Mesh& mesh,
+                                const std::vector<bool>& textured,
+                                const std::vector<std::uint32_t>& pieces) {
   const std::vector<std::uint32_t> welded = weld_positions(mesh.positions, weld_distance_m);
-  std::map<std::uint16_t, SurfaceMesh> by_surface;
+  std::map<std::pair<std::uint16_t, std::size_t>, std::vector<std::size_t>> triangles;  // by piece
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint16_t surface = mesh.surfaces[t];
-    by_surface.try_emplace(surface, mesh, welded, surface, textured[surface])
-        .first->second.add(mesh.triangles[t]);
+    const auto after = std::ranges::upper_bound(pieces, mesh.triangles[t][0]);
+    triangles[{mesh.surfaces[t], static_cast<std::size_t>(after - pieces.begin())}].push_back(t);
+  }
+  std::map<std::uint16_t, std::vector<SurfaceMesh>> sheets;  // by surface
+  for (const auto& [place, rows] : triangles) {
+    std::set<std::uint32_t> corners;
+    for (const std::size_t t : rows) {
+      for (const std::uint32_t v : mesh.triangles[t])
+        corners.insert(welded[v]);
+    }
+    const std::uint16_t surface = place.first;
+    std::vector<SurfaceMesh>& of = sheets[surface];
+    auto sheet =
+        std::ranges::find_if(of, [&](const SurfaceMesh& s) { return !s.touches(corners); });
+    if (sheet == of.end()) {
+      of.emplace_back(
+          mesh, welded, surface, static_cast<std::uint16_t>(of.size()), textured[surface]);
+      sheet = of.end() - 1;
+    }
+    for (const std::size_t t : rows)
+      sheet->add(mesh.triangles[t]);
   }
   std::vector<UsdMesh> made;
-  for (auto& [surface, part] : by_surface) {
-    UsdMesh one = part.take();
-    if (!one.corners.empty()) made.push_back(std::move(one));
+  for (auto& [surface, of] : sheets) {
+    for (SurfaceMesh& sheet : of) {
+      UsdMesh one = sheet.take();
+      if (!one.corners.empty()) made.push_back(std::move(one));
+    }
   }
   return made;
 }
@@ -138,8 +168,10 @@ UsdShape UsdGeometry::add(std::string_view kind, const std::vector<UsdMesh>& mes
   const int prim = crate_.add_prim(0, name, "Xform");
   entry->second.reference = fmt::format("@./{}@</Geometry/{}>", usd_geometry_file, name);
   for (const UsdMesh& mesh : meshes) {
-    entry->second.surfaces.push_back(mesh.surface);
-    add_mesh(crate_.add_prim(prim, fmt::format("part_{}", mesh.surface), "Mesh"), mesh);
+    const std::string part = mesh.sheet == 0 ? fmt::format("part_{}", mesh.surface)
+                                             : fmt::format("part_{}_{}", mesh.surface, mesh.sheet);
+    entry->second.parts.push_back({part, mesh.surface});
+    add_mesh(crate_.add_prim(prim, part, "Mesh"), mesh);
   }
   meshes_ += meshes.size();
   return entry->second;
@@ -153,9 +185,13 @@ void UsdGeometry::add_mesh(int prim, const UsdMesh& mesh) {
   Bounds3 bounds;
   for (const Vec3f& p : mesh.points)
     bounds.include(p);
-  const auto add = [&](io::UsdAttribute attribute) { crate_.add_attribute(prim, attribute); };
+  const auto add = [&](const io::UsdAttribute& attribute) { crate_.add_attribute(prim, attribute); };
   add({"extent", "float3[]", std::vector{bounds.low, bounds.high}, false, ""});
-  add({"faceVertexCounts", "int[]", std::vector<std::int32_t>(mesh.corners.size() / 3, 3), false, ""});
+  add({"faceVertexCounts",
+       "int[]",
+       std::vector<std::int32_t>(mesh.corners.size() / 3, 3),
+       false,
+       ""});
   add({"faceVertexIndices", "int[]", mesh.corners, false, ""});
   add({"points", "point3f[]", mesh.points, false, ""});
   add({"primvars:normals", "normal3f[]", mesh.normals, false, "faceVarying"});

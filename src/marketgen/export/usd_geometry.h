@@ -13,29 +13,36 @@ namespace marketgen::exporters {
 
 constexpr const char* usd_geometry_file = "geometry.usdc";
 
-// The triangles of one surface of a mesh. Corners at one place are one point; normals and texture
+// Triangles of one surface of a mesh. Pieces that touch lie on different sheets: in one mesh, more
+// than two faces would meet at an edge. Corners at one place are one point; normals and texture
 // coordinates are lists of their own, by corner.
 struct UsdMesh {
-  std::uint16_t surface = 0;
+  std::uint16_t surface = 0, sheet = 0;
   std::vector<Vec3f> points, normals;
   std::vector<Vec2f> st;  // v upwards; empty without `textured`
   std::vector<std::int32_t> corners, corner_normals, corner_st;
 };
 
-// One for every surface that has triangles with an area, by surface. `textured`: by surface,
-// whether it needs texture coordinates.
-std::vector<UsdMesh> usd_meshes(const Mesh& mesh, const std::vector<bool>& textured);
+// One for every surface and sheet that has triangles with an area. `textured`: by surface, whether
+// it needs texture coordinates. `pieces`: first vertex of each solid of which the mesh is made up.
+std::vector<UsdMesh> usd_meshes(const Mesh& mesh,
+                                const std::vector<bool>& textured,
+                                const std::vector<std::uint32_t>& pieces = {0});
 
 // A prim of the layer and the meshes below it.
 struct UsdShape {
-  std::string reference;                // @./geometry.usdc@</Geometry/pack_...>
-  std::vector<std::uint16_t> surfaces;  // of its meshes "part_<surface>"
+  struct Part {
+    std::string name;
+    std::uint16_t surface = 0;
+  };
+  std::string reference;  // @./geometry.usdc@</Geometry/pack_...>
+  std::vector<Part> parts;
 };
 
 class UsdGeometry {
  public:
   UsdShape add(std::string_view kind, const std::vector<UsdMesh>& meshes);
-  // The convex hull of `points` as one mesh "part_0".
+  // The convex hull of `points` as one mesh.
   UsdShape add_hull(const std::vector<Vec3f>& points);
   std::uint64_t meshes() const { return meshes_; }
   std::string finish() { return crate_.finish(); }

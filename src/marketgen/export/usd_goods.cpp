@@ -112,10 +112,10 @@ class GoodsWriter {
     out_.open("def Xform \"price_labels\"", {"kind = \"group\""});
     for (const auto* list : {&prints.tags, &prints.cards}) {
       for (const PricePrint& print : *list) {
-        const int look = looks.add(
-            {.color = {1, 1, 1}, .roughness = print_roughness, .texture = ""}, files[print.picture]);
-        const UsdShape shape =
-            parts_.geometry.add("print", usd_meshes(mesh_of_all(print), {true}));
+        const int look =
+            looks.add({.color = {1, 1, 1}, .roughness = print_roughness, .texture = ""},
+                      files[print.picture]);
+        const UsdShape shape = parts_.geometry.add("print", usd_meshes(mesh_of_all(print), {true}));
         out_.open(fmt::format("def Xform \"{}\"", names.of(print.name)),
                   {"prepend references = " + shape.reference});
         UsdLooks::write_bindings(out_, path, shape, {look});

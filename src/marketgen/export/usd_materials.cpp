@@ -44,9 +44,7 @@ void write_contact_material(UsdText& out, double friction) {
 
 }  // namespace
 
-std::string UsdPictures::add(const std::string& name,
-                             std::string_view ending,
-                             std::string bytes) {
+std::string UsdPictures::add(const std::string& name, std::string_view ending, std::string bytes) {
   files_.push_back({usd_identifier(name) + std::string(ending), std::move(bytes)});
   return files_.back().name;
 }
@@ -129,7 +127,8 @@ void UsdLooks::write_look(UsdText& out, const std::string& path, const Row& row)
     out.line("color3f inputs:diffuseColor = {}", color_value(row.diffuse));
   else
     out.line("color3f inputs:diffuseColor.connect = <{}/color.outputs:rgb>", path);
-  if (row.emissive != Vec3f{}) out.line("color3f inputs:emissiveColor = {}", color_value(row.emissive));
+  if (row.emissive != Vec3f{})
+    out.line("color3f inputs:emissiveColor = {}", color_value(row.emissive));
   if (row.gloss.empty()) {
     out.line("float inputs:metallic = {}", row.metallic);
     out.line("float inputs:roughness = {}", row.roughness);
@@ -150,8 +149,7 @@ void UsdLooks::write_look(UsdText& out, const std::string& path, const Row& row)
   out.close();
   const std::string scale = fmt::format(
       "float4 inputs:scale = ({}, {}, {}, 1)", row.diffuse.x, row.diffuse.y, row.diffuse.z);
-  write_picture(
-      out, path, "color", row.color, true, row.tiled, {scale, "float3 outputs:rgb"});
+  write_picture(out, path, "color", row.color, true, row.tiled, {scale, "float3 outputs:rgb"});
   if (!row.gloss.empty())
     write_picture(
         out, path, "gloss", row.gloss, false, true, {"float outputs:b", "float outputs:g"});
@@ -171,10 +169,10 @@ void UsdLooks::write_bindings(UsdText& out,
                               std::string_view path,
                               const UsdShape& shape,
                               const std::vector<int>& looks) {
-  for (const std::uint16_t surface : shape.surfaces) {
-    out.open(fmt::format("over \"part_{}\"", surface),
+  for (const UsdShape::Part& part : shape.parts) {
+    out.open(fmt::format("over \"{}\"", part.name),
              {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
-    out.line("rel material:binding = <{}/materials/look_{}>", path, looks[surface]);
+    out.line("rel material:binding = <{}/materials/look_{}>", path, looks[part.surface]);
     out.close();
   }
 }

@@ -28,7 +28,7 @@ PrincipalInertia principal(const std::array<float, 6>& inertia) {  // xx yy zz x
   Eigen::Matrix3d axes = solver.eigenvectors();
   if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
   const Eigen::Quaterniond q(axes);
-  const Eigen::Vector3d m = solver.eigenvalues();
+  const Eigen::Vector3d& m = solver.eigenvalues();
   return {{m.x(), m.y(), m.z()}, {q.w(), q.x(), q.y(), q.z()}};
 }
 
@@ -87,9 +87,8 @@ class ProductWriter {
     UsdLooks looks(parts_.pictures);
     MARKETGEN_TRY(const std::vector<int> by_surface, looks_of(product, looks_[sku], looks));
     std::vector<std::string> metadata{
-        "prepend apiSchemas = [\"PhysicsMassAPI\"" + usd_label_schemas(labels_of(product)) + "]",
-        fmt::format("assetInfo = {{ string name = {} }}",
-                    usd_quoted(product.sku)),
+        "prepend apiSchemas = [" + usd_label_schemas(labels_of(product)).substr(2) + "]",
+        fmt::format("assetInfo = {{ string name = {} }}", usd_quoted(product.sku)),
         fmt::format("displayName = {}", usd_quoted(product.name)),
         "kind = \"component\""};
     if (free_[sku] != nullptr) {
@@ -97,7 +96,6 @@ class ProductWriter {
       metadata.emplace_back("prepend variantSets = \"physics\"");
     }
     out.open(fmt::format("def Xform \"{}\"", name), metadata);
-    out.line("float physics:mass = {}", static_cast<float>(standing.mass_kg));
     write_usd_labels(out, labels_of(product));
     write_usd_pose(out, {});
     const UsdShape shape = parts_.geometry.add("pack", meshes_[sku]);
@@ -105,11 +103,11 @@ class ProductWriter {
     UsdLooks::write_bindings(out, path, shape, by_surface);
     out.close();
     looks.write(out, path, standing.contact.sliding);
-    const std::string material = usd_contact_material(path);
+    const UsdContact contact{usd_contact_material(path), standing.mass_kg};
     if (free_[sku] == nullptr)
-      write_usd_collider(out, parts_.geometry, "solid", standing.shape, material);
+      write_usd_collider(out, parts_.geometry, "solid", standing.shape, contact);
     else
-      write_variants(out, *free_[sku], standing, material);
+      write_variants(out, *free_[sku], standing, contact);
     out.close();
     return {};
   }
@@ -135,23 +133,28 @@ class ProductWriter {
   void write_variants(UsdText& out,
                       const physics::GoodsBody& goods,
                       const physics::StandingGoods& standing,
-                      const std::string& material) {
+                      const UsdContact& contact) {
     const PrincipalInertia inertia = inertia_of(goods);
     const Vec3f& middle = goods.body.center_of_mass;
     out.open("variantSet \"physics\" =");
-    out.open("\"free\"", {"prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]"});
+    out.open("\"free\"", {"prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]"});
     if (goods.form == physics::GoodsForm::ball)
-      out.line("point3f physics:centerOfMass = {}", usd_vector(to_double(goods.body.pieces[0].center)));
+      out.line("point3f physics:centerOfMass = {}",
+               usd_vector(to_double(goods.body.pieces[0].center)));
     else
       out.line("point3f physics:centerOfMass = {}", usd_vector(to_double(middle)));
     out.line("float3 physics:diagonalInertia = {}", usd_vector(inertia.moments));
+    out.line("float physics:mass = {}", static_cast<float>(standing.mass_kg));
     out.line("quatf physics:principalAxes = {}", usd_quaternion(inertia.axes));
     for (std::size_t i = 0; i < goods.body.pieces.size(); ++i)
-      write_usd_collider(
-          out, parts_.geometry, fmt::format("solid_{}", i), goods.body.pieces[i], material);
+      write_usd_collider(out,
+                         parts_.geometry,
+                         fmt::format("solid_{}", i),
+                         goods.body.pieces[i],
+                         UsdContact{contact.material});
     out.close();
     out.open("\"still\"");
-    write_usd_collider(out, parts_.geometry, "solid", standing.shape, material);
+    write_usd_collider(out, parts_.geometry, "solid", standing.shape, contact);
     out.close();
     out.close();
   }

@@ -32,11 +32,11 @@ Result<std::vector<int>> room_looks(const scene::Scene& scene, UsdLooks& looks) 
 
 void write_look(UsdText& out, const UsdShape& shape, const std::vector<int>& by_surface) {
   out.open("def Xform \"look\"", {"prepend references = " + shape.reference});
-  for (const std::uint16_t surface : shape.surfaces) {
-    const UsdLabels labels{{"class", std::string(room_surface_names[surface])}};
-    out.open(fmt::format("over \"part_{}\"", surface),
+  for (const UsdShape::Part& part : shape.parts) {
+    const UsdLabels labels{{"class", std::string(room_surface_names[part.surface])}};
+    out.open(fmt::format("over \"{}\"", part.name),
              {"prepend apiSchemas = [\"MaterialBindingAPI\"" + usd_label_schemas(labels) + "]"});
-    out.line("rel material:binding = <{}/materials/look_{}>", room_path, by_surface[surface]);
+    out.line("rel material:binding = <{}/materials/look_{}>", room_path, by_surface[part.surface]);
     write_usd_labels(out, labels);
     out.close();
   }
@@ -92,11 +92,11 @@ Result<std::string> usd_room(UsdParts& parts) {
   std::vector<bool> textured;
   for (const int look : by_surface)
     textured.push_back(looks.textured(look));
-  const Mesh mesh =
+  const RoomMesh room =
       room_mesh(scene.layout.shell, scene.layout.look, [&](const std::string& material) {
         return material_repeat_m(scene, material);
       });
-  const UsdShape shape = parts.geometry.add("room", usd_meshes(mesh, textured));
+  const UsdShape shape = parts.geometry.add("room", usd_meshes(room.mesh, textured, room.pieces));
   const std::string contact = usd_contact_material(room_path);
   UsdText out;
   out.append(usd_head("Shop"));
@@ -108,11 +108,12 @@ Result<std::string> usd_room(UsdParts& parts) {
   UsdNames names;
   names.of("look"), names.of("materials"), names.of("floor");
   for (const physics::ShellPiece& piece : physics::shell_pieces(scene.layout.shell))
-    write_usd_collider(out,
-                       parts.geometry,
-                       names.of(piece.id),
-                       assets::ContactShape{assets::CollisionShape::box, piece.pose, piece.half_size},
-                       contact);
+    write_usd_collider(
+        out,
+        parts.geometry,
+        names.of(piece.id),
+        assets::ContactShape{assets::CollisionShape::box, piece.pose, piece.half_size},
+        UsdContact{contact});
   out.close();
   out.close();
   return out.take();
@@ -122,8 +123,8 @@ std::string usd_lights(const scene::Scene& scene) {
   const plan::Shell& shell = scene.layout.shell;
   const plan::Look& look = scene.layout.look;
   const std::vector<Vec3> places = lamp_places(shell);
-  // A lamp of luminance L gives off pi L for every square metre of it; all of that reaches the floor
-  // or walls of about its colour.
+  // A lamp of luminance L gives off pi L for every square metre of it; all of that reaches the
+  // floor or walls of about its colour.
   const double floor_m2 = shell.width_mm * 1e-3 * shell.depth_mm * 1e-3;
   const double nits = look.light_lux * floor_m2 /
                       (std::numbers::pi * lamp_length_m * lamp_width_m *
@@ -134,9 +135,11 @@ std::string usd_lights(const scene::Scene& scene) {
   out.open("def Xform \"lights\"", {"kind = \"group\""});
   for (std::size_t i = 0; i < places.size(); ++i) {
     out.open(fmt::format("def RectLight \"lamp_{}\"", i));
-    out.line("float3[] extent = {}",
-             usd_extent({{-static_cast<float>(lamp_length_m / 2), -static_cast<float>(lamp_width_m / 2), 0},
-                         {static_cast<float>(lamp_length_m / 2), static_cast<float>(lamp_width_m / 2), 0}}));
+    out.line(
+        "float3[] extent = {}",
+        usd_extent(
+            {{-static_cast<float>(lamp_length_m / 2), -static_cast<float>(lamp_width_m / 2), 0},
+             {static_cast<float>(lamp_length_m / 2), static_cast<float>(lamp_width_m / 2), 0}}));
     out.line("float inputs:colorTemperature = {}", look.light_kelvin);
     out.line("bool inputs:enableColorTemperature = 1");
     out.line("float inputs:height = {}", lamp_width_m);

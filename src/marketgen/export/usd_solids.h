@@ -1,5 +1,6 @@
 // What things of a USD export touch with: colliders, which viewers hide (purpose "guide").
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,17 +11,22 @@
 
 namespace marketgen::exporters {
 
+// Its contact material's path, and its mass where that is not its body's.
+struct UsdContact {
+  std::string material;
+  std::optional<double> mass_kg = {};
+};
+
 // A box is a cube, a cylinder a cylinder, an ellipsoid (of which USD has none) a convex hull.
-// `material`: path of its contact material.
 void write_usd_collider(UsdText& out,
                         UsdGeometry& geometry,
                         std::string_view name,
                         const assets::ContactShape& shape,
-                        std::string_view material);
+                        const UsdContact& contact);
 void write_usd_collider(UsdText& out,
                         UsdGeometry& geometry,
                         std::string_view name,
                         const assets::ContactPiece& piece,
-                        std::string_view material);
+                        const UsdContact& contact);
 
 }  // namespace marketgen::exporters

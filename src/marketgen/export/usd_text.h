@@ -34,7 +34,7 @@ class UsdText {
   std::string take() { return std::move(text_); }
 
  private:
-  void indent() { text_.append(static_cast<std::size_t>(4 * depth_), ' '); }
+  void indent() { text_.append(static_cast<std::size_t>(2 * depth_), ' '); }
 
   std::string text_;
   int depth_;
@@ -56,7 +56,7 @@ class UsdNames {
   std::set<std::string> taken_;
 };
 
-std::string usd_vector(const Vec3& v);        // (1, 2, 3)
+std::string usd_vector(const Vec3& v);            // (1, 2, 3)
 std::string usd_quaternion(const Quaternion& q);  // (w, x, y, z)
 // The value of an xformOp:orient: OpenUSD takes the angle from w's arc cosine, which single
 // precision spoils for turns of less than a fiftieth of a degree.

@@ -65,10 +65,11 @@ Decoded decode(std::string_view bytes, Fault& fault, Image& image) {
 }
 
 // Of 100; above it files grow and pictures look the same.
-constexpr int written_quality = 92;
+constexpr int picture_quality = 92, texture_quality = 85;
 
 // No object with a destructor may live here either. `bytes` is malloc's.
-bool encode(const Image& image, Fault& fault, unsigned char** bytes, unsigned long* size) {
+bool encode(
+    const Image& image, JpegUse use, Fault& fault, unsigned char** bytes, unsigned long* size) {
   jpeg_compress_struct jpeg{};
   jpeg.err = jpeg_std_error(&fault.manager);
   fault.manager.error_exit = leave;
@@ -83,9 +84,10 @@ bool encode(const Image& image, Fault& fault, unsigned char** bytes, unsigned lo
   jpeg.input_components = 3;
   jpeg.in_color_space = JCS_RGB;
   jpeg_set_defaults(&jpeg);
-  jpeg_set_quality(&jpeg, written_quality, TRUE);
+  const bool texture = use == JpegUse::texture;
+  jpeg_set_quality(&jpeg, texture ? texture_quality : picture_quality, TRUE);
   jpeg.comp_info[0].h_samp_factor = jpeg.comp_info[0].v_samp_factor =
-      1;  // colour as sharp as light
+      texture ? 2 : 1;  // 1: colour as sharp as light
   jpeg_start_compress(&jpeg, TRUE);
   while (jpeg.next_scanline < jpeg.image_height) {
     // libjpeg takes rows without const, and does not write to them.
@@ -99,13 +101,13 @@ bool encode(const Image& image, Fault& fault, unsigned char** bytes, unsigned lo
 
 }  // namespace
 
-Result<std::string> encode_jpeg(const Image& image) {
+Result<std::string> encode_jpeg(const Image& image, JpegUse use) {
   if (image.channels != 3)
     return Error{"image.bad_file", "JPEG", fmt::format("{} channels, not 3", image.channels)};
   Fault fault;
   unsigned char* bytes = nullptr;
   unsigned long size = 0;
-  const bool done = encode(image, fault, &bytes, &size);
+  const bool done = encode(image, use, fault, &bytes, &size);
   std::string file(reinterpret_cast<const char*>(bytes), done ? size : 0);
   std::free(bytes);
   if (done) return file;

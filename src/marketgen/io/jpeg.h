@@ -12,8 +12,13 @@ namespace marketgen::io {
 // input.too_large (more than 64 megapixels).
 Result<Image> decode_jpeg(std::string_view bytes, const std::string& where);
 
-// Three channels, sRGB, at a quality at which a person sees no loss. Same picture, same bytes.
-// Errors: image.bad_file for a side longer than JPEG's 65,535 pixels.
-Result<std::string> encode_jpeg(const Image& image);
+enum class JpegUse {
+  picture,  // a person sees no loss
+  texture   // half the bytes: sharp, colours at half the resolution
+};
+
+// Three channels, sRGB. Same picture, same bytes. Errors: image.bad_file for a side longer than
+// JPEG's 65,535 pixels.
+Result<std::string> encode_jpeg(const Image& image, JpegUse use = JpegUse::picture);
 
 }  // namespace marketgen::io

@@ -14,11 +14,12 @@ constexpr std::uint64_t boolean = 1, integer = 3, real = 9, token = 11, vec2f = 
                         token_vector = 41, specifier = 42, variability = 44;
 }
 constexpr std::int32_t attribute_spec = 1, prim_spec = 6, layer_spec = 7;
-constexpr std::uint64_t array_bit = 1ULL << 63, inlined_bit = 1ULL << 62, compressed_bit = 1ULL << 61;
+constexpr std::uint64_t array_bit = 1ULL << 63, inlined_bit = 1ULL << 62,
+                        compressed_bit = 1ULL << 61;
 constexpr int type_shift = 48;
-constexpr std::size_t head_bytes = 88;          // identifier, version, offset of the table, reserved
+constexpr std::size_t head_bytes = 88;  // identifier, version, offset of the table, reserved
 constexpr std::size_t section_name_bytes = 16;
-constexpr std::size_t least_compressed = 16;    // shorter arrays are never compressed
+constexpr std::size_t least_compressed = 16;  // shorter arrays are never compressed
 constexpr std::uint32_t end_of_set = 0xFFFFFFFF;
 
 std::uint64_t inlined(std::uint64_t kind, std::uint64_t payload) {
@@ -93,7 +94,8 @@ std::string compressed_integers(const std::vector<std::int32_t>& values) {
       code = 3;
       put(rest, step);
     }
-    codes[i / 4] = static_cast<char>(static_cast<unsigned char>(codes[i / 4]) | code << 2 * (i % 4));
+    codes[i / 4] =
+        static_cast<char>(static_cast<unsigned char>(codes[i / 4]) | code << 2 * (i % 4));
   }
   std::string encoded;
   put(encoded, common);
@@ -258,8 +260,8 @@ void UsdCrate::write_specs(std::string& out, std::string& fields, std::string& f
   for (std::size_t i = 0; i < specs_.size(); ++i) {
     std::vector<std::int32_t> set;
     for (const Field& field : specs_[i].fields) {
-      const auto [entry, is_new] = field_of.try_emplace({field.name, field.value},
-                                                        static_cast<std::int32_t>(names.size()));
+      const auto [entry, is_new] =
+          field_of.try_emplace({field.name, field.value}, static_cast<std::int32_t>(names.size()));
       if (is_new) {
         names.push_back(static_cast<std::int32_t>(field.name));
         put(values, field.value);

@@ -58,7 +58,7 @@ class UsdCrate {
   };
 
   std::uint32_t token(const std::string& text);
-  std::uint64_t stored(std::uint64_t type, std::string_view bytes);
+  std::uint64_t stored(std::uint64_t kind, std::string_view bytes);
   std::uint64_t stored_tokens(const std::vector<std::uint32_t>& tokens);
   std::uint64_t stored_value(const UsdValue& value);
   void add_field(std::size_t spec, const std::string& name, std::uint64_t value);

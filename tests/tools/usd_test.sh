@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# A USD export is what it says, judged by others: OpenUSD's own validators and NVIDIA's find nothing in it, every item stands where
+# the store has it, with its mass, friction and labels; doors have their limits in degrees. And goods that are free behave as ours do:
+# MuJoCo, told of them by the USD file alone, settles them as it does from our MJCF.
+set -euo pipefail
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+program=${MARKETGEN_BINARY:-$repository/build/release/marketgen}
+python=$repository/.venv/bin/python
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+"$program" generate "a kiosk with cold drinks and snacks" --size 6x5m --seed 3 --no-previews --quiet -o "$scratch/shop" > /dev/null
+region=${MARKETGEN_USD_REGION:-5,2,6,3.4}
+cd "$scratch"
+mkdir out
+"$program" export shop --format usd --free-region "$region" -o out/shop.usda --check --json > summary.json
+"$program" export shop --format mjcf --primitives --still-fixtures --free-region "$region" --quiet -o shop.xml
+"$program" export shop --format glb --quiet -o shop.glb
+mv out moved # the two parts may be moved together
+
+"$python" "$repository/tests/tools/usd_judge.py" moved/shop.usda shop shop.glb shop.xml summary.json
+"$python" "$repository/tests/tools/usd_physics.py" moved/shop.usda shop.xml
+validate=$repository/.venv/bin/nvidia_usd_validate
+"$validate" moved/shop.usda --no-variants --no-stamp > nvidia.txt 2>&1 || { tail -40 nvidia.txt; exit 1; }
+if grep -E "Failure|Warning|Error" nvidia.txt | grep -vE ": 0$|0 Failures / 0 Warnings / 0 Errors"; then exit 1; fi
+echo "NVIDIA's validator: no failure, no warning"
