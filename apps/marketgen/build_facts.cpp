@@ -5,7 +5,7 @@
 #include <pango/pango.h>
 
 #include <Eigen/Core>
-#include <opencv2/core/utility.hpp>
+#include <opencv2/core/version.hpp>
 
 #include "base/build_info.h"
 #include "evaluation/run_record.h"
@@ -24,7 +24,7 @@ std::vector<BuildFact> deciding_libraries() {
           {"Embree", render::renderer_version()},
           {"Eigen",
            fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"OpenCV", cv::getVersionString()},
+          {"OpenCV", CV_VERSION},
           {"Pango", pango_version_string()},
           {"Cairo", cairo_version_string()}};
 }

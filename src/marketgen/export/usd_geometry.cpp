@@ -185,7 +185,9 @@ void UsdGeometry::add_mesh(int prim, const UsdMesh& mesh) {
   Bounds3 bounds;
   for (const Vec3f& p : mesh.points)
     bounds.include(p);
-  const auto add = [&](const io::UsdAttribute& attribute) { crate_.add_attribute(prim, attribute); };
+  const auto add = [&](const io::UsdAttribute& attribute) {
+    crate_.add_attribute(prim, attribute);
+  };
   add({"extent", "float3[]", std::vector{bounds.low, bounds.high}, false, ""});
   add({"faceVertexCounts",
        "int[]",
