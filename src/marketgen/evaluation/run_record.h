@@ -23,8 +23,8 @@ struct Shard {
                  field("of", &Shard::of, "how many there are", range(1, 10000)));
 };
 
-// That this program was built of: twelve digits, with "+" when its files differed from it; "unknown"
-// where there was no Git.
+// That this program was built of: twelve digits, with "+" when its files differed from it;
+// "unknown" where there was no Git.
 std::string commit_of_program();
 
 // "2/4". Error usage.bad_flag at --shard.
