@@ -602,7 +602,10 @@ TEST(Export, UsdReadsBackWithOpenUsd) {
       json_of({"export", shop(), "--format", "usd", "-o", "shop.usda", "--check", "--json"},
               scratch.path());
   EXPECT_EQ(summary["products"], counts["products"]);
-  EXPECT_EQ(summary["skus"], counts["skus"]);
+  const json planogram =
+      json_of({"export", shop(), "--format", "planogram", "-o", "shop.csv", "--check", "--json"},
+              scratch.path());
+  EXPECT_EQ(summary["skus"], planogram["skus"]);
   EXPECT_LT(summary["worst_position_error_m"].get<double>(), 1e-4);
   for (const char* name : {"room.usda",
                            "fixtures.usda",

@@ -38,7 +38,7 @@ struct ActionNumber {
   std::string name;  // "joint1", "left_tool_z", "left_tool_opening", "drive", "stop"
   double low = -1, high = 1;
   double unit = 0;                  // what 1 stands for, in `dimension`; 0: a share of the most
-  std::string_view dimension = "";  // "rad", "m" or none
+  std::string_view dimension = {};  // "rad", "m" or none
 };
 
 // How far a tool's target was cut: from where its numbers told it to be to where it was sent; both

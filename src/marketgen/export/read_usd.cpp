@@ -7,7 +7,7 @@
 namespace marketgen::exporters {
 namespace {
 
-constexpr double most_seconds = 300;
+constexpr double max_seconds = 300;
 
 struct UsdRequest {
   std::string file;
@@ -121,7 +121,7 @@ Result<ExportContents> read_usd(const std::filesystem::path& file,
   MARKETGEN_CHECK(io::worker_part("usd-core"));
   const UsdRequest request{std::filesystem::absolute(file).string()};
   const Result<std::string> text =
-      io::run_worker("read_usd", io::write_json_line(request), most_seconds);
+      io::run_worker("read_usd", io::write_json_line(request), max_seconds);
   if (!text.ok()) {
     if (text.error().code != "program.failed") return text.error();
     return Error{"export.mismatch",

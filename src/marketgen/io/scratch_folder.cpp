@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/interrupt.h"
+#include "io/destination.h"
 #include "io/file.h"
 #include "io/part_name.h"
 

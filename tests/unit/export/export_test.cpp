@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -152,7 +153,9 @@ TEST_P(EveryFormat, ADamagedFileIsAnErrorWhereverItIsCut) {
   ASSERT_TRUE(exporters::export_scene(scene, GetParam().name, file()).ok());
   const std::string bytes = *io::read_file(file());
   for (const double share : {0.0, 0.0005, 0.1, 0.5, 0.95, 0.999}) {
-    const auto kept = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
+    // Two bytes at least: in a text the last is the end of its last line, which nothing needs.
+    const std::size_t kept = std::min(
+        static_cast<std::size_t>(share * static_cast<double>(bytes.size())), bytes.size() - 2);
     ASSERT_TRUE(io::write_file(file("cut"), bytes.substr(0, kept)).ok());
     const Result<exporters::ExportSummary> summary =
         exporters::check_export(scene, GetParam().name, file("cut"));
@@ -193,7 +196,7 @@ TEST(Export, AnUnknownFormatNamesTheNearest) {
   EXPECT_EQ(written.error().code, "export.unknown_format");
   EXPECT_NE(written.error().message.find("did you mean \"mjcf\"?"), std::string::npos)
       << written.error().message;
-  EXPECT_EQ(exporters::check_export(stocked_scene(), "usd", "/tmp/x").error().code,
+  EXPECT_EQ(exporters::check_export(stocked_scene(), "fbx", "/tmp/x").error().code,
             "export.unknown_format");
 }
 
