@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "assets/contents.h"
 #include "assets/own_pack.h"
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/mesh_detail.h"
+#include "assets/shapes/pack_shape.h"
 #include "catalog/catalog.h"
 
 namespace marketgen::assets {
@@ -44,7 +46,7 @@ Result<const Archetype*> archetype_of(const catalog::Product& product) {
 
 }  // namespace
 
-Result<ProductModel> make_product_model(const catalog::Product& product, Detail detail) {
+Result<ProductModel> make_pack_shape(const catalog::Product& product, Detail detail) {
   if (has_own_mesh(product)) return own_pack_model(product, detail);
   MARKETGEN_TRY(const Archetype* archetype, archetype_of(product));
   MARKETGEN_CHECK(check_product_size(product));
@@ -57,6 +59,12 @@ Result<ProductModel> make_product_model(const catalog::Product& product, Detail 
     if (far.triangles.size() < coarse.triangles.size()) coarse = std::move(far);
   }
   model.mesh = std::move(coarse);
+  return model;
+}
+
+Result<ProductModel> make_product_model(const catalog::Product& product, Detail detail) {
+  MARKETGEN_TRY(ProductModel model, make_pack_shape(product, detail));
+  part_at_level(model, product);
   return model;
 }
 

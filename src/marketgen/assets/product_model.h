@@ -22,17 +22,20 @@ constexpr std::array<std::string_view, 3> names_of(SurfaceKind) {
   return {"opaque", "glass", "emissive"};
 }
 
-// What a triangle looks like. Colours are linear RGB 0..1. The wall of a clear pack with a clear
-// liquid in it is one surface: `color` is what both look like from afar, `refraction` the liquid's
-// index.
+// What a triangle looks like. Colours are linear RGB 0..1. The wall of a clear pack and what stands
+// behind it are one surface: `color` is what both look like from afar, `refraction` a clear
+// liquid's index.
 struct Surface {
   Vec3f color{0.8F, 0.8F, 0.8F};
   float roughness = 0.5F;
   float metallic = 0.0F;
   SurfaceKind kind = SurfaceKind::opaque;
   std::string texture =
-      {};  // "" none, "label" the product's label image, otherwise a material id (tiled by UV)
+      {};  // "" none, "label" the product's label image, "contents" its pieces behind a wall
+           // (assets/contents.h), otherwise a material id; the last two are tiled by UV
   float refraction = 0;  // 0: not clear
+  float fill = 0;        // of a wall that shows contents: share of its height below their level
+  bool empty = false;    // a clear wall above that level
 };
 
 enum class CollisionShape { box, cylinder, ellipsoid };
@@ -85,6 +88,7 @@ struct ProductModel {
   std::vector<Surface> surfaces;
   CollisionPrimitive collision;            // encloses the pack: spacing on shelves, audits
   std::vector<PackFeature> features = {};  // as the archetype states them, see PackBuilder
+  float level_m = 0;  // of the contents, where the clear walls are parted; 0: none are seen
 };
 
 // What the physics needs of a pack. The pieces together have the mesh's volume within 5 % (15 % for

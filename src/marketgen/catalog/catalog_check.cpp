@@ -95,6 +95,21 @@ Result<void> check_codes(const Product& p) {
   return {};
 }
 
+Result<void> check_contents(const Product& p) {
+  const Contents& contents = p.contents;
+  const bool pieces = contents.particle_mm > 0;
+  for (const auto& [color, wanted] :
+       {std::pair(&contents.color, contents.seen() || pieces || contents.opacity == Opacity::clear),
+        std::pair(&contents.particle_color, pieces || !contents.particle_color.empty())}) {
+    if (wanted && !is_color(*color))
+      return bad_row(
+          "products", p.sku, fmt::format("contents: \"{}\" is not a colour #rrggbb", *color));
+  }
+  if (pieces && contents.opacity == Opacity::clear)
+    return bad_row("products", p.sku, "contents: pieces can be seen in opaque contents only");
+  return {};
+}
+
 Result<void> check_row(const Product& p, const std::vector<std::string_view>& categories) {
   MARKETGEN_CHECK(
       require_known(categories, "products/" + p.sku + "/category", "category", p.category));
@@ -105,6 +120,7 @@ Result<void> check_row(const Product& p, const std::vector<std::string_view>& ca
     if (!is_color(*color))
       return bad_row("products", p.sku, fmt::format("\"{}\" is not a colour #rrggbb", *color));
   }
+  MARKETGEN_CHECK(check_contents(p));
   return {};
 }
 

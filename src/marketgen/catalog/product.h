@@ -43,6 +43,44 @@ struct LabelStyle {
                  field("motif", &LabelStyle::motif, "picture on the front, by name"));
 };
 
+enum class Opacity { opaque, clear };
+constexpr std::array<std::string_view, 2> names_of(Opacity) {
+  return {"opaque", "clear"};
+}
+
+// What one sees of the goods through a clear wall. Rows of packs that show nothing leave it out.
+struct Contents {
+  std::string color = {};  // #rrggbb; empty: nothing is seen
+  Opacity opacity =
+      Opacity::opaque;       // clear: a liquid one sees through, `color` over the pack's depth
+  double refraction = 1.33;  // index of a clear liquid
+  double fill = 0.9;         // of the clear wall's height
+  int particle_mm = 0;       // pieces against the wall; 0: none
+  std::string particle_color = {};  // #rrggbb
+
+  bool seen() const { return !color.empty(); }
+
+  static constexpr auto fields = field_list(
+      field("color", &Contents::color, "colour behind the wall, #rrggbb", at_most_bytes(7)),
+      field("opacity", &Contents::opacity, "whether light passes"),
+      field("refraction",
+            &Contents::refraction,
+            "index of refraction of a clear liquid",
+            range(1, 1.7)),
+      field("fill",
+            &Contents::fill,
+            "share of the clear wall's height that is filled",
+            range(0.2, 1)),
+      field("particle_mm",
+            &Contents::particle_mm,
+            "size of pieces against the wall; 0 = none",
+            range(0, 60)),
+      field("particle_color",
+            &Contents::particle_color,
+            "colour of the pieces, #rrggbb",
+            at_most_bytes(7)));
+};
+
 struct Product {
   std::string sku;      // "beverages-cola-can-330"
   std::string ean;      // EAN-13 from a GS1 restricted-circulation prefix; empty for loose produce
@@ -74,6 +112,7 @@ struct Product {
   int shelf_life_days = 365;           // from delivery to the date printed on the pack
   std::string family;                  // look-alikes share it: same brand, other variant or size
   LabelStyle label;
+  Contents contents;
 
   double width_m() const { return size_mm[0] * 1e-3; }
   double depth_m() const { return size_mm[1] * 1e-3; }
@@ -123,7 +162,8 @@ struct Product {
             "days from delivery to the date printed on the pack",
             range(1, 4000)),
       field("family", &Product::family, "shared by look-alikes", at_most_bytes(80)),
-      field("label", &Product::label, "how the pack is printed"));
+      field("label", &Product::label, "how the pack is printed"),
+      field("contents", &Product::contents, "what is seen through a clear wall"));
 };
 
 }  // namespace marketgen::catalog

@@ -35,7 +35,7 @@ Result<std::shared_ptr<const scene::Scene>> Arena::scene(const std::string& scen
       std::ranges::find(header_.stores, scene_hash, &episodes::EpisodeStore::scene_hash);
   if (row == header_.stores.end())
     return Error{"episode.other_store", scene_hash, "the header has no store of this scene"};
-  if (row->scene) return episodes::open_frozen_scene(*row);
+  if (row->scene) return episodes::open_frozen_scene(*row, catalog_);
   MARKETGEN_TRY(scene::Scene scene,
                 row->own
                     ? store::scene_of_plan(

@@ -1,5 +1,6 @@
 #include "episodes/frozen_store.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <span>
@@ -49,6 +50,13 @@ std::string station_file(const EpisodeSpec& spec) {
   return fmt::format("{}.json", spec.station.value_or(std::string(name_of(spec.track))));
 }
 
+void complete_contents(scene::Scene& scene, const catalog::Catalog& catalog) {
+  for (catalog::Product& row : scene.catalog) {
+    const auto now = std::ranges::find(catalog.products, row.sku, &catalog::Product::sku);
+    if (!row.contents.seen() && now != catalog.products.end()) row.contents = now->contents;
+  }
+}
+
 }  // namespace
 
 std::string frozen_scene_file(const EpisodeStore& store) {
@@ -59,7 +67,8 @@ std::string pack_scene(const scene::Scene& scene) {
   return io::gzip(scene::encode_scene(scene));
 }
 
-Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore& store) {
+Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore& store,
+                                                              const catalog::Catalog& catalog) {
   const std::string& file = store.scene->file;
   MARKETGEN_TRY(const std::string packed, io::read_file(file));
   if (io::sha256_hex(packed) != store.scene->sha256)
@@ -73,6 +82,7 @@ Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore
     return Error{"episode.other_store",
                  file,
                  fmt::format("has scene {}, the episodes are of {}", there, store.scene_hash)};
+  complete_contents(scene, catalog);
   return std::make_shared<const scene::Scene>(std::move(scene));
 }
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 
+#include "catalog/catalog.h"
 #include "episodes/episode_spec.h"
 #include "scene/scene.h"
 
@@ -26,9 +27,11 @@ std::string frozen_scene_file(const EpisodeStore& store);
 // The bytes of that file.
 std::string pack_scene(const scene::Scene& scene);
 
-// Errors: those of read_file, gunzip and decode_scene; episode.other_store at the file when it has
-// not the bytes or the scene that the header says.
-Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore& store);
+// Rows of goods that were frozen before rows had Product::contents have those of `catalog`: they
+// are seen, and no more. Errors: those of read_file, gunzip and decode_scene; episode.other_store
+// at the file when it has not the bytes or the scene that the header says.
+Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore& store,
+                                                              const catalog::Catalog& catalog);
 
 // Over the rows of `data` that decide what becomes of the file's episodes: the stations' files,
 // friction.json, and all files of robots/ that these name, and those name. Errors: those of

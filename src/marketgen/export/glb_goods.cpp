@@ -1,5 +1,6 @@
 #include "export/glb_goods.h"
 
+#include "assets/contents.h"
 #include "export/goods_look.h"
 #include "export/price_prints.h"
 
@@ -18,7 +19,10 @@ Result<int> add_product_mesh(const catalog::Product& product,
       surfaces.push_back(materials.add(surface, surface.texture.empty() ? -1 : label));
       continue;
     }
-    MARKETGEN_TRY(const int tiled, materials.add_tiled(surface.texture));
+    MARKETGEN_TRY(const int tiled,
+                  surface.texture == "contents"
+                      ? materials.add_tiled(assets::contents_material(product.contents))
+                      : materials.add_tiled(surface.texture));
     surfaces.push_back(tiled);
   }
   return document.add_mesh(product.sku, made.model.mesh, surfaces);

@@ -30,12 +30,15 @@ int GlbMaterials::add(const assets::Surface& surface, int texture) {
 
 Result<int> GlbMaterials::add_tiled(const std::string& id) {
   const catalog::MaterialRow* material = scene_material(scene_, id);
-  if (material == nullptr) return add(plain_plaster());
-  const auto known = tiled_.find(id);
+  return material == nullptr ? add(plain_plaster()) : add_tiled(*material);
+}
+
+Result<int> GlbMaterials::add_tiled(const catalog::MaterialRow& material) {
+  const auto known = tiled_.find(material.id);
   if (known != tiled_.end()) return known->second;
-  MARKETGEN_TRY(const io::GltfJson gltf, textured(*material));
+  MARKETGEN_TRY(const io::GltfJson gltf, textured(material));
   const int index = document_.add_material(gltf);
-  tiled_.emplace(id, index);
+  tiled_.emplace(material.id, index);
   return index;
 }
 

@@ -20,6 +20,7 @@ class GlbMaterials {
   // A catalogue material, tiled by UVs in units of `extent_m(id)`; light plaster when the scene has
   // no such row. Errors: image.*.
   Result<int> add_tiled(const std::string& id);
+  Result<int> add_tiled(const catalog::MaterialRow& material);
   double extent_m(const std::string& id) const;
 
  private:

@@ -78,8 +78,11 @@ int UsdLooks::add(const assets::Surface& surface, const std::string& picture) {
 
 Result<int> UsdLooks::add_tiled(const std::string& id) {
   const catalog::MaterialRow* material = scene_material(pictures_.scene(), id);
-  if (material == nullptr) return add(plain_plaster());
-  MARKETGEN_TRY(const UsdPictures::Tiled tiled, pictures_.tiled(*material));
+  return material == nullptr ? add(plain_plaster()) : add_tiled(*material);
+}
+
+Result<int> UsdLooks::add_tiled(const catalog::MaterialRow& material) {
+  MARKETGEN_TRY(const UsdPictures::Tiled tiled, pictures_.tiled(material));
   Row row;
   row.diffuse = {1, 1, 1};
   row.opacity = tiled.opacity;

@@ -45,6 +45,7 @@ class UsdLooks {
   int add(const assets::Surface& surface, const std::string& picture = {});
   // A catalogue material, tiled; light plaster when the scene has no such row. Errors: image.*.
   Result<int> add_tiled(const std::string& id);
+  Result<int> add_tiled(const catalog::MaterialRow& material);
   bool textured(int look) const { return !rows_[static_cast<std::size_t>(look)].color.empty(); }
 
   // The scope, below the open prim at `path`; the second with a contact material of this sliding

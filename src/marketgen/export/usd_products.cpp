@@ -1,5 +1,6 @@
 #include <Eigen/Dense>
 
+#include "assets/contents.h"
 #include "base/parallel.h"
 #include "export/goods_look.h"
 #include "export/usd_layers.h"
@@ -123,7 +124,10 @@ class ProductWriter {
         by_surface.push_back(looks.add(surface, surface.texture.empty() ? "" : label));
         continue;
       }
-      MARKETGEN_TRY(const int tiled, looks.add_tiled(surface.texture));
+      MARKETGEN_TRY(const int tiled,
+                    surface.texture == "contents"
+                        ? looks.add_tiled(assets::contents_material(product.contents))
+                        : looks.add_tiled(surface.texture));
       by_surface.push_back(tiled);
     }
     return by_surface;

@@ -86,6 +86,26 @@ TEST_F(OwnRows, NeitherEanNorPlu) {
   expect_error(
       with("2999999999991", ""), "catalog.bad_row", "products/own-cola", "needs an EAN-13");
 }
+TEST_F(OwnRows, ContentsAreColoursAndPiecesStandBehindOpaqueOnes) {
+  const auto contents = [&](const std::string& text) {
+    return with(R"("label": {)", R"("contents": )" + text + R"(, "label": {)");
+  };
+  EXPECT_TRUE(load(contents(R"({"color": "#1e0d08", "opacity": "clear", "fill": 0.9})")).ok());
+  expect_error(
+      contents(R"({"color": "brown"})"), "catalog.bad_row", "products/own-cola", "\"brown\"");
+  expect_error(
+      contents(R"({"opacity": "clear"})"), "catalog.bad_row", "products/own-cola", "colour");
+  expect_error(contents(R"({"color": "#1e0d08", "particle_mm": 4})"),
+               "catalog.bad_row",
+               "products/own-cola",
+               "colour");
+  expect_error(
+      contents(
+          R"({"color": "#1e0d08", "opacity": "clear", "particle_mm": 4, "particle_color": "#ffffff"})"),
+      "catalog.bad_row",
+      "products/own-cola",
+      "opaque contents only");
+}
 TEST_F(OwnRows, DuplicateSku) {
   std::string twice(good_row);
   twice.pop_back();

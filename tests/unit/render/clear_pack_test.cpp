@@ -1,4 +1,4 @@
-// Clear packs: parted at the fill height, the outline as it was.
+// Clear packs: walls parted at the level of the contents, the outline as it was.
 #include "render/stage/clear_pack.h"
 
 #include <gtest/gtest.h>
@@ -9,84 +9,86 @@
 namespace marketgen::render::raytrace {
 namespace {
 
-catalog::Product bottle_of(const std::string& name, const std::string& archetype) {
+catalog::Product bottle_of(const catalog::Contents& contents, const std::string& archetype) {
   catalog::Product product;
   product.sku = "test-bottle";
-  product.name = name;
   product.archetype = archetype;
   product.material = "glass";
   product.unit_of_measure = "l";
   product.size_mm = {70, 70, 250};
+  product.contents = contents;
   return product;
 }
 
-assets::ProductModel model_of(const std::string& name, const std::string& archetype) {
-  return assets::make_product_model(bottle_of(name, archetype)).value();
+assets::ProductModel model_of(const catalog::Contents& contents) {
+  return assets::make_product_model(bottle_of(contents, "water_bottle")).value();
 }
 
-TEST(ClearPack, WaterOilAndHoneyAreClearKetchupAndMilkAreNot) {
-  EXPECT_TRUE(is_clear_pack(model_of("Still Water", "water_bottle")));
-  EXPECT_TRUE(is_clear_pack(model_of("Sunflower Oil", "oil_bottle")));
-  EXPECT_TRUE(is_clear_pack(model_of("Blossom Honey", "jar")));
-  EXPECT_FALSE(is_clear_pack(model_of("Ketchup", "sauce_bottle")));
-  EXPECT_FALSE(is_clear_pack(model_of("Strawberry Jam", "jar")));
-  EXPECT_FALSE(is_clear_pack(model_of("Extra Virgin Olive Oil", "box")));
+const catalog::Contents water{
+    .color = "#d6e6ea", .opacity = catalog::Opacity::clear, .refraction = 1.33, .fill = 0.9};
+
+// What lies in the level, and faces up.
+struct Level {
+  double area = 0, z = 0;
+};
+Level level_of(const Mesh& mesh, std::size_t first_triangle) {
+  Level level;
+  const std::vector<Vec3f>& p = mesh.positions;
+  for (std::size_t t = first_triangle; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    level.area += 0.5 * static_cast<double>(cross(p[b] - p[a], p[c] - p[a]).z);
+    level.z = static_cast<double>(p[a].z);
+  }
+  return level;
 }
 
-TEST(ClearPack, CuttingKeepsTheOutline) {
-  const assets::ProductModel model = model_of("Still Water", "water_bottle");
-  const ClearPack pack = clear_pack(model);
-  const Bounds3 before = bounds_of(model.mesh), after = bounds_of(pack.mesh);
+TEST(ClearPack, TheLevelLiesBehindTheOutline) {
+  const assets::ProductModel model = model_of(water);
+  const Mesh mesh = with_level(model);
+  const Bounds3 before = bounds_of(model.mesh), after = bounds_of(mesh);
   EXPECT_EQ(before.low, after.low);
   EXPECT_EQ(before.high, after.high);
-  Mesh outline = pack.mesh;
-  outline.triangles.resize(pack.outline_triangles);
-  outline.surfaces.resize(pack.outline_triangles);
-  EXPECT_TRUE(is_watertight(outline));
-  EXPECT_NEAR(volume_of(outline), volume_of(model.mesh), 1e-4 * volume_of(model.mesh));
-  double level_area = 0, brim_z = 0;
-  for (std::size_t t = pack.outline_triangles; t < pack.mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = pack.mesh.triangles[t];
-    const std::vector<Vec3f>& p = pack.mesh.positions;
-    level_area += 0.5 * static_cast<double>(cross(p[b] - p[a], p[c] - p[a]).z);
-    brim_z = static_cast<double>(p[a].z);
-  }
-  EXPECT_GT(level_area, 1e-5);  // faces up, all of it
-  EXPECT_LT(level_area, 0.07 * 0.07);
-  EXPECT_GT(brim_z, 0.15);
-  EXPECT_LT(pack.mesh.triangles.size(), model.mesh.triangles.size() * 5 / 4);
+  ASSERT_GT(mesh.triangles.size(), model.mesh.triangles.size());
+  for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t)
+    ASSERT_EQ(mesh.triangles[t], model.mesh.triangles[t]);
+  const Level level = level_of(mesh, model.mesh.triangles.size());
+  EXPECT_GT(level.area, 1e-5);
+  EXPECT_LT(level.area, 0.07 * 0.07);
+  EXPECT_NEAR(level.z, static_cast<double>(model.level_m), 1e-6);
 }
 
-// The body of liquid is closed: walls and label below the fill height, and its surface.
-TEST(ClearPack, LiquidReachesItsSurfaceAndTheSheetStartsThere) {
-  const assets::ProductModel model = model_of("Still Water", "water_bottle");
-  const ClearPack pack = clear_pack(model);
-  float liquid_top = 0, sheet_foot = 1;
-  for (std::size_t t = 0; t < pack.mesh.triangles.size(); ++t) {
-    const std::uint16_t surface = pack.mesh.surfaces[t];
-    const bool sheet = surface >= model.surfaces.size();
-    const bool liquid = !sheet && model.surfaces[surface].refraction > 0;
-    for (const std::uint32_t v : pack.mesh.triangles[t]) {
-      if (liquid) liquid_top = std::max(liquid_top, pack.mesh.positions[v].z);
-      if (sheet) sheet_foot = std::min(sheet_foot, pack.mesh.positions[v].z);
-    }
+// A cylinder of the level's area and of the wall's width there: nothing of the rim is missing.
+TEST(ClearPack, TheLevelOfAJarIsItsWholeCrossSection) {
+  catalog::Contents jam{.color = "#8a1030", .fill = 0.8};
+  const assets::ProductModel model = assets::make_product_model(bottle_of(jam, "jar")).value();
+  const Mesh mesh = with_level(model);
+  float radius = 0;
+  for (const Vec3f& p : model.mesh.positions) {
+    if (std::abs(p.z - model.level_m) < 1e-6F) radius = std::max(radius, std::hypot(p.x, p.y));
   }
-  EXPECT_NEAR(liquid_top, sheet_foot, 1e-5F);
-  EXPECT_GT(liquid_top, 0.6F * 0.25F);
-  EXPECT_LT(liquid_top, 0.25F);
+  ASSERT_GT(radius, 0.02F);
+  const double round = 3.14159 * static_cast<double>(radius) * static_cast<double>(radius);
+  EXPECT_NEAR(level_of(mesh, model.mesh.triangles.size()).area, round, 0.03 * round);
+}
+
+TEST(ClearPack, WhatShowsNothingIsLeftAlone) {
+  const assets::ProductModel model = model_of({});
+  EXPECT_EQ(model.level_m, 0);
+  EXPECT_EQ(with_level(model).triangles, model.mesh.triangles);
 }
 
 TEST(ClearPack, LiquidTakesItsColourOverTwiceTheDepthOfThePack) {
-  marketgen::assets::Surface wall{
+  const marketgen::assets::Surface wall{
       .color = {0.5F, 0.25F, 1}, .roughness = 0.1F, .refraction = 1.47F};
-  const ClearMaterials made = clear_materials(wall, {.color = wall.color}, 0.07F);
-  EXPECT_TRUE(made.liquid.clear);
-  EXPECT_TRUE(made.sheet.clear);
-  EXPECT_EQ(made.liquid.refraction, 1.47F);
-  EXPECT_EQ(made.sheet.refraction, 1);
-  EXPECT_NEAR(std::exp(-made.liquid.absorption_per_m.x * 0.14F), 0.5F, 1e-3F);
-  EXPECT_NEAR(std::exp(-made.liquid.absorption_per_m.y * 0.14F), 0.25F, 1e-3F);
-  EXPECT_GT(made.liquid.absorption_per_m.z, 0);  // nothing is quite clear
+  const Material liquid = liquid_material(wall, {.color = wall.color}, 0.07F);
+  EXPECT_TRUE(liquid.clear);
+  EXPECT_EQ(liquid.refraction, 1.47F);
+  EXPECT_NEAR(std::exp(-liquid.absorption_per_m.x * 0.14F), 0.5F, 1e-3F);
+  EXPECT_NEAR(std::exp(-liquid.absorption_per_m.y * 0.14F), 0.25F, 1e-3F);
+  EXPECT_GT(liquid.absorption_per_m.z, 0);  // nothing is quite clear
+  const Material sheet = sheet_material({.color = wall.color});
+  EXPECT_TRUE(sheet.clear);
+  EXPECT_EQ(sheet.refraction, 1);
 }
 
 }  // namespace

@@ -3,6 +3,24 @@
 
 namespace marketgen::assets {
 
+// Olives, beans, seeds, granules behind glass: bright where they touch it, dark or wet between.
+void draw_pieces(PatternSheet& sheet) {
+  const float size = sheet.period_mm();
+  const auto cells = scatter_cells(sheet, "pieces", size, 0.8F, 0.06F * size);
+  const Seed tones = sheet.seed.child("tones");
+  const TextureField clouds = sheet.noise("clouds", 0.5F * size, 3);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Texel t = sheet.texel(i);
+    const float tone = piece_number(tones, cells[i].id) - 0.5F;
+    const float touches = smooth_step(0.55F * size, 0.12F * size, cells[i].middle_mm);
+    const float gap = 1 - smooth_step(0, 0.2F * size, cells[i].border_mm);
+    t.mark = gap;
+    t.light += 0.2F * sheet.variation * tone + 0.08F * (clouds.values[i] - 0.5F) +
+               0.16F * (touches - 0.7F) - 0.12F * gap;
+    t.height_mm = 0.1F * size * smooth_step(0, 0.35F * size, cells[i].border_mm);
+  }
+}
+
 // Oil glands of citrus rind: dimples of changing size.
 void draw_peel(PatternSheet& sheet) {
   const auto glands = scatter_cells(sheet, "glands", 2.1F, 0.8F);

@@ -2,6 +2,7 @@
 #include "assets/print/label_sheet.h"
 #include "assets/product_model.h"
 #include "assets/shapes/contact_pieces.h"
+#include "assets/shapes/pack_shape.h"
 #include "base/shared_objects.h"
 #include "io/json.h"
 
@@ -35,7 +36,7 @@ Result<std::shared_ptr<const ProductBody>> product_body(const catalog::Product& 
 
 Result<ProductBody> make_product_body(const catalog::Product& product) {
   if (has_own_mesh(product)) return own_pack_body(product);
-  MARKETGEN_TRY(ProductModel model, make_product_model(product));
+  MARKETGEN_TRY(ProductModel model, make_pack_shape(product));
   MARKETGEN_TRY(const SheetKind sheet, sheet_kind_of(product.archetype));
   const Solid solid(model.mesh, solid_columns);
   PieceLimits limits;

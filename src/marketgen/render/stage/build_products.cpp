@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "assets/contents.h"
 #include "assets/print/label_sheet.h"
 #include "base/parallel.h"
 #include "render/picture_objects.h"
@@ -42,28 +43,27 @@ Material material_of(Draft& draft,
     material.texture = draft.print_texture(
         label_content(product, draft.print()),
         [&product, print = draft.print()] { return library_label(product, print); });
+  else if (surface.texture == "contents")
+    return draft.world()
+        .materials[draft.tiled_material(assets::contents_material(product.contents))];
   else if (!surface.texture.empty())
     return draft.world().materials[draft.tiled_material(surface.texture)];
   return material;
 }
 
-// One material for each surface of the model; of a clear pack, also for what clear_pack adds.
+// One material for each surface of the model.
 std::vector<std::uint16_t> add_materials(Draft& draft,
                                          const catalog::Product& product,
                                          const assets::ProductModel& model) {
-  std::vector<std::uint16_t> materials, sheets;
+  std::vector<std::uint16_t> materials;
   const auto depth_m = static_cast<float>(std::min(product.width_m(), product.depth_m()));
   for (const marketgen::assets::Surface& surface : model.surfaces) {
     const Material look = material_of(draft, product, surface);
-    if (surface.refraction <= 0) {
-      materials.push_back(draft.material(look));
-      continue;
-    }
-    const ClearMaterials clear = clear_materials(surface, look, depth_m);
-    materials.push_back(draft.material(clear.liquid));
-    sheets.push_back(draft.material(clear.sheet));
+    materials.push_back(draft.material(surface.refraction > 0
+                                           ? liquid_material(surface, look, depth_m)
+                                       : surface.empty ? sheet_material(look)
+                                                       : look));
   }
-  materials.insert(materials.end(), sheets.begin(), sheets.end());
   return materials;
 }
 
@@ -101,8 +101,7 @@ void ProductBuilder::build(Draft& draft) const {
   parallel_for(skus_.size(), [&](std::size_t i) {
     TracedMesh& mesh = world.meshes[first_mesh + i];
     const assets::ProductModel& model = skus_[i].model;
-    const Mesh shown = is_clear_pack(model) ? clear_pack(model).mesh : model.mesh;
-    append(mesh.solid, mesh.glass, shown, skus_[i].materials, world, {});
+    append(mesh.solid, mesh.glass, with_level(model), skus_[i].materials, world, {});
     mesh_of_sku[skus_[i].row] = static_cast<std::uint32_t>(first_mesh + i);
     if (is_grown(scene.catalog[skus_[i].row])) kind_of_sku[skus_[i].row] = ItemKind::grown;
   });

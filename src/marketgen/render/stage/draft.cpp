@@ -132,20 +132,24 @@ std::uint16_t Draft::tiled_material(std::string_view id) {
   if (found == nullptr && (id.empty() || scene_.materials.empty()))
     return material({.color = {0.8F, 0.8F, 0.78F}, .roughness = 0.8F});
   if (found == nullptr) return missing_material(id);
-  const bool clear = found->transmission > 0 && found->roughness < clearest_frost;
-  if (clear && found->pattern == catalog::MaterialPattern::smooth) return pane(*found);
+  return tiled_material(*found);
+}
+
+std::uint16_t Draft::tiled_material(const catalog::MaterialRow& row) {
+  const bool clear = row.transmission > 0 && row.roughness < clearest_frost;
+  if (clear && row.pattern == catalog::MaterialPattern::smooth) return pane(row);
   Material result{.color = {1, 1, 1},
-                  .roughness = static_cast<float>(found->roughness),
-                  .metallic = static_cast<float>(found->metallic)};
-  if (!clear) result.translucency = static_cast<float>(found->transmission);  // milky
-  const catalog::MaterialRow copy = *found;
+                  .roughness = static_cast<float>(row.roughness),
+                  .metallic = static_cast<float>(row.metallic)};
+  if (!clear) result.translucency = static_cast<float>(row.transmission);  // milky
+  const catalog::MaterialRow copy = row;
   result.texture = relief_texture(
       "material maps " + std::to_string(material_texture_px) + io::write_json_line(copy), [copy] {
         return Result<Image>(interleaved(assets::draw_material_maps(copy, material_texture_px)));
       });
   result.relief = result.texture;
   if (clear) {  // patterned glass: tinted by its texture, each of a pane's faces by half
-    const auto through = static_cast<float>(std::sqrt(found->transmission));
+    const auto through = static_cast<float>(std::sqrt(row.transmission));
     result.color = {through, through, through};
     result.glass = true;
   }

@@ -39,6 +39,8 @@ class Draft {
   // A catalogue material tiled by UV in units of its own extent; plain white plaster in scenes
   // without materials, a bright checker and a warning when the scene lacks the row.
   std::uint16_t tiled_material(std::string_view id);
+  // The same of a row that is no catalogue material.
+  std::uint16_t tiled_material(const catalog::MaterialRow& row);
   // What one metre of UV must be divided by for `tiled_material(id)`.
   float extent_m(std::string_view id) const;
   const catalog::MaterialRow* row(std::string_view id) const;

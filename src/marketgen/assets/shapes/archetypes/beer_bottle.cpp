@@ -1,3 +1,4 @@
+#include "assets/contents.h"
 #include "assets/print/color.h"
 #include "assets/shapes/archetypes/collision.h"
 #include "assets/shapes/archetypes/label_zone.h"
@@ -18,7 +19,10 @@ Result<ProductModel> make_beer_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
   MARKETGEN_TRY(const Vec3f amber, linear_from_hex(amber_glass));
   const LabelZone zone = label_zone_of(product);
-  const std::uint16_t glass = pack.add_surface(filled_glass(amber));
+  MARKETGEN_TRY(
+      const Surface wall,
+      contents_wall(product, glass_roughness, {.color = amber, .roughness = glass_roughness}));
+  const std::uint16_t glass = pack.add_surface(wall);
   const std::uint16_t print = pack.add_print(gloss_paper_roughness);
   const std::uint16_t foil = pack.add_surface(lacquered_metal(colors.secondary));
   const std::uint16_t crown = pack.add_surface(lacquered_metal(colors.accent));

@@ -226,7 +226,7 @@ Result<ProductModel> make_blister(const catalog::Product& product) {
     else
       add_handle(pack, wall_y, room, low, brush, s);
   } else {
-    s.goods = pack.add_surface(filled_plastic(colors.accent));
+    s.goods = pack.add_surface(clear_plastic(colors.accent));
     add_hood(pack, wall_y, hood, low, s.goods);
   }
   add_card(pack, thick, s);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "assets/contents.h"
 #include "assets/shapes/archetypes/bottle_parts.h"
 #include "assets/shapes/archetypes/collision.h"
 #include "assets/shapes/archetypes/film_wrap.h"
@@ -54,10 +55,12 @@ void add_tape(PackBuilder& pack, const FilmForm& form, std::uint16_t surface) {
 Result<ProductModel> make_bottle_six_pack(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
-  MARKETGEN_TRY(const Vec3f contents, contents_color(product));
+  MARKETGEN_TRY(Surface wall,
+                contents_wall(product, plastic_wall_roughness, clear_plastic(colors.primary)));
+  wall.fill = wall.refraction = 0;  // their shoulders alone are seen
   const std::uint16_t print = pack.add_print(film_roughness);
   const std::uint16_t wrap = pack.add_surface(film(colors.primary));
-  const std::uint16_t bottle = pack.add_surface(filled_plastic(contents));
+  const std::uint16_t bottle = pack.add_surface(wall);
   const std::uint16_t cap = pack.add_surface(plastic(colors.accent));
   const std::uint16_t tape = pack.add_surface(film(colors.secondary));
   const FilmForm form = film_form_of(product);

@@ -106,7 +106,7 @@ void add_labels(PackBuilder& pack,
 Result<ProductModel> make_cheese_wedge(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   const std::uint16_t print = pack.add_print(gloss_paper_roughness);
-  const std::uint16_t cheese = pack.add_surface(filled_plastic(young_cheese));
+  const std::uint16_t cheese = pack.add_surface(clear_plastic(young_cheese));
   const std::uint16_t edge = pack.add_surface(paper({0.8F, 0.8F, 0.78F}));
   const Wedge w = wedge_of(pack);
   const float h = pack.height() - cheese_label_m,

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "assets/contents.h"
 #include "assets/shapes/archetypes/collision.h"
 #include "assets/shapes/archetypes/pack_faces.h"
 #include "assets/shapes/archetypes/panel_box.h"
@@ -138,10 +139,11 @@ void add_bottle(
 Result<ProductModel> make_crate(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
-  MARKETGEN_TRY(const Vec3f contents, contents_color(product));
+  MARKETGEN_TRY(Surface wall, contents_wall(product, glass_roughness, dark_glass()));
+  wall.fill = wall.refraction = 0;  // their shoulders alone are seen
   const std::uint16_t body = pack.add_surface(plastic(colors.primary));
   const std::uint16_t print = pack.add_print(film_roughness);
-  const std::uint16_t glass = pack.add_surface(filled_glass(contents));
+  const std::uint16_t glass = pack.add_surface(wall);
   const std::uint16_t cork = pack.add_surface(lacquered_metal(colors.accent));
   add_frame(pack, body);
   add_walls(pack, body, print);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "assets/contents.h"
 #include "assets/shapes/archetypes/collision.h"
 #include "assets/shapes/archetypes/label_zone.h"
 #include "assets/shapes/archetypes/profile.h"
@@ -13,11 +14,13 @@ namespace marketgen::assets {
 Result<ProductModel> make_sauce_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
-  MARKETGEN_TRY(const Vec3f contents, contents_color(product));
-  const LabelZone zone = label_zone_of(product);
   const bool glass = product.material == "glass";
-  const std::uint16_t bottle = pack.add_surface(
-      glass ? filled_glass(contents, contents_refraction(product)) : filled_plastic(contents));
+  MARKETGEN_TRY(const Surface wall,
+                contents_wall(product,
+                              glass ? glass_roughness : plastic_wall_roughness,
+                              clear_plastic(colors.primary)));
+  const LabelZone zone = label_zone_of(product);
+  const std::uint16_t bottle = pack.add_surface(wall);
   const std::uint16_t print = pack.add_print(gloss_paper_roughness);
   const std::uint16_t cap = pack.add_surface(plastic(colors.accent));
   const float h = pack.height();

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "assets/contents.h"
 #include "assets/shapes/archetypes/collision.h"
 #include "assets/shapes/archetypes/label_zone.h"
 #include "assets/shapes/archetypes/profile.h"
@@ -13,10 +14,9 @@ namespace marketgen::assets {
 Result<ProductModel> make_spirit_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
-  MARKETGEN_TRY(const Vec3f contents, contents_color(product));
+  MARKETGEN_TRY(const Surface wall, contents_wall(product, glass_roughness, dark_glass()));
   const LabelZone zone = label_zone_of(product);
-  const std::uint16_t glass =
-      pack.add_surface(filled_glass(contents, contents_refraction(product)));
+  const std::uint16_t glass = pack.add_surface(wall);
   const std::uint16_t print = pack.add_print(matt_paper_roughness);
   const std::uint16_t cap = pack.add_surface(lacquered_metal(colors.accent));
   const float h = pack.height();

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "assets/contents.h"
 #include "assets/shapes/archetypes/bottle_parts.h"
 #include "assets/shapes/archetypes/collision.h"
 #include "assets/shapes/archetypes/registry.h"
@@ -12,9 +13,10 @@ namespace marketgen::assets {
 Result<ProductModel> make_squeeze_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
-  MARKETGEN_TRY(const Vec3f contents, contents_color(product));
+  MARKETGEN_TRY(const Surface wall,
+                contents_wall(product, plastic_wall_roughness, clear_plastic(colors.primary)));
   const LabelZone zone = label_zone_of(product);
-  const std::uint16_t bottle = pack.add_surface(filled_plastic(contents));
+  const std::uint16_t bottle = pack.add_surface(wall);
   const std::uint16_t print = pack.add_print(film_roughness);
   const std::uint16_t cap = pack.add_surface(plastic(colors.accent));
   const float h = pack.height(), cap_high = std::min(0.030F, 0.55F * zone.low_m);

@@ -1,35 +1,20 @@
+#include "assets/contents.h"
 #include "assets/shapes/archetypes/collision.h"
 #include "assets/shapes/archetypes/label_zone.h"
 #include "assets/shapes/archetypes/profile.h"
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/archetypes/surfaces.h"
-#include "base/text.h"
 
 namespace marketgen::assets {
-namespace {
-
-// White and rose wine stand in light glass, which shows them.
-bool in_light_glass(const catalog::Product& product) {
-  for (const std::string* text : {&product.name, &product.variant}) {
-    const std::string word = lower_ascii(*text);
-    if (word.find("white") != std::string::npos || word.find("ros") != std::string::npos)
-      return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 // After the Bordeaux bottle: 75 mm by 300 mm, straight to 0.6 of the height, shoulder to 0.7, 28 mm
 // neck with a capsule.
 Result<ProductModel> make_wine_bottle(const catalog::Product& product) {
   MARKETGEN_TRY(PackBuilder pack, start_pack(product));
   MARKETGEN_TRY(const PackColors colors, pack_colors(product));
-  MARKETGEN_TRY(const Vec3f contents, contents_color(product));
+  // White and rose wine stand in light glass, which shows them: their rows say so.
+  MARKETGEN_TRY(const Surface wall, contents_wall(product, glass_roughness, dark_glass()));
   const LabelZone zone = label_zone_of(product);
-  const std::uint16_t glass = pack.add_surface(
-      in_light_glass(product) ? filled_glass(contents, contents_refraction(product))
-                              : dark_glass());
+  const std::uint16_t glass = pack.add_surface(wall);
   const std::uint16_t print = pack.add_print(matt_paper_roughness);
   const std::uint16_t capsule = pack.add_surface(lacquered_metal(colors.accent));
   const float h = pack.height();
