@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What tools/setup promises without installing anything: its sets nest, it refuses what it does not know, and on a
-# machine that is ready it is quick and changes nothing.
+# machine that is ready it changes nothing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -23,9 +23,7 @@ message=$(tools/setup everything 2>&1) || status=$?
 [ "$status" = 2 ] || fail "an unknown set should exit 2, not $status"
 [[ "$message" == *"expected runtime, build, test or all"* ]] || fail "an unknown set should be told the sets: $message"
 
-started=$SECONDS
 again=$(tools/setup all)
-[ $((SECONDS - started)) -le 5 ] || fail "a second run took $((SECONDS - started)) s"
 ! grep -q installing <<< "$again" || fail "a second run installed something: $again"
 
 printf 'setup_test: passed\n'

@@ -16,7 +16,7 @@ from .task_setup import CHECKOUT_STATION, StoreLike, TaskOptions, TaskSetup, Tra
 if TYPE_CHECKING:
     from typing import Unpack  # since Python 3.11
 
-MOST_SEED = 2**32
+MAX_SEED = 2**32
 FILM_CAMERA, RENDER_SIZE = "film_camera", (640, 480)
 
 
@@ -110,7 +110,7 @@ class TaskEnv(gymnasium.Env):
         super().reset(seed=seed)
         episode = (options or {}).get("episode")
         if episode is None:
-            return None, int(self.np_random.integers(MOST_SEED))
+            return None, int(self.np_random.integers(MAX_SEED))
         return self.setup.episode_text(episode), 0
 
     def info_of_reset(self, text: str) -> dict[str, Any]:

@@ -105,7 +105,7 @@ float level_of(const ProductModel& model) {
 
 // UVs of pieces: whole repeats around the pack, and upwards as many to the metre.
 void tile_pieces(ProductModel& model, const catalog::Product& product) {
-  const auto extent = static_cast<float>(material_extent_m(contents_material(product.contents)));
+  const auto extent = static_cast<float>(material_extent_m(contents_material(*product.contents)));
   const auto around =
       static_cast<float>(std::numbers::pi * (product.width_m() + product.depth_m()) / 2);
   const float repeats = std::max(1.0F, std::round(around / extent));
@@ -122,8 +122,8 @@ void tile_pieces(ProductModel& model, const catalog::Product& product) {
 }  // namespace
 
 Result<Surface> contents_wall(const catalog::Product& product, float roughness, Surface otherwise) {
-  const catalog::Contents& contents = product.contents;
-  if (!contents.seen()) return otherwise;
+  if (!product.contents) return otherwise;
+  const catalog::Contents& contents = *product.contents;
   Surface wall{.roughness = roughness, .fill = static_cast<float>(contents.fill)};
   MARKETGEN_TRY(wall.color, color_in(product, contents.color, "color"));
   if (contents.opacity == catalog::Opacity::clear)
@@ -164,7 +164,7 @@ void part_at_level(ProductModel& model, const catalog::Product& product) {
     parting.add(t, surface, holds(model.surfaces[surface]) ? count : surface);
   }
   model.mesh = parting.take();
-  if (product.contents.particle_mm > 0) tile_pieces(model, product);
+  if (product.contents && product.contents->particle_mm > 0) tile_pieces(model, product);
 }
 
 }  // namespace marketgen::assets

@@ -129,6 +129,11 @@ const HeapRow* Catalog::heap(const Product& product) const {
   return found == heaps.end() ? nullptr : &*found;
 }
 
+std::string line_without_contents(Product product) {
+  product.contents.reset();
+  return io::write_json_line(product);
+}
+
 Result<Catalog> load_catalog(const fs::path& data, const std::vector<fs::path>& extra) {
   Catalog catalog;
   MARKETGEN_CHECK(read_products(data / "products", catalog.products));

@@ -95,18 +95,15 @@ Result<void> check_codes(const Product& p) {
   return {};
 }
 
-Result<void> check_contents(const Product& p) {
-  const Contents& contents = p.contents;
+Result<void> check_contents(const std::string& sku, const Contents& contents) {
   const bool pieces = contents.particle_mm > 0;
-  for (const auto& [color, wanted] :
-       {std::pair(&contents.color, contents.seen() || pieces || contents.opacity == Opacity::clear),
-        std::pair(&contents.particle_color, pieces || !contents.particle_color.empty())}) {
-    if (wanted && !is_color(*color))
-      return bad_row(
-          "products", p.sku, fmt::format("contents: \"{}\" is not a colour #rrggbb", *color));
+  for (const std::string* color : {&contents.color, &contents.particle_color}) {
+    if (is_color(*color) || (color->empty() && !pieces && color != &contents.color)) continue;
+    return bad_row(
+        "products", sku, fmt::format("contents: \"{}\" is not a colour #rrggbb", *color));
   }
   if (pieces && contents.opacity == Opacity::clear)
-    return bad_row("products", p.sku, "contents: pieces can be seen in opaque contents only");
+    return bad_row("products", sku, "contents: pieces can be seen in opaque contents only");
   return {};
 }
 
@@ -120,7 +117,7 @@ Result<void> check_row(const Product& p, const std::vector<std::string_view>& ca
     if (!is_color(*color))
       return bad_row("products", p.sku, fmt::format("\"{}\" is not a colour #rrggbb", *color));
   }
-  MARKETGEN_CHECK(check_contents(p));
+  if (p.contents) MARKETGEN_CHECK(check_contents(p.sku, *p.contents));
   return {};
 }
 

@@ -1,6 +1,7 @@
 // A product row: everything the rest of the program knows about one SKU.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,9 +49,9 @@ constexpr std::array<std::string_view, 2> names_of(Opacity) {
   return {"opaque", "clear"};
 }
 
-// What one sees of the goods through a clear wall. Rows of packs that show nothing leave it out.
+// What one sees of the goods through a clear wall.
 struct Contents {
-  std::string color = {};  // #rrggbb; empty: nothing is seen
+  std::string color;  // #rrggbb
   Opacity opacity =
       Opacity::opaque;       // clear: a liquid one sees through, `color` over the pack's depth
   double refraction = 1.33;  // index of a clear liquid
@@ -58,27 +59,29 @@ struct Contents {
   int particle_mm = 0;       // pieces against the wall; 0: none
   std::string particle_color = {};  // #rrggbb
 
-  bool seen() const { return !color.empty(); }
-
-  static constexpr auto fields = field_list(
-      field("color", &Contents::color, "colour behind the wall, #rrggbb", at_most_bytes(7)),
-      field("opacity", &Contents::opacity, "whether light passes"),
-      field("refraction",
-            &Contents::refraction,
-            "index of refraction of a clear liquid",
-            range(1, 1.7)),
-      field("fill",
-            &Contents::fill,
-            "share of the clear wall's height that is filled",
-            range(0.2, 1)),
-      field("particle_mm",
-            &Contents::particle_mm,
-            "size of pieces against the wall; 0 = none",
-            range(0, 60)),
-      field("particle_color",
-            &Contents::particle_color,
-            "colour of the pieces, #rrggbb",
-            at_most_bytes(7)));
+  static constexpr auto fields =
+      field_list(field("color",
+                       &Contents::color,
+                       "colour behind the wall, #rrggbb",
+                       required(),
+                       at_most_bytes(7)),
+                 field("opacity", &Contents::opacity, "whether light passes"),
+                 field("refraction",
+                       &Contents::refraction,
+                       "index of refraction of a clear liquid",
+                       range(1, 1.7)),
+                 field("fill",
+                       &Contents::fill,
+                       "share of the clear wall's height that is filled",
+                       range(0.2, 1)),
+                 field("particle_mm",
+                       &Contents::particle_mm,
+                       "size of pieces against the wall; 0 = none",
+                       range(0, 60)),
+                 field("particle_color",
+                       &Contents::particle_color,
+                       "colour of the pieces, #rrggbb",
+                       at_most_bytes(7)));
 };
 
 struct Product {
@@ -112,7 +115,7 @@ struct Product {
   int shelf_life_days = 365;           // from delivery to the date printed on the pack
   std::string family;                  // look-alikes share it: same brand, other variant or size
   LabelStyle label;
-  Contents contents;
+  std::optional<Contents> contents;  // absent: nothing is seen
 
   double width_m() const { return size_mm[0] * 1e-3; }
   double depth_m() const { return size_mm[1] * 1e-3; }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "assets/usable_catalog.h"
+#include "catalog/catalog.h"
 #include "environments/environment_entry.h"
 #include "episodes/track_entry.h"
 #include "io/file.h"
@@ -62,7 +63,9 @@ Result<std::shared_ptr<EpisodeGround>> EpisodeGround::of_pool(episodes::Track tr
   MARKETGEN_TRY(catalog::Catalog catalog, catalog::load_catalog(data, {}));
   for (const catalog::Product& product : read.header.products) {
     const auto row = std::ranges::find(catalog.products, product.sku, &catalog::Product::sku);
-    if (row != catalog.products.end() && io::write_json(*row) == io::write_json(product)) continue;
+    if (row != catalog.products.end() &&
+        catalog::line_without_contents(*row) == catalog::line_without_contents(product))
+      continue;
     return Error{"episode.other_store",
                  name.string(),
                  fmt::format("the product \"{}\" is no longer as the pool's episodes have it: make "

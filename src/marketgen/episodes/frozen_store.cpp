@@ -53,7 +53,7 @@ std::string station_file(const EpisodeSpec& spec) {
 void complete_contents(scene::Scene& scene, const catalog::Catalog& catalog) {
   for (catalog::Product& row : scene.catalog) {
     const auto now = std::ranges::find(catalog.products, row.sku, &catalog::Product::sku);
-    if (!row.contents.seen() && now != catalog.products.end()) row.contents = now->contents;
+    if (!row.contents && now != catalog.products.end()) row.contents = now->contents;
   }
 }
 

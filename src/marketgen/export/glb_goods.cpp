@@ -21,7 +21,7 @@ Result<int> add_product_mesh(const catalog::Product& product,
     }
     MARKETGEN_TRY(const int tiled,
                   surface.texture == "contents"
-                      ? materials.add_tiled(assets::contents_material(product.contents))
+                      ? materials.add_tiled(assets::contents_material(*product.contents))
                       : materials.add_tiled(surface.texture));
     surfaces.push_back(tiled);
   }

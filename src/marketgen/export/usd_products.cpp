@@ -126,7 +126,7 @@ class ProductWriter {
       }
       MARKETGEN_TRY(const int tiled,
                     surface.texture == "contents"
-                        ? looks.add_tiled(assets::contents_material(product.contents))
+                        ? looks.add_tiled(assets::contents_material(*product.contents))
                         : looks.add_tiled(surface.texture));
       by_surface.push_back(tiled);
     }

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "base/hash.h"
+#include "catalog/catalog.h"
 #include "io/csv.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -44,7 +45,7 @@ std::string made_of(const catalog::Product& product,
                     const robots::GraspTool& tool,
                     const std::vector<catalog::FrictionRow>& frictions) {
   Hasher hasher;
-  hasher.add(io::write_json_line(product));
+  hasher.add(catalog::line_without_contents(product));
   add_numbers(hasher, {rubber_friction(frictions, product)});
   hasher.add(tool.id).add(name_of(tool.kind));
   add_numbers(hasher, {tool.opening_m, tool.force_n, tool.payload_kg, tool.cup_radius_m});

@@ -146,12 +146,12 @@ std::string look_hash(const Scene& scene) {
         .add(p.label.motif)
         .add(p.brand)
         .add(p.name);
-    if (!p.contents.seen()) continue;
-    hash.add(p.contents.color)
-        .add(static_cast<std::int64_t>(p.contents.opacity))
-        .add(p.contents.particle_mm)
-        .add(p.contents.particle_color);
-    hash.add_rounded(p.contents.refraction, 1e-3).add_rounded(p.contents.fill, 1e-3);
+    if (!p.contents) continue;
+    hash.add(p.contents->color)
+        .add(static_cast<std::int64_t>(p.contents->opacity))
+        .add(p.contents->particle_mm)
+        .add(p.contents->particle_color);
+    hash.add_rounded(p.contents->refraction, 1e-3).add_rounded(p.contents->fill, 1e-3);
   }
   return hash.hex();
 }

@@ -27,7 +27,7 @@ const std::set<std::string> always_clear{"soda_bottle",
 const std::set<std::string> clear_or_dark{
     "wine_bottle", "beer_bottle", "oil_bottle", "crate", "jerrycan"};
 
-catalog::Product jar_of(const catalog::Contents& contents) {
+catalog::Product jar_of(const std::optional<catalog::Contents>& contents) {
   catalog::Product product;
   product.sku = "test-jar";
   product.archetype = "jar";
@@ -60,11 +60,11 @@ Vec3f mean_of(const Image& image) {
 TEST(Contents, EveryRowOfAClearPackSaysWhatIsSeen) {
   int seen = 0;
   for (const catalog::Product& row : committed_catalog().products) {
-    if (row.contents.seen()) ++seen;
+    if (row.contents) ++seen;
     if (always_clear.contains(row.archetype)) {
-      EXPECT_TRUE(row.contents.seen()) << row.sku;
+      EXPECT_TRUE(row.contents.has_value()) << row.sku;
     } else if (!clear_or_dark.contains(row.archetype)) {
-      EXPECT_FALSE(row.contents.seen()) << row.sku << ": nobody draws them";
+      EXPECT_FALSE(row.contents.has_value()) << row.sku << ": nobody draws them";
     }
   }
   EXPECT_GE(seen, 400);
@@ -72,12 +72,11 @@ TEST(Contents, EveryRowOfAClearPackSaysWhatIsSeen) {
 
 TEST(Contents, EveryModelHasItsRowsColourLevelAndPieces) {
   for (const catalog::Product& row : committed_catalog().products) {
-    if (!row.contents.seen() || row.archetype == "crate" || row.archetype == "bottle_six_pack")
-      continue;
+    if (!row.contents || row.archetype == "crate" || row.archetype == "bottle_six_pack") continue;
     const ProductModel model = make_product_model(row).value();
     const Surface& wall = wall_of(model);
-    EXPECT_EQ(wall.refraction > 1, row.contents.opacity == catalog::Opacity::clear) << row.sku;
-    EXPECT_EQ(wall.texture == "contents", row.contents.particle_mm > 0) << row.sku;
+    EXPECT_EQ(wall.refraction > 1, row.contents->opacity == catalog::Opacity::clear) << row.sku;
+    EXPECT_EQ(wall.texture == "contents", row.contents->particle_mm > 0) << row.sku;
     float low = 1, high = 0;  // of the clear wall
     for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
       const Surface& surface = model.surfaces[model.mesh.surfaces[t]];
@@ -93,9 +92,9 @@ TEST(Contents, EveryModelHasItsRowsColourLevelAndPieces) {
         }
       }
     }
-    EXPECT_NEAR((model.level_m - low) / (high - low), row.contents.fill, 1e-3) << row.sku;
-    if (row.contents.particle_mm > 0) continue;
-    EXPECT_TRUE(near_in_color(wall.color, linear_from_hex(row.contents.color).value(), 1e-6F))
+    EXPECT_NEAR((model.level_m - low) / (high - low), row.contents->fill, 1e-3) << row.sku;
+    if (row.contents->particle_mm > 0) continue;
+    EXPECT_TRUE(near_in_color(wall.color, linear_from_hex(row.contents->color).value(), 1e-6F))
         << row.sku;
   }
 }
@@ -104,8 +103,8 @@ TEST(Contents, EveryModelHasItsRowsColourLevelAndPieces) {
 TEST(Contents, PiecesAreOnAverageTheColourFromAfar) {
   std::set<std::string> drawn;
   for (const catalog::Product& row : committed_catalog().products) {
-    if (row.contents.particle_mm == 0) continue;
-    const catalog::MaterialRow material = contents_material(row.contents);
+    if (!row.contents || row.contents->particle_mm == 0) continue;
+    const catalog::MaterialRow material = contents_material(*row.contents);
     if (!drawn.insert(material.id).second) continue;
     const Vec3f mean = mean_of(draw_material(material, 128));
     EXPECT_TRUE(near_in_color(mean, wall_of(make_product_model(row).value()).color, 0.03F))
@@ -116,7 +115,7 @@ TEST(Contents, PiecesAreOnAverageTheColourFromAfar) {
 
 TEST(Contents, PartingKeepsTheOutline) {
   for (const std::string archetype : {"jar", "squeeze_bottle", "soda_bottle", "jerrycan"}) {
-    catalog::Product product = jar_of({.color = "#8a1030", .fill = 0.7});
+    catalog::Product product = jar_of(catalog::Contents{.color = "#8a1030", .fill = 0.7});
     product.archetype = archetype;
     product.size_mm = {90, 60, 200};
     const ProductModel whole = make_pack_shape(product).value();
@@ -130,8 +129,9 @@ TEST(Contents, PartingKeepsTheOutline) {
 
 // How full a jar is seen to be does not change what a hand touches.
 TEST(Contents, TheBodyDoesNotDependOnThem) {
-  const ProductBody empty = make_product_body(jar_of({})).value();
-  const ProductBody full = make_product_body(jar_of({.color = "#8a1030", .fill = 0.6})).value();
+  const ProductBody empty = make_product_body(jar_of(std::nullopt)).value();
+  const ProductBody full =
+      make_product_body(jar_of(catalog::Contents{.color = "#8a1030", .fill = 0.6})).value();
   ASSERT_EQ(empty.pieces.size(), full.pieces.size());
   for (std::size_t i = 0; i < empty.pieces.size(); ++i) {
     EXPECT_EQ(empty.pieces[i].center, full.pieces[i].center);
@@ -140,7 +140,7 @@ TEST(Contents, TheBodyDoesNotDependOnThem) {
 }
 
 TEST(Contents, AColourThatIsNoneIsNamed) {
-  const Result<ProductModel> made = make_product_model(jar_of({.color = "plum"}));
+  const Result<ProductModel> made = make_product_model(jar_of(catalog::Contents{.color = "plum"}));
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().where, "test-jar/contents/color");
 }

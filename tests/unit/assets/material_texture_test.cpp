@@ -1,5 +1,6 @@
 // Material textures: seamless, in the row's colours, the same for the same row.
 #include "assets/materials/material_texture.h"
+#include "assets/contents.h"
 
 #include <gtest/gtest.h>
 
@@ -214,6 +215,10 @@ TEST(MaterialTexture, CommittedRowsReflectWhatRealSurfacesDo) {
     EXPECT_GE(*darkest, 39) << row.id;
     EXPECT_LE(*whitest, 243) << row.id;
     EXPECT_TRUE(row.metallic == 0 || row.metallic == 1) << row.id << ": half a metal";
+  }
+  for (const catalog::Product& product : catalog.products) {
+    if (product.contents && product.contents->particle_mm > 0)
+      used.insert(assets::contents_material(*product.contents).pattern);
   }
   EXPECT_EQ(used.size(), catalog::names_of(catalog::MaterialPattern{}).size())
       << "a pattern that no row shows";

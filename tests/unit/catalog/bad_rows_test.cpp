@@ -93,8 +93,6 @@ TEST_F(OwnRows, ContentsAreColoursAndPiecesStandBehindOpaqueOnes) {
   EXPECT_TRUE(load(contents(R"({"color": "#1e0d08", "opacity": "clear", "fill": 0.9})")).ok());
   expect_error(
       contents(R"({"color": "brown"})"), "catalog.bad_row", "products/own-cola", "\"brown\"");
-  expect_error(
-      contents(R"({"opacity": "clear"})"), "catalog.bad_row", "products/own-cola", "colour");
   expect_error(contents(R"({"color": "#1e0d08", "particle_mm": 4})"),
                "catalog.bad_row",
                "products/own-cola",

@@ -61,6 +61,19 @@ TEST_P(FrozenBenchmark, ItsFirstAndLastEpisodesOpen) {
   }
 }
 
+// Frozen before rows said what is seen through glass: they are seen as the catalogue has them now.
+TEST_P(FrozenBenchmark, ItsJarsShowWhatIsInThem) {
+  const auto scene = ground_->arena().scene(ground_->stores().front().scene_hash);
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  int jars = 0;
+  for (const catalog::Product& row : (*scene)->catalog) {
+    if (row.archetype != "jar") continue;
+    EXPECT_TRUE(row.contents.has_value()) << row.sku;
+    ++jars;
+  }
+  EXPECT_GT(jars, 10);
+}
+
 TEST_P(FrozenBenchmark, ItsStoresAreInItsFiles) {
   for (const episodes::EpisodeStore& store : ground_->stores()) {
     ASSERT_TRUE(store.scene) << store.scene_hash;

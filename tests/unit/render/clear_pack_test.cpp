@@ -9,7 +9,8 @@
 namespace marketgen::render::raytrace {
 namespace {
 
-catalog::Product bottle_of(const catalog::Contents& contents, const std::string& archetype) {
+catalog::Product bottle_of(const std::optional<catalog::Contents>& contents,
+                           const std::string& archetype) {
   catalog::Product product;
   product.sku = "test-bottle";
   product.archetype = archetype;
@@ -20,7 +21,7 @@ catalog::Product bottle_of(const catalog::Contents& contents, const std::string&
   return product;
 }
 
-assets::ProductModel model_of(const catalog::Contents& contents) {
+assets::ProductModel model_of(const std::optional<catalog::Contents>& contents) {
   return assets::make_product_model(bottle_of(contents, "water_bottle")).value();
 }
 
@@ -72,7 +73,7 @@ TEST(ClearPack, TheLevelOfAJarIsItsWholeCrossSection) {
 }
 
 TEST(ClearPack, WhatShowsNothingIsLeftAlone) {
-  const assets::ProductModel model = model_of({});
+  const assets::ProductModel model = model_of(std::nullopt);
   EXPECT_EQ(model.level_m, 0);
   EXPECT_EQ(with_level(model).triangles, model.mesh.triangles);
 }

@@ -49,19 +49,19 @@ TEST(Contents, PicturesOfAllPacksShowTheirRowsColour) {
   std::vector<catalog::Product> rows;
   for (const catalog::Product& row : committed_catalog().products) {
     const bool hidden = row.archetype == "crate" || row.archetype == "bottle_six_pack";
-    if (row.contents.seen() && row.contents.opacity == catalog::Opacity::opaque && !hidden)
+    if (row.contents && row.contents->opacity == catalog::Opacity::opaque && !hidden)
       rows.push_back(row);
   }
   ASSERT_GE(rows.size(), 250U);
   const std::vector<double> shares = parallel_map(rows.size(), [&](std::size_t i) {
-    const catalog::Contents& contents = rows[i].contents;
+    const catalog::Contents& contents = *rows[i].contents;
     const Vec3f color =
         linear_of(contents.particle_mm > 0 ? contents.particle_color : contents.color);
     const Result<Image> picture = render::draw_product(rows[i], side_px);
     return picture.ok() ? share_seen_as(*picture, color) : -1.0;
   });
   for (std::size_t i = 0; i < rows.size(); ++i)
-    EXPECT_GT(shares[i], 0.01) << rows[i].sku << " " << rows[i].contents.color;
+    EXPECT_GT(shares[i], 0.01) << rows[i].sku << " " << rows[i].contents->color;
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Material material_of(Draft& draft,
         [&product, print = draft.print()] { return library_label(product, print); });
   else if (surface.texture == "contents")
     return draft.world()
-        .materials[draft.tiled_material(assets::contents_material(product.contents))];
+        .materials[draft.tiled_material(assets::contents_material(*product.contents))];
   else if (!surface.texture.empty())
     return draft.world().materials[draft.tiled_material(surface.texture)];
   return material;
