@@ -48,7 +48,14 @@ class BoxTree {
     std::uint32_t beyond = 0;
   };
 
-  void add_node(std::uint32_t first, std::uint32_t last);
+  struct Entry {
+    Bounds3 box;
+    std::uint32_t row = 0;
+  };
+
+  static Node parted(std::span<Entry> entries, std::uint32_t first);
+  static void add_nodes(std::vector<Node>& nodes, std::span<Entry> entries, std::uint32_t first);
+  static std::vector<Node> nodes_over(std::span<Entry> entries, std::uint32_t first, int levels);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> rows_;  // of the caller's boxes, leaf by leaf

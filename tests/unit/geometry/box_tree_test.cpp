@@ -7,6 +7,7 @@
 #include <chrono>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/seed.h"
 
 namespace marketgen {
@@ -44,6 +45,31 @@ TEST(BoxTree, FindsWhatABruteForceFinds) {
     }
   }
   EXPECT_GT(found, 4000U);
+}
+
+// Large trees are made by several threads: they find what one finds, in the same order.
+TEST(BoxTree, IsTheSameTreeOfAnyNumberOfThreads) {
+  Stream draw(11);
+  std::vector<Bounds3> boxes;
+  for (int i = 0; i < 30'000; ++i) {
+    const auto place = [&] { return static_cast<float>(draw.uniform(0, 10)); };
+    boxes.push_back(box_at({place(), place(), place()}, {0.2F, 0.3F, 0.1F}));
+  }
+  const BoxTree tree(boxes);
+  const auto order = [&](const BoxTree& of, const Bounds3& box) {
+    std::vector<std::uint32_t> rows;
+    of.each_near(box, 0, [&](std::uint32_t row) { rows.push_back(row); });
+    return rows;
+  };
+  const ThreadLimit limit(1);
+  const BoxTree alone(boxes);
+  for (std::size_t i = 0; i < boxes.size(); i += 500) {
+    EXPECT_EQ(order(tree, boxes[i]), order(alone, boxes[i]));
+    std::size_t expected = 0;
+    for (const Bounds3& box : boxes)
+      expected += overlap_of(box, boxes[i]) >= 0 ? 1U : 0U;
+    EXPECT_EQ(order(tree, boxes[i]).size(), expected);
+  }
 }
 
 TEST(BoxTree, HasNoNeighboursWhereThereIsNothing) {
