@@ -1,0 +1,175 @@
+// Pictures in batches: drawn side by side, then each described and encoded on its own thread.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/build_info.h"
+#include "base/parallel.h"
+#include "export/coco_annotator.h"
+#include "export/coco_cameras.h"
+#include "export/exporter.h"
+#include "export/nav2_map.h"
+#include "io/file.h"
+#include "io/jpeg.h"
+#include "io/json.h"
+#include "io/png.h"
+#include "render/depth_mm.h"
+#include "render/picture_objects.h"
+
+namespace marketgen::exporters {
+namespace {
+
+constexpr std::size_t batch_size = 8;  // pictures in memory at a time, 10 MB each
+
+// One picture, ready to be written.
+struct TakenPicture {
+  CocoImage image;
+  std::vector<CocoAnnotation> annotations;
+  Result<std::string> jpeg = std::string(), depth_png = std::string();
+};
+
+class CocoWriter {
+ public:
+  CocoWriter(const scene::Scene& scene, const ExportOptions& options, render::Renderer& renderer)
+      : scene_(scene), options_(options), renderer_(renderer), annotator_(scene) {}
+
+  Result<void> add(std::span<const ShelfShot> shots) {
+    MARKETGEN_TRY(const std::vector<render::Frame> frames, draw(shots));
+    std::vector<std::map<std::uint32_t, int>> silhouettes;
+    for (std::size_t i = 0; i < shots.size(); ++i)
+      silhouettes.push_back(silhouettes_in(frames[i], shots[i].camera));
+    std::vector<TakenPicture> taken = parallel_map(shots.size(), [&](std::size_t i) {
+      return described(shots[i], frames[i], silhouettes[i]);
+    });
+    for (TakenPicture& picture : taken)
+      MARKETGEN_CHECK(write(picture));
+    return {};
+  }
+
+  std::string document(const CocoInfo& info) const {
+    std::vector<std::string> categories;
+    for (const CocoCategory& category : coco_categories(scene_))
+      categories.push_back(io::write_json_line(category));
+    return fmt::format(
+        "{{\n\"info\": {},\n\"licenses\": [],\n\"categories\": [\n{}\n],\n\"images\": [\n{}\n],\n"
+        "\"annotations\": [\n{}\n]\n}}\n",
+        io::write_json_line(info),
+        fmt::join(categories, ",\n"),
+        fmt::join(images_, ",\n"),
+        fmt::join(annotations_, ",\n"));
+  }
+
+ private:
+  Result<std::vector<render::Frame>> draw(std::span<const ShelfShot> shots) {
+    const auto [width, height] = options_.picture_px;
+    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    std::vector<render::Frame> frames(shots.size());
+    std::vector<render::Shot> batch;
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+      render::Frame& frame = frames[i];
+      frame.color = Image(width, height);
+      frame.depth_m.resize(count), frame.instance.resize(count);
+      batch.push_back({&renderer_,
+                       shots[i].camera,
+                       {frame.color.pixels.data(),
+                        frame.depth_m.data(),
+                        frame.instance.data(),
+                        nullptr,
+                        nullptr}});
+    }
+    MARKETGEN_CHECK(render::render_batch(batch, {.quality = render::Quality::fast}));
+    return frames;
+  }
+
+  std::map<std::uint32_t, int> silhouettes_in(const render::Frame& frame,
+                                              const render::Camera& camera) const {
+    std::set<std::uint32_t> seen(frame.instance.begin(), frame.instance.end());
+    std::vector<std::uint32_t> items(seen.lower_bound(render::first_product_object(scene_)),
+                                     seen.end());
+    std::map<std::uint32_t, int> pixels;
+    for (const render::Silhouette& silhouette : renderer_.silhouettes(camera, frame, items))
+      pixels[silhouette.object] = silhouette.pixels.value_or(0);
+    return pixels;
+  }
+
+  TakenPicture described(const ShelfShot& shot,
+                         const render::Frame& frame,
+                         const std::map<std::uint32_t, int>& silhouettes) const {
+    TakenPicture taken;
+    taken.annotations = annotator_.annotate(frame, shot.camera, silhouettes);
+    CocoImage& image = taken.image;
+    image.width = frame.color.width, image.height = frame.color.height;
+    image.zone = shot.zone, image.run = shot.run, image.side = coco_side(shot.side);
+    image.camera_height_m = render::place_of(shot.camera).z, image.distance_m = shot.distance_m;
+    image.camera = render::camera_file_of(shot.camera);
+    const render::CameraMatrices matrices = render::matrices_of(shot.camera);
+    image.camera_matrix = matrices.k, image.world_from_camera = matrices.world_from_opencv;
+    std::set<std::string> fixtures;
+    for (const CocoAnnotation& annotation : taken.annotations) {
+      if (annotation.place) fixtures.insert(annotation.place->fixture);
+    }
+    image.fixtures.assign(fixtures.begin(), fixtures.end());
+    taken.jpeg = io::encode_jpeg(frame.color);
+    taken.depth_png =
+        io::encode_png16(image.width, image.height, render::depth_in_mm(frame.depth_m));
+    return taken;
+  }
+
+  Result<void> write(TakenPicture& taken) {
+    CocoImage& image = taken.image;
+    image.id = static_cast<int>(images_.size()) + 1;
+    const std::string color = fmt::format("{}/{:06}.jpg", coco_color_folder, image.id),
+                      depth = fmt::format("{}/{:06}.png", coco_depth_folder, image.id);
+    MARKETGEN_TRY(const std::string jpeg, taken.jpeg);
+    MARKETGEN_TRY(const std::string depth_png, taken.depth_png);
+    MARKETGEN_CHECK(options_.put_beside(color, jpeg));
+    MARKETGEN_CHECK(options_.put_beside(depth, depth_png));
+    image.file_name = options_.beside + "/" + color,
+    image.depth_file = options_.beside + "/" + depth;
+    images_.push_back(io::write_json_line(image));
+    for (CocoAnnotation& annotation : taken.annotations) {
+      annotation.id = static_cast<int>(annotations_.size()) + 1;
+      annotation.image_id = image.id;
+      annotations_.push_back(io::write_json_line(annotation));
+    }
+    return {};
+  }
+
+  const scene::Scene& scene_;
+  const ExportOptions& options_;
+  render::Renderer& renderer_;
+  CocoAnnotator annotator_;
+  std::vector<std::string> images_, annotations_;  // a line of JSON each
+};
+
+}  // namespace
+
+Result<ExportFiles> write_coco(const scene::Scene& scene, const ExportOptions& options) {
+  MARKETGEN_CHECK(check_nav2_options(scene, options));
+  MARKETGEN_CHECK(check_coco_options(options));
+  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const catalog::Catalog catalog, catalog::load_catalog(data));
+  const ShelfShots found = shelf_shots(scene, catalog, options);
+  Progress& progress = options.progress != nullptr ? *options.progress : silent_progress();
+  MARKETGEN_TRY(const std::unique_ptr<render::Renderer> renderer,
+                render::Renderer::create(scene, progress, {.keep_light = true}));
+  CocoWriter writer(scene, options, *renderer);
+  progress.begin("pictures", found.shots.size());
+  const std::span<const ShelfShot> shots = found.shots;
+  for (std::size_t first = 0; first < shots.size(); first += batch_size) {
+    const auto batch = shots.subspan(first, std::min(batch_size, shots.size() - first));
+    MARKETGEN_CHECK(writer.add(batch));
+    progress.advance(batch.size());
+  }
+  progress.end();
+  return ExportFiles{writer.document({"shelf pictures of a store made by MarketGen",
+                                      std::string(program_version),
+                                      scene.layout.name,
+                                      scene::scene_hash(scene),
+                                      1e-3,
+                                      found.stops_without_room}),
+                     {}};
+}
+
+}  // namespace marketgen::exporters
