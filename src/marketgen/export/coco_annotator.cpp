@@ -4,7 +4,6 @@
 
 #include "assets/print/label.h"
 #include "render/picture_objects.h"
-#include "render/visible_parts.h"
 #include "scene/placements.h"
 
 namespace marketgen::exporters {
@@ -51,8 +50,9 @@ CocoAnnotator::CocoAnnotator(const scene::Scene& scene)
 std::vector<CocoAnnotation> CocoAnnotator::annotate(
     const render::Frame& frame,
     const render::Camera& camera,
+    const VisibleParts& parts,
     const std::map<std::uint32_t, int>& silhouettes) const {
-  std::vector<CocoAnnotation> annotations = items(frame, silhouettes);
+  std::vector<CocoAnnotation> annotations = items(frame, parts, silhouettes);
   const auto add = [&](CocoAnnotation annotation, const PanelView& view) {
     show(annotation, view.box, static_cast<int>(view.pixels.size()), view.alone);
     annotation.segmentation =
@@ -73,11 +73,12 @@ std::vector<CocoAnnotation> CocoAnnotator::annotate(
 }
 
 std::vector<CocoAnnotation> CocoAnnotator::items(
-    const render::Frame& frame, const std::map<std::uint32_t, int>& silhouettes) const {
+    const render::Frame& frame,
+    const VisibleParts& parts,
+    const std::map<std::uint32_t, int>& silhouettes) const {
   auto masks = render::mask_runs_of(frame.instance, frame.color.width, frame.color.height);
   std::vector<CocoAnnotation> annotations;
-  for (const auto& [object, part] :
-       render::visible_parts(frame.instance, frame.depth_m, frame.color.width)) {
+  for (const auto& [object, part] : parts) {
     if (render::kind_of(scene_, object) != render::ObjectKind::product) continue;
     CocoAnnotation annotation = item(object - render::first_product_object(scene_));
     show(annotation, part.box, part.pixels, silhouettes.at(object));

@@ -35,12 +35,18 @@ class CocoWriter {
       : scene_(scene), options_(options), renderer_(renderer), annotator_(scene) {}
 
   Result<void> add(std::span<const ShelfShot> shots) {
-    MARKETGEN_TRY(const std::vector<render::Frame> frames, draw(shots));
-    std::vector<std::map<std::uint32_t, int>> silhouettes;
+    MARKETGEN_CHECK(draw(shots));
+    const auto parts = parallel_map(shots.size(), [&](std::size_t i) {
+      const render::Frame& frame = frames_[i];
+      return render::visible_parts(frame.instance, frame.depth_m, frame.color.width);
+    });
+    std::vector<std::map<std::uint32_t, int>> silhouettes;  // one at a time: see Renderer
     for (std::size_t i = 0; i < shots.size(); ++i)
-      silhouettes.push_back(silhouettes_in(frames[i], shots[i].camera));
+      silhouettes.push_back(silhouettes_in(frames_[i], shots[i].camera, parts[i]));
     std::vector<TakenPicture> taken = parallel_map(shots.size(), [&](std::size_t i) {
-      return described(shots[i], frames[i], silhouettes[i]);
+      return described(shots[i],
+                       frames_[i],
+                       annotator_.annotate(frames_[i], shots[i].camera, parts[i], silhouettes[i]));
     });
     for (TakenPicture& picture : taken)
       MARKETGEN_CHECK(write(picture));
@@ -61,14 +67,15 @@ class CocoWriter {
   }
 
  private:
-  Result<std::vector<render::Frame>> draw(std::span<const ShelfShot> shots) {
+  // Into frames_, which is kept from batch to batch.
+  Result<void> draw(std::span<const ShelfShot> shots) {
     const auto [width, height] = options_.picture_px;
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    std::vector<render::Frame> frames(shots.size());
     std::vector<render::Shot> batch;
+    frames_.resize(std::max(frames_.size(), shots.size()));
     for (std::size_t i = 0; i < shots.size(); ++i) {
-      render::Frame& frame = frames[i];
-      frame.color = Image(width, height);
+      render::Frame& frame = frames_[i];
+      if (frame.color.empty()) frame.color = Image(width, height);
       frame.depth_m.resize(count), frame.instance.resize(count);
       batch.push_back({&renderer_,
                        shots[i].camera,
@@ -78,15 +85,16 @@ class CocoWriter {
                         nullptr,
                         nullptr}});
     }
-    MARKETGEN_CHECK(render::render_batch(batch, {.quality = render::Quality::fast}));
-    return frames;
+    return render::render_batch(batch, {.quality = render::Quality::fast});
   }
 
   std::map<std::uint32_t, int> silhouettes_in(const render::Frame& frame,
-                                              const render::Camera& camera) const {
-    std::set<std::uint32_t> seen(frame.instance.begin(), frame.instance.end());
-    std::vector<std::uint32_t> items(seen.lower_bound(render::first_product_object(scene_)),
-                                     seen.end());
+                                              const render::Camera& camera,
+                                              const VisibleParts& parts) const {
+    std::vector<std::uint32_t> items;
+    for (const auto& [object, part] : parts) {
+      if (render::kind_of(scene_, object) == render::ObjectKind::product) items.push_back(object);
+    }
     std::map<std::uint32_t, int> pixels;
     for (const render::Silhouette& silhouette : renderer_.silhouettes(camera, frame, items))
       pixels[silhouette.object] = silhouette.pixels.value_or(0);
@@ -95,9 +103,9 @@ class CocoWriter {
 
   TakenPicture described(const ShelfShot& shot,
                          const render::Frame& frame,
-                         const std::map<std::uint32_t, int>& silhouettes) const {
+                         std::vector<CocoAnnotation> annotations) const {
     TakenPicture taken;
-    taken.annotations = annotator_.annotate(frame, shot.camera, silhouettes);
+    taken.annotations = std::move(annotations);
     CocoImage& image = taken.image;
     image.width = frame.color.width, image.height = frame.color.height;
     image.zone = shot.zone, image.run = shot.run, image.side = coco_side(shot.side);
@@ -140,6 +148,7 @@ class CocoWriter {
   const ExportOptions& options_;
   render::Renderer& renderer_;
   CocoAnnotator annotator_;
+  std::vector<render::Frame> frames_;
   std::vector<std::string> images_, annotations_;  // a line of JSON each
 };
 
