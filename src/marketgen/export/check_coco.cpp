@@ -91,7 +91,7 @@ class CocoCheck {
     if (relative.is_absolute() || relative.lexically_normal().string().starts_with(".."))
       return mismatch(place(image), "\"" + name + "\" does not lie beside it");
     const auto bytes = io::read_file(file_.parent_path() / relative);
-    if (!bytes.ok()) return mismatch(place(image), bytes.error().message);
+    if (!bytes.ok()) return mismatch(place(image), name + ": " + bytes.error().message);
     return bytes;
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "export/robot_floor.h"
@@ -21,13 +22,17 @@ constexpr double same_direction = 0.99;  // cosine
 struct BayFace {
   std::string zone, run;
   int side = 0;
-  Vec3 right, ahead;                            // of who looks at it; level unit vectors
-  double left_m = 0, right_m = 0, front_m = 0;  // along `right`; its foremost edge along `ahead`
+  Vec3 right, ahead;                    // of who looks at it; level unit vectors
+  double left_m = 0, right_m = 0;       // along `right`
+  double front_m = 0, footprint_m = 0;  // along `ahead`: foremost edge of shelves, of the module
 };
 
 BayFace face_of(const scene::Scene& scene, const scene::BayRef& bay) {
   const layout::Fixture& fixture = scene.layout.fixtures[bay.fixture];
-  BayFace face{bay.zone, bay.run.empty() ? fixture.id : bay.run, bay.side, {}, {}, 1e9, -1e9, 1e9};
+  BayFace face;
+  face.zone = bay.zone, face.run = bay.run.empty() ? fixture.id : bay.run, face.side = bay.side;
+  face.left_m = face.front_m = face.footprint_m = std::numeric_limits<double>::infinity();
+  face.right_m = -face.left_m;
   const Quaternion turned = scene::world_from_shelf(scene, bay.shelves.front()).rotation;
   face.right = normalized(rotate(turned, {1, 0, 0}));
   face.ahead = {-face.right.y, face.right.x, 0};
@@ -37,6 +42,11 @@ BayFace face_of(const scene::Scene& scene, const scene::BayRef& bay) {
     face.left_m = std::min(face.left_m, at - half);
     face.right_m = std::max(face.right_m, at + half);
     face.front_m = std::min(face.front_m, dot(middle, face.ahead));
+  }
+  const RectMm rect = layout::footprint_of(fixture);
+  for (const int x : {rect.x0, rect.x1}) {
+    for (const int y : {rect.y0, rect.y1})
+      face.footprint_m = std::min(face.footprint_m, dot({x * 1e-3, y * 1e-3, 0}, face.ahead));
   }
   return face;
 }
@@ -70,28 +80,41 @@ const BayFace& face_at(const std::vector<BayFace>& run, double along_m) {
   });
 }
 
-bool may_stand(const navigation::OccupancyGrid& floor, Vec3 at) {
+bool is_free(const navigation::OccupancyGrid& floor, Vec3 at) {
   const auto cell = [&](double metres, int from_mm) {
     return static_cast<int>(std::floor((metres * 1000 - from_mm) / floor.cell_mm));
   };
   return floor.free(cell(at.x, floor.bounds.x0), cell(at.y, floor.bounds.y0));
 }
 
-// How far before the shelves the robot stands: what is nearest to the distance that is wanted.
-std::optional<double> distance_before(const navigation::OccupancyGrid& floor,
-                                      Vec3 edge,
-                                      Vec3 ahead,
-                                      double wanted_m) {
-  const double step_m = floor.cell_mm * 1e-3;
-  const double reach_m = std::max(farther_m, wanted_m - min_distance_m);
-  for (int i = 0; i * step_m <= reach_m; ++i) {
-    for (const double distance_m : {wanted_m - i * step_m, wanted_m + i * step_m}) {
-      const bool in_range = distance_m >= min_distance_m && distance_m <= wanted_m + farther_m;
-      if (in_range && may_stand(floor, edge - ahead * distance_m)) return distance_m;
-    }
+struct AuditFloor {
+  navigation::OccupancyGrid robot;  // where its middle gets to
+  navigation::OccupancyGrid open;   // where nothing stands
+
+  double step_m() const { return open.cell_mm * 1e-3; }
+
+  // How far from the edge of a module's shelves the floor before it is open, up to `limit_m`.
+  double open_to(const BayFace& face, Vec3 edge, double limit_m) const {
+    double open_m = std::max(0.0, face.front_m - face.footprint_m) + step_m();
+    while (open_m <= limit_m && is_free(open, edge - face.ahead * open_m))
+      open_m += step_m();
+    return open_m - step_m();
   }
-  return std::nullopt;
-}
+
+  // How far before the shelves the robot stands: what is nearest to the distance that is wanted,
+  // with nothing between.
+  std::optional<double> distance_before(const BayFace& face, Vec3 edge, double wanted_m) const {
+    const double limit_m = open_to(face, edge, wanted_m + farther_m);
+    const double reach_m = std::max(farther_m, wanted_m - min_distance_m);
+    for (int i = 0; i * step_m() <= reach_m; ++i) {
+      for (const double distance_m : {wanted_m - i * step_m(), wanted_m + i * step_m()}) {
+        const bool in_range = distance_m >= min_distance_m && distance_m <= limit_m;
+        if (in_range && is_free(robot, edge - face.ahead * distance_m)) return distance_m;
+      }
+    }
+    return std::nullopt;
+  }
+};
 
 render::Camera level_camera(const std::string& name,
                             Vec3 from,
@@ -105,7 +128,7 @@ render::Camera level_camera(const std::string& name,
 
 void add_run(ShelfShots& into,
              const std::vector<BayFace>& run,
-             const navigation::OccupancyGrid& floor,
+             const AuditFloor& floor,
              const ExportOptions& options) {
   const double left_m = run.front().left_m;
   double right_m = left_m;
@@ -117,7 +140,7 @@ void add_run(ShelfShots& into,
     const double along_m = left_m + (right_m - left_m) * (stop + 0.5) / stops;
     const BayFace& face = face_at(run, along_m);
     const Vec3 edge = face.right * along_m + face.ahead * face.front_m;
-    const auto distance_m = distance_before(floor, edge, face.ahead, options.camera_distance_m);
+    const auto distance_m = floor.distance_before(face, edge, options.camera_distance_m);
     if (!distance_m) {
       ++into.stops_without_room;
       continue;
@@ -172,7 +195,7 @@ Result<void> check_coco_options(const ExportOptions& options) {
 ShelfShots shelf_shots(const scene::Scene& scene,
                        const catalog::Catalog& catalog,
                        const ExportOptions& options) {
-  const navigation::OccupancyGrid floor = robot_floor(scene, catalog, options);
+  const AuditFloor floor{robot_floor(scene, catalog, options), open_floor(scene, options)};
   ShelfShots shots;
   for (const std::vector<BayFace>& run : run_faces(scene))
     add_run(shots, run, floor, options);

@@ -13,4 +13,7 @@ navigation::OccupancyGrid robot_floor(const scene::Scene& scene,
                                       const catalog::Catalog& catalog,
                                       const ExportOptions& options);
 
+// Cells on which nothing stands that a robot of `options` would run into. Precondition: as above.
+navigation::OccupancyGrid open_floor(const scene::Scene& scene, const ExportOptions& options);
+
 }  // namespace marketgen::exporters

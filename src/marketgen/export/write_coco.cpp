@@ -1,4 +1,5 @@
-// Pictures in batches: drawn side by side, then each described and encoded on its own thread.
+// Pictures in batches: drawn side by side, then each described, encoded and put into words on its
+// own thread; only files are written one after another.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,6 +28,13 @@ struct TakenPicture {
   CocoImage image;
   std::vector<CocoAnnotation> annotations;
   Result<std::string> jpeg = std::string(), depth_png = std::string();
+  std::string image_row, annotation_rows;  // lines of JSON
+
+  void put_into_words() {
+    image_row = io::write_json_line(image);
+    for (const CocoAnnotation& annotation : annotations)
+      annotation_rows += (annotation_rows.empty() ? "" : ",\n") + io::write_json_line(annotation);
+  }
 };
 
 class CocoWriter {
@@ -49,6 +57,9 @@ class CocoWriter {
                        annotator_.annotate(frames_[i], shots[i].camera, parts[i], silhouettes[i]));
     });
     for (TakenPicture& picture : taken)
+      number(picture);
+    parallel_for(taken.size(), [&](std::size_t i) { taken[i].put_into_words(); });
+    for (const TakenPicture& picture : taken)
       MARKETGEN_CHECK(write(picture));
     return {};
   }
@@ -124,23 +135,30 @@ class CocoWriter {
     return taken;
   }
 
-  Result<void> write(TakenPicture& taken) {
+  void number(TakenPicture& taken) {
     CocoImage& image = taken.image;
-    image.id = static_cast<int>(images_.size()) + 1;
-    const std::string color = fmt::format("{}/{:06}.jpg", coco_color_folder, image.id),
-                      depth = fmt::format("{}/{:06}.png", coco_depth_folder, image.id);
+    image.id = ++image_count_;
+    const auto file = [&](std::string_view folder, const char* extension) {
+      return fmt::format("{}/{}/{:06}{}", options_.beside, folder, image.id, extension);
+    };
+    image.file_name = file(coco_color_folder, ".jpg");
+    image.depth_file = file(coco_depth_folder, ".png");
+    for (CocoAnnotation& annotation : taken.annotations) {
+      annotation.id = ++annotation_count_;
+      annotation.image_id = image.id;
+    }
+  }
+
+  Result<void> write(const TakenPicture& taken) {
     MARKETGEN_TRY(const std::string jpeg, taken.jpeg);
     MARKETGEN_TRY(const std::string depth_png, taken.depth_png);
-    MARKETGEN_CHECK(options_.put_beside(color, jpeg));
-    MARKETGEN_CHECK(options_.put_beside(depth, depth_png));
-    image.file_name = options_.beside + "/" + color,
-    image.depth_file = options_.beside + "/" + depth;
-    images_.push_back(io::write_json_line(image));
-    for (CocoAnnotation& annotation : taken.annotations) {
-      annotation.id = static_cast<int>(annotations_.size()) + 1;
-      annotation.image_id = image.id;
-      annotations_.push_back(io::write_json_line(annotation));
-    }
+    const auto put = [&](const std::string& file, std::string_view bytes) {
+      return options_.put_beside(file.substr(options_.beside.size() + 1), bytes);
+    };
+    MARKETGEN_CHECK(put(taken.image.file_name, jpeg));
+    MARKETGEN_CHECK(put(taken.image.depth_file, depth_png));
+    images_.push_back(taken.image_row);
+    if (!taken.annotation_rows.empty()) annotations_.push_back(taken.annotation_rows);
     return {};
   }
 
@@ -149,7 +167,8 @@ class CocoWriter {
   render::Renderer& renderer_;
   CocoAnnotator annotator_;
   std::vector<render::Frame> frames_;
-  std::vector<std::string> images_, annotations_;  // a line of JSON each
+  int image_count_ = 0, annotation_count_ = 0;
+  std::vector<std::string> images_, annotations_;  // lines of JSON, those of a picture together
 };
 
 }  // namespace

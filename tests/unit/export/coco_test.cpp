@@ -108,7 +108,7 @@ TEST(ShelfShots, ComeAsNearToTheDistanceAsTheFloorAllows) {
   EXPECT_NEAR(near.shots.front().distance_m, shelf_front_m - 0.42, 0.051);
   made.scene.layout.fixtures.push_back(made.scene.layout.fixtures.front());  // a freezer before it
   made.scene.layout.fixtures.back().y_mm = 2700;
-  made.scene.fixtures.push_back({0, 0, 0, 0, {3.0F, 2.7F, 0}, 0});
+  made.scene.fixtures.push_back({0, 4, 0, 0, {3.0F, 2.7F, 0}, 0});
   const auto none = exporters::shelf_shots(made.scene, real_catalog(), {});
   EXPECT_TRUE(none.shots.empty());
   EXPECT_EQ(none.stops_without_room, 3);
@@ -123,7 +123,7 @@ TEST_F(Coco, AnEmptyFacingIsAGapWhereItsPacksWouldStand) {
   empty.first_product = static_cast<std::uint32_t>(made.scene.products.size());
   empty.product_count = 1;
   made.scene.products.push_back(
-      {1, 8, {2.38F + 0.9F + 0.035F, shelf_front_m + 0.043F, HandMadeScene::upper_board_m}});
+      {1, 8, {2.38F + 0.9F + 0.035F, 3.523F, HandMadeScene::upper_board_m}});
   made.scene.facings.push_back(empty);
   const exporters::ReadCoco coco = exported(made.scene);
   const auto gaps = of(coco, "gap");
