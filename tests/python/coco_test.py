@@ -67,11 +67,11 @@ def test_boxes_and_areas_are_those_of_the_masks(coco):
         assert 0 <= annotation["occlusion"] < 1
 
 
-def test_items_share_no_pixel(coco):
+def test_items_and_tags_share_no_pixel(coco):
     for image in coco.imgs:
         seen = np.zeros(SIZE[::-1], int)
         for annotation in coco.loadAnns(coco.getAnnIds(imgIds=[image])):
-            if "instance" in annotation:
+            if "instance" in annotation or "text" in annotation:
                 seen += coco.annToMask(annotation)
         assert seen.max() <= 1
 
