@@ -38,18 +38,6 @@ Result<Vec3> parse_point(const std::string& text, const std::string& flag) {
   return Vec3{values[0], values[1], values[2]};
 }
 
-Result<std::pair<int, int>> parse_pixels(const std::string& text) {
-  const std::vector<std::string> parts = split(lower_ascii(text), 'x');
-  const auto width = number_in(parts[0]), height = number_in(parts.size() == 2 ? parts[1] : "");
-  if (!width || !height || *width != std::floor(*width) || *height != std::floor(*height) ||
-      std::abs(*width) > 1e6 || std::abs(*height) > 1e6) {
-    return Error{"camera.bad_size",
-                 "--size",
-                 fmt::format("\"{}\" is not a picture size; write 1280x720", text)};
-  }
-  return std::pair(static_cast<int>(*width), static_cast<int>(*height));
-}
-
 Result<render::Camera> camera_from_file(const CameraFlags& flags) {
   if (!flags.name.empty() || !flags.from.empty() || !flags.at.empty())
     return Error{"usage.bad_flag",
@@ -72,6 +60,18 @@ Result<render::Camera> named_camera(const CameraFlags& flags,
 }
 
 }  // namespace
+
+Result<std::pair<int, int>> picture_size(const std::string& text) {
+  const std::vector<std::string> parts = split(lower_ascii(text), 'x');
+  const auto width = number_in(parts[0]), height = number_in(parts.size() == 2 ? parts[1] : "");
+  if (!width || !height || *width != std::floor(*width) || *height != std::floor(*height) ||
+      std::abs(*width) > 1e6 || std::abs(*height) > 1e6) {
+    return Error{"camera.bad_size",
+                 "--size",
+                 fmt::format("\"{}\" is not a picture size; write 1280x720", text)};
+  }
+  return std::pair(static_cast<int>(*width), static_cast<int>(*height));
+}
 
 void add_camera_flags(CLI::App& command, CameraFlags& flags) {
   command
@@ -105,7 +105,7 @@ Result<render::Camera> camera_of(const CameraFlags& flags, const scene::Scene& s
     MARKETGEN_CHECK(render::check_viewpoint(scene, camera, flags.file));
     return camera;
   }
-  MARKETGEN_TRY(const auto pixels, parse_pixels(flags.size));
+  MARKETGEN_TRY(const auto pixels, picture_size(flags.size));
   if (flags.from.empty() != flags.at.empty())
     return Error{"usage.bad_flag", "--from", "give both --from and --at"};
   if (flags.from.empty()) return named_camera(flags, scene, pixels);

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/result.h"
 #include "render/cameras/camera.h"
@@ -17,6 +18,9 @@ struct CameraFlags {
 };
 
 void add_camera_flags(CLI::App& command, CameraFlags& flags);
+
+// Width and height of "1280x720". Error: camera.bad_size at --size.
+Result<std::pair<int, int>> picture_size(const std::string& text);
 
 // Errors: usage.bad_flag, camera.*; those of the file.
 Result<render::Camera> camera_of(const CameraFlags& flags, const scene::Scene& scene);

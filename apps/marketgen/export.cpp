@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "camera_flags.h"
 #include "collect/standing_robot.h"
 #include "command.h"
 #include "io/json.h"
@@ -24,17 +26,43 @@ struct ExportFlags {
   std::string folder, format, output, free_region, skin;
   std::vector<std::string> robots;
   bool check = false, instanced = false, still = false, primitives = false;
-  std::optional<double> resolution, robot_radius, robot_height;
+  std::optional<double> resolution, robot_radius, robot_height, camera_spacing, camera_distance;
+  std::vector<double> camera_heights;
+  std::optional<std::string> size;
 };
 
-// Flags that say something of one format alone are slips beside another.
-Result<void> check_maps(const ExportFlags& flags) {
-  if (flags.format == "nav2") return {};
-  for (const auto& [flag, value] : {std::pair{"--resolution", flags.resolution},
-                                    {"--robot-radius", flags.robot_radius},
-                                    {"--robot-height", flags.robot_height}}) {
-    if (value) return Error{"usage.bad_flag", flag, "it is for --format nav2 only"};
+// A flag that says something of some formats alone is a slip beside others.
+struct FormatFlag {
+  const char* flag;
+  bool given;
+  std::vector<std::string_view> formats;
+};
+
+Result<void> check_formats(const ExportFlags& flags) {
+  const FormatFlag special[] = {
+      {"--resolution", flags.resolution.has_value(), {"nav2"}},
+      {"--robot-radius", flags.robot_radius.has_value(), {"nav2", "coco"}},
+      {"--robot-height", flags.robot_height.has_value(), {"nav2", "coco"}},
+      {"--camera-spacing", flags.camera_spacing.has_value(), {"coco"}},
+      {"--camera-distance", flags.camera_distance.has_value(), {"coco"}},
+      {"--camera-height", !flags.camera_heights.empty(), {"coco"}},
+      {"--size", flags.size.has_value(), {"coco"}}};
+  for (const FormatFlag& flag : special) {
+    if (flag.given && std::ranges::find(flag.formats, flags.format) == flag.formats.end())
+      return Error{"usage.bad_flag",
+                   flag.flag,
+                   fmt::format("it is for --format {} only", fmt::join(flag.formats, " and "))};
   }
+  return {};
+}
+
+Result<void> set_cameras(exporters::ExportOptions& options, const ExportFlags& flags) {
+  options.camera_spacing_m = flags.camera_spacing.value_or(options.camera_spacing_m);
+  options.camera_distance_m = flags.camera_distance.value_or(options.camera_distance_m);
+  if (!flags.camera_heights.empty()) options.camera_heights_m = flags.camera_heights;
+  if (!flags.size) return {};
+  MARKETGEN_TRY(const auto pixels, picture_size(*flags.size));
+  options.picture_px = {pixels.first, pixels.second};
   return {};
 }
 
@@ -61,7 +89,7 @@ Result<std::array<double, 4>> parse_region(const std::string& text) {
 Result<void> run_export(const ExportFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   io::Outputs outputs;
-  MARKETGEN_CHECK(check_maps(flags));
+  MARKETGEN_CHECK(check_formats(flags));
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
   MARKETGEN_TRY(const scene::Scene scene, scene_in_skin(flags.folder, flags.skin));
   exporters::ExportOptions options;
@@ -71,6 +99,8 @@ Result<void> run_export(const ExportFlags& flags) {
   options.resolution_m = flags.resolution.value_or(options.resolution_m);
   options.robot_radius_m = flags.robot_radius.value_or(options.robot_radius_m);
   options.robot_height_m = flags.robot_height.value_or(options.robot_height_m);
+  MARKETGEN_CHECK(set_cameras(options, flags));
+  options.progress = &progress_for(flags.common);
   if (!flags.robots.empty() && flags.format != "mjcf")
     return Error{"usage.bad_flag", "--robot", "robots go into --format mjcf only"};
   MARKETGEN_TRY(options.robots, collect::standing_robots(scene, flags.robots, "--robot "));
@@ -137,10 +167,23 @@ Run add_export(CLI::App& app) {
                       "nav2: side of a map's cell in metres, 0.01 to 0.25 (0.05)");
   command->add_option("--robot-radius",
                       flags->robot_radius,
-                      "nav2: metres from the robot's middle that waypoints keep free (0.42)");
+                      "nav2, coco: metres from the robot's middle that it keeps free (0.42)");
   command->add_option("--robot-height",
                       flags->robot_height,
-                      "nav2: metres over the floor; what hangs higher is not on the map (2)");
+                      "nav2, coco: metres over the floor; it passes under what hangs higher (2)");
+  command->add_option("--camera-spacing",
+                      flags->camera_spacing,
+                      "coco: metres along the shelves from picture to picture, 0.05 to 10 (0.5)");
+  command->add_option("--camera-distance",
+                      flags->camera_distance,
+                      "coco: metres before the shelves, or the nearest that the aisle allows (1)");
+  command
+      ->add_option("--camera-height",
+                   flags->camera_heights,
+                   "coco: metres over the floor of a camera (repeatable; 0.6 and 1.5)")
+      ->allow_extra_args(false);
+  command->add_option("--size", flags->size, "coco: picture size in pixels (1280x720)")
+      ->type_name("SIZE");
   command->add_option("--skin", flags->skin, "export the store in the look of this style")
       ->type_name("STYLE");
   command->add_flag("--check", flags->check, "read the file back and compare it with the store");
@@ -151,7 +194,8 @@ Run add_export(CLI::App& app) {
                   "realman-rm75@4.2,3.1,90"
                   "\n          marketgen export shop --format usd -o shop.usda --check"
                   "\n          marketgen export shop --format nav2 -o shop.yaml --check"
-                  "\n          marketgen export shop --format planogram -o planogram.csv --check");
+                  "\n          marketgen export shop --format planogram -o planogram.csv --check"
+                  "\n          marketgen export shop --format coco -o shelves.json --check");
   return [flags] {
     const auto done = run_export(*flags);
     return done.ok() ? 0 : fail(done.error());

@@ -19,6 +19,7 @@
 #include "number_flags.h"
 #include "render/annotations.h"
 #include "render/channel_pictures.h"
+#include "render/depth_mm.h"
 #include "render/render.h"
 #include "render/sensor/color_noise.h"
 #include "render/sensor/depth_noise.h"
@@ -44,13 +45,8 @@ struct RenderFlags {
 Result<void> write_depth(const std::filesystem::path& path, const render::Frame& frame) {
   if (path.extension() == ".npy")
     return io::write_npy(path, frame.depth_m, {frame.color.height, frame.color.width});
-  std::vector<std::uint16_t> millimetres(frame.depth_m.size());
-  constexpr float max_mm = 65535;
-  for (std::size_t i = 0; i < millimetres.size(); ++i) {
-    millimetres[i] =
-        static_cast<std::uint16_t>(std::min(frame.depth_m[i] * 1000.0F + 0.5F, max_mm));
-  }
-  return io::write_png16(path, frame.color.width, frame.color.height, millimetres);
+  return io::write_png16(
+      path, frame.color.width, frame.color.height, render::depth_in_mm(frame.depth_m));
 }
 
 Result<render::NoisyPlanes> noisy_planes(const RenderFlags& flags,

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "base/interrupt.h"
 #include "base/text.h"
 #include "export/exporter.h"
-#include "io/file.h"
+#include "io/output.h"
 
 namespace marketgen::exporters {
 namespace {
@@ -47,18 +48,25 @@ Result<const Exporter*> exporter_named(std::string_view name) {
                    " (formats: " + known + ")"};
 }
 
-Result<void> write_beside(const std::filesystem::path& folder,
-                          const std::vector<BesideFile>& files) {
-  if (files.empty()) return {};
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return Error{"io.cannot_write", folder.string(), failed.message()};
-  for (const BesideFile& file : files) {
+// Writes what lies beside a file, into a folder of its own that is made for the first.
+class Beside {
+ public:
+  Beside(io::Outputs& outputs, std::filesystem::path folder)
+      : outputs_(outputs), folder_(std::move(folder)) {}
+
+  Result<void> put(const std::string& name, std::string_view bytes) {
     MARKETGEN_CHECK(check_interrupt());
-    MARKETGEN_CHECK(io::write_file(folder / file.name, file.bytes));
+    const std::filesystem::path file = folder_ / name;
+    if (made_.insert(file.parent_path()).second)
+      MARKETGEN_CHECK(outputs_.add_folder(file.parent_path()));
+    return outputs_.put(file, bytes);
   }
-  return {};
-}
+
+ private:
+  io::Outputs& outputs_;
+  std::filesystem::path folder_;
+  std::set<std::filesystem::path> made_;
+};
 
 }  // namespace
 
@@ -76,9 +84,16 @@ Result<void> export_scene(const scene::Scene& scene,
   MARKETGEN_TRY(const Exporter* exporter, exporter_named(format));
   ExportOptions named = options;
   named.beside = out.stem().string() + "_assets";
+  io::Outputs outputs;
+  Beside beside(outputs, out.parent_path() / named.beside);
+  named.put_beside = [&](const std::string& name, std::string_view bytes) {
+    return beside.put(name, bytes);
+  };
   MARKETGEN_TRY(const ExportFiles files, exporter->write(scene, named));
-  MARKETGEN_CHECK(write_beside(out.parent_path() / named.beside, files.beside));
-  return io::write_file(out, files.main);
+  for (const BesideFile& file : files.beside)
+    MARKETGEN_CHECK(beside.put(file.name, file.bytes));
+  MARKETGEN_CHECK(outputs.put(out, files.main));
+  return outputs.commit();
 }
 
 Result<ExportSummary> check_export(const scene::Scene& scene,

@@ -2,12 +2,14 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/fields.h"
+#include "base/progress.h"
 #include "base/result.h"
 #include "layout/reach.h"
 #include "robots/placed_robot.h"
@@ -27,13 +29,23 @@ struct ExportOptions {
   bool still_fixtures = false;  // mjcf: no part of a fixture can move
   bool looks = false;           // mjcf: meshes and pictures over the contact primitives
   std::vector<robots::PlacedRobot> robots;  // mjcf
+  // coco: stops along the shelves lie this far apart or a little less; the lens stands so far
+  // before their foremost edge, and so high over the floor, a picture each.
+  double camera_spacing_m = 0.5, camera_distance_m = 1.0;
+  std::vector<double> camera_heights_m{0.6, 1.5};
+  std::array<int, 2> picture_px{1280, 720};  // coco: width, height
+  Progress* progress = nullptr;              // coco: told of the pictures; null: silent
   std::string beside = "assets";  // folder of what lies beside the file; export_scene() names it
+  // Writes one file of what lies beside at once, for what memory does not hold; set by
+  // export_scene().
+  std::function<Result<void>(const std::string& name, std::string_view bytes)> put_beside;
 };
 
 // What a file holds, read back with another code path than the one that wrote it.
 struct ExportSummary {
   std::uint64_t fixtures = 0, products = 0, skus = 0, meshes = 0, free_bodies = 0, joints = 0,
-                looks = 0, robots = 0, waypoints = 0, blocks = 0, units = 0;
+                looks = 0, robots = 0, waypoints = 0, blocks = 0, units = 0, pictures = 0,
+                annotations = 0, gaps = 0, price_tags = 0, misplaced = 0;
   double free_m2 = 0, keepout_m2 = 0;
   std::array<double, 3> bounds_low_m{}, bounds_high_m{};
   double worst_position_error_m = 0;  // of any product against the scene, after `check`
@@ -54,6 +66,11 @@ struct ExportSummary {
           "keepout_m2", &ExportSummary::keepout_m2, "of it, floor that robots keep out of (nav2)"),
       field("blocks", &ExportSummary::blocks, "blocks of a product (planogram)"),
       field("units", &ExportSummary::units, "items that stand in them (planogram)"),
+      field("pictures", &ExportSummary::pictures, "pictures of shelves (coco)"),
+      field("annotations", &ExportSummary::annotations, "what they show, together (coco)"),
+      field("gaps", &ExportSummary::gaps, "of these, empty facings (coco)"),
+      field("price_tags", &ExportSummary::price_tags, "of these, price tags (coco)"),
+      field("misplaced", &ExportSummary::misplaced, "of these, misplaced items (coco)"),
       field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
       field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),
       field("worst_position_error_m",
@@ -67,9 +84,10 @@ struct ExportFormat {
 };
 std::vector<ExportFormat> export_formats();  // rows of export_formats.inc
 
-// Writes `scene` to the file `out`; what lies beside it goes to the folder "<stem of out>_assets"
-// and is written first. Files of an earlier export there are written anew or left. Errors:
-// export.unknown_format with the nearest name, io.*, and for nav2 usage.bad_flag.
+// Writes `scene` to the file `out`; what lies beside it goes to the folder "<stem of out>_assets".
+// All of it is put in place at the end, or nothing. Files of an earlier export there are written
+// anew or left. Errors: export.unknown_format with the nearest name, io.*, and for nav2 and coco
+// usage.bad_flag.
 Result<void> export_scene(const scene::Scene& scene,
                           std::string_view format,
                           const std::filesystem::path& out,

@@ -4,11 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "export/nav2_map.h"
-#include "layout/floor.h"
-#include "layout/reach.h"
+#include "export/robot_floor.h"
 #include "layout/route.h"
-#include "layout/staff_floor.h"
 #include "plan/bsp.h"
 #include "plan/floor_places.h"
 #include "scene/bays.h"
@@ -26,7 +23,7 @@ class Finder {
       : scene_(scene),
         catalog_(catalog),
         radius_mm_(static_cast<int>(std::lround(options.robot_radius_m * 1000))),
-        reached_(reached_floor(options)),
+        reached_(robot_floor(scene, catalog, options)),
         items_(scene.shelves.size()) {
     for (const scene::Facing& facing : scene.facings) {
       if (facing.product_count > 0)
@@ -47,26 +44,6 @@ class Finder {
     std::string name;
     std::uint64_t items;
   };
-
-  // Cells that the middle of the robot gets to from the entrance; all others are blocked.
-  navigation::OccupancyGrid reached_floor(const ExportOptions& options) const {
-    std::vector<PolygonMm> keepout;
-    for (const layout::StaffFloor& staff : layout::staff_floor(scene_.layout, catalog_))
-      keepout.push_back(staff.polygon_mm);
-    const plan::Shell& shell = scene_.layout.shell;
-    layout::Reach reach =
-        layout::reach_on(with_blocked(navigation::make_occupancy(plan::floor_of(shell),
-                                                                 nav2_obstacles(scene_, options),
-                                                                 radius_mm_,
-                                                                 nav2_cell_mm(options)),
-                                      keepout),
-                         layout::make_floor(shell),
-                         shell);
-    for (std::size_t cell = 0; cell < reach.grid.blocked.size(); ++cell) {
-      if (!reach.reached(cell)) reach.grid.blocked[cell] = 1;
-    }
-    return std::move(reach.grid);
-  }
 
   std::optional<PointMm> place_near(PointMm wanted, int reach_mm) const {
     const auto cell = navigation::nearest_free(reached_, wanted, reach_mm);

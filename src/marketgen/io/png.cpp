@@ -11,6 +11,8 @@
 namespace marketgen::io {
 namespace {
 
+constexpr std::uint64_t max_png_pixels = 64'000'000;
+
 // All that is needed to write one PNG; 16-bit samples are big-endian already.
 struct Raster {
   int width, height, bit_depth, color_type;
@@ -55,6 +57,53 @@ bool encode(const Raster& raster, std::string* out) {
   return true;
 }
 
+// What is left to be read of a PNG in memory.
+struct PngBytes {
+  const std::uint8_t* next;
+  std::size_t left;
+};
+
+void take_bytes(png_structp png, png_bytep data, png_size_t length) {
+  auto* from = static_cast<PngBytes*>(png_get_io_ptr(png));
+  if (length > from->left) png_error(png, "it ends too early");
+  std::memcpy(data, from->next, length);
+  from->next += length;
+  from->left -= length;
+}
+
+enum class Png16Fault { none, damaged, other_kind, too_large };
+
+// Leaves by longjmp as encode() does: nothing with a destructor may live here. Samples come in this
+// machine's byte order.
+Png16Fault decode16(PngBytes* from, Png16* into) {
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  if (png == nullptr) return Png16Fault::damaged;
+  png_infop info = png_create_info_struct(png);
+  if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {
+    png_destroy_read_struct(&png, &info, nullptr);
+    return Png16Fault::damaged;
+  }
+  png_set_read_fn(png, from, take_bytes);
+  png_read_info(png, info);
+  const std::uint64_t width = png_get_image_width(png, info),
+                      height = png_get_image_height(png, info);
+  const bool fits = width * height <= max_png_pixels;
+  const bool is_grey16 = png_get_bit_depth(png, info) == 16 &&
+                         png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY &&
+                         png_get_interlace_type(png, info) == PNG_INTERLACE_NONE;
+  if (fits && is_grey16) {
+    into->width = static_cast<int>(width), into->height = static_cast<int>(height);
+    into->pixels.resize(width * height);
+    png_set_swap(png);
+    for (std::uint64_t y = 0; y < height; ++y)
+      png_read_row(png, reinterpret_cast<png_bytep>(into->pixels.data() + y * width), nullptr);
+    png_read_end(png, nullptr);
+  }
+  png_destroy_read_struct(&png, &info, nullptr);
+  if (!fits) return Png16Fault::too_large;
+  return is_grey16 ? Png16Fault::none : Png16Fault::other_kind;
+}
+
 }  // namespace
 
 Result<std::string> encode_png(const Image& image) {
@@ -75,10 +124,7 @@ Result<void> write_png(const std::filesystem::path& path, const Image& image) {
   return write_file(path, bytes);
 }
 
-Result<void> write_png16(const std::filesystem::path& path,
-                         int width,
-                         int height,
-                         const std::vector<std::uint16_t>& pixels) {
+Result<std::string> encode_png16(int width, int height, const std::vector<std::uint16_t>& pixels) {
   std::vector<std::uint8_t> big_endian(pixels.size() * 2);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     big_endian[2 * i] = static_cast<std::uint8_t>(pixels[i] >> 8);
@@ -94,6 +140,14 @@ Result<void> write_png16(const std::filesystem::path& path,
               &bytes)) {
     return Error{"internal.bug", "png", "libpng refused the picture"};
   }
+  return bytes;
+}
+
+Result<void> write_png16(const std::filesystem::path& path,
+                         int width,
+                         int height,
+                         const std::vector<std::uint16_t>& pixels) {
+  MARKETGEN_TRY(const std::string bytes, encode_png16(width, height, pixels));
   return write_file(path, bytes);
 }
 
@@ -104,8 +158,7 @@ Result<Image> decode_png(std::string_view bytes, const std::string& where) {
     return Error{
         "image.bad_file", where, fmt::format("is not a readable PNG file ({})", png.message)};
   }
-  constexpr std::uint64_t max_pixels = 64'000'000;
-  if (std::uint64_t{png.width} * png.height > max_pixels) {
+  if (std::uint64_t{png.width} * png.height > max_png_pixels) {
     png_image_free(&png);
     return Error{
         "input.too_large",
@@ -122,6 +175,22 @@ Result<Image> decode_png(std::string_view bytes, const std::string& where) {
     return error;
   }
   return image;
+}
+
+Result<Png16> decode_png16(std::string_view bytes, const std::string& where) {
+  Png16 picture;
+  PngBytes from{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+  switch (decode16(&from, &picture)) {
+    case Png16Fault::none:
+      return picture;
+    case Png16Fault::other_kind:
+      return Error{"image.bad_file", where, "is no PNG of one 16-bit grey value a pixel"};
+    case Png16Fault::too_large:
+      return Error{"input.too_large", where, "has more than the 64 megapixels that are read"};
+    case Png16Fault::damaged:
+      break;
+  }
+  return Error{"image.bad_file", where, "is not a readable PNG file"};
 }
 
 Result<Image> read_png(const std::filesystem::path& path) {

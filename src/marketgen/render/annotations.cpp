@@ -6,32 +6,10 @@
 #include <cmath>
 #include <map>
 
+#include "render/visible_parts.h"
+
 namespace marketgen::render {
 namespace {
-
-struct VisiblePart {
-  int pixels = 0;
-  std::array<int, 4> box{};
-  double depth_sum_m = 0;
-
-  void include(int x, int y, float depth_m) {
-    if (pixels++ == 0) box = {x, y, x + 1, y + 1};
-    box = {
-        std::min(box[0], x), std::min(box[1], y), std::max(box[2], x + 1), std::max(box[3], y + 1)};
-    depth_sum_m += static_cast<double>(depth_m);
-  }
-};
-
-std::map<std::uint32_t, VisiblePart> visible_parts(const Frame& frame) {
-  std::map<std::uint32_t, VisiblePart> parts;
-  const int width = frame.color.width;
-  for (std::size_t i = 0; i < frame.instance.size(); ++i) {
-    if (frame.instance[i] == 0) continue;
-    const int pixel = static_cast<int>(i);
-    parts[frame.instance[i]].include(pixel % width, pixel / width, frame.depth_m[i]);
-  }
-  return parts;
-}
 
 Matrix44 matrix44_of(const Pose& pose) {
   const Matrix34 upper = matrix_of(pose);
@@ -64,7 +42,7 @@ class Annotator {
         actors_(actors),
         camera_from_world_(inverse(opencv_pose_of(camera))),
         categories_(scene),
-        parts_(visible_parts(frame)),
+        parts_(visible_parts(frame.instance, frame.depth_m, frame.color.width)),
         masks_(mask_runs_of(frame.instance, frame.color.width, frame.color.height)) {}
 
   const PictureCategories& categories() const { return categories_; }

@@ -39,6 +39,14 @@ std::string compressed_runs(const std::vector<std::uint32_t>& runs) {
   return text;
 }
 
+MaskRuns mask_runs_of_pixels(const std::vector<std::uint32_t>& pixels, int width, int height) {
+  OpenRuns runs;
+  for (const std::uint32_t pixel : pixels)
+    runs.include(pixel);
+  return {{height, width},
+          runs.close(static_cast<std::uint32_t>(width) * static_cast<std::uint32_t>(height))};
+}
+
 std::map<std::uint32_t, MaskRuns> mask_runs_of(const std::vector<std::uint32_t>& plane,
                                                int width,
                                                int height) {

@@ -32,6 +32,8 @@ struct MaskRuns {
 std::map<std::uint32_t, MaskRuns> mask_runs_of(const std::vector<std::uint32_t>& plane,
                                                int width,
                                                int height);
+// Of pixels, given by their numbers column by column from the top left (x * height + y), ascending.
+MaskRuns mask_runs_of_pixels(const std::vector<std::uint32_t>& pixels, int width, int height);
 // COCO's characters for run lengths.
 std::string compressed_runs(const std::vector<std::uint32_t>& runs);
 

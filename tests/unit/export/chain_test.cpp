@@ -49,11 +49,13 @@ class Chain : public testing::TestWithParam<std::size_t> {
   }
 
   void expect_exports(const scene::Scene& scene) const {
+    exporters::ExportOptions options;
+    options.camera_spacing_m = 5, options.picture_px = {64, 36};  // few pixels, for time
     for (const exporters::ExportFormat& format : exporters::export_formats()) {
       const fs::path file = folder_ / ("shop" + std::string(format.extension));
-      const auto written = exporters::export_scene(scene, format.name, file);
+      const auto written = exporters::export_scene(scene, format.name, file, options);
       ASSERT_TRUE(written.ok()) << format.name << ": " << to_string(written.error());
-      const auto read = exporters::check_export(scene, format.name, file);
+      const auto read = exporters::check_export(scene, format.name, file, options);
       EXPECT_TRUE(read.ok()) << format.name << ": " << to_string(read.error());
     }
   }

@@ -87,5 +87,21 @@ TEST_F(PictureFile, APictureThatJpegCannotHoldIsAnError) {
   EXPECT_EQ(io::encode_jpeg(Image(4, 4, 4)).error().code, "image.bad_file");
 }
 
+TEST(Png16, EveryValueComesBackAndOtherPicturesAreRefused) {
+  const std::vector<std::uint16_t> pixels{0, 1, 255, 256, 4660, 65535};
+  const std::string bytes = *io::encode_png16(3, 2, pixels);
+  const Result<io::Png16> read = io::decode_png16(bytes, "depth.png");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->width, 3);
+  EXPECT_EQ(read->height, 2);
+  EXPECT_EQ(read->pixels, pixels);
+  const Result<io::Png16> color = io::decode_png16(*io::encode_png(sample()), "color.png");
+  ASSERT_FALSE(color.ok());
+  EXPECT_EQ(color.error().code, "image.bad_file");
+  EXPECT_NE(color.error().message.find("16-bit grey"), std::string::npos);
+  for (std::size_t kept = 0; kept < bytes.size() - 12; kept += 5)  // 12: the empty end chunk
+    EXPECT_FALSE(io::decode_png16(bytes.substr(0, kept), "cut.png").ok()) << kept;
+}
+
 }  // namespace
 }  // namespace marketgen

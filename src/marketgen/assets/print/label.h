@@ -51,6 +51,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "catalog/product.h"
@@ -91,6 +92,10 @@ Result<Image> draw_price_tag(const catalog::Product& product, bool promotion, in
 Result<PrintedPicture> print_price_tag(const catalog::Product& product,
                                        bool promotion,
                                        int height_px = 96);
+
+// What stands on a tag in letters, from the top: the offer's word, brand and name, variant and net
+// quantity, price, price a unit, the code's figures; what the product does not have is left out.
+std::vector<std::string> price_tag_text(const catalog::Product& product, bool promotion);
 
 // The card that hangs under the tag of an offer, 105 x 74 mm: picture, price, former price, saving.
 constexpr double promotion_card_width_mm = 105, promotion_card_height_mm = 74;

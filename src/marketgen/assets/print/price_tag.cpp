@@ -18,6 +18,12 @@ constexpr double tag_aspect = 2.5;
 constexpr double tag_height_mm = 39;
 constexpr int min_tag_px = 24;
 constexpr int max_tag_px = 2048;
+constexpr const char* offer_word = "SPECIAL OFFER";
+
+// Loose goods have a number for the scales; empty without.
+std::string plu_text(const catalog::Product& product) {
+  return product.plu.empty() ? "" : "PLU " + product.plu;
+}
 
 struct TagColors {
   Color ground, price_ground, price, type;
@@ -89,9 +95,8 @@ Result<void> draw_tag_code(Canvas& canvas,
                            int height_px,
                            bool bars_apart) {
   if (product.ean.empty()) {
-    const std::string plu = product.plu.empty() ? "" : "PLU " + product.plu;
     draw_headline(canvas,
-                  {plu,
+                  {plu_text(product),
                    {"DejaVu Sans Mono", 700},
                    print_ink,
                    {3, 22, 40, 13},
@@ -133,7 +138,7 @@ Result<PrintedPicture> drawn_tag(const catalog::Product& product,
   MARKETGEN_CHECK(draw_tag_code(canvas, product, height_px, bars_apart));
   if (promotion) {
     draw_headline(canvas,
-                  {"SPECIAL OFFER",
+                  {offer_word,
                    {"Open Sans", 800, true, false, 0.02},
                    colors.ground,
                    price.part(0.04, 0.04, 0.96, 0.24)});
@@ -146,6 +151,19 @@ Result<PrintedPicture> drawn_tag(const catalog::Product& product,
 }
 
 }  // namespace
+
+std::vector<std::string> price_tag_text(const catalog::Product& product, bool promotion) {
+  std::vector<std::string> lines;
+  for (std::string line : {std::string(promotion ? offer_word : ""),
+                           title_text(product),
+                           detail_text(product),
+                           price_text(product.price),
+                           unit_price_text(product),
+                           product.ean.empty() ? plu_text(product) : product.ean}) {
+    if (!line.empty()) lines.push_back(std::move(line));
+  }
+  return lines;
+}
 
 Result<Image> draw_price_tag(const catalog::Product& product, bool promotion, int height_px) {
   MARKETGEN_TRY(PrintedPicture tag, drawn_tag(product, promotion, height_px, false));

@@ -13,6 +13,11 @@ std::string unit_price_text(const catalog::Product& product) {
   return fmt::format("\u20ac {:.2f} / {}", catalog::unit_price(product), product.unit_of_measure);
 }
 
+std::string price_text(double price) {
+  const auto cents = std::lround(price * 100);
+  return fmt::format("{}.{:02} \u20ac", cents / 100, cents % 100);
+}
+
 void draw_price(Canvas& canvas, double price, const Area& area, const Color& color) {
   const auto cents = std::lround(price * 100);
   const Typeface face{"Open Sans", 800, false, false, -0.02};

@@ -5,6 +5,7 @@
 #include "assets/print/label.h"
 #include "io/json.h"
 #include "render/picture_objects.h"
+#include "render/price_tags.h"
 #include "render/stage/build_signage.h"
 
 namespace marketgen::render::raytrace {
@@ -14,36 +15,7 @@ namespace {
 constexpr int near_tag_px = 96, near_card_px = 222;
 constexpr auto card_width_m = static_cast<float>(assets::promotion_card_width_mm * 1e-3);
 constexpr auto card_height_m = static_cast<float>(assets::promotion_card_height_mm * 1e-3);
-constexpr float lift_m = 8e-4F;  // label stock before the rail
-// Where a rail's front usually is (assets/fixtures/units.h): 6 mm before the board, 38 mm down, 2
-// mm up.
-constexpr float usual_front_m = -0.006F, usual_middle_m = -0.018F;
-
-struct RailFace {
-  float y = usual_front_m, z = usual_middle_m;  // in the shelf frame
-};
-
-// The front of the price rail that belongs to a shelf.
-RailFace rail_of(const scene::Scene& scene, const scene::SceneShelf& shelf) {
-  const Placement fixture_from_shelf =
-      placement_of(Pose{{shelf.position_m[0], shelf.position_m[1], shelf.position_m[2]},
-                        {shelf.rotation_wxyz[0],
-                         shelf.rotation_wxyz[1],
-                         shelf.rotation_wxyz[2],
-                         shelf.rotation_wxyz[3]}});
-  const scene::SceneFixture& fixture = scene.fixtures[shelf.fixture];
-  for (std::uint32_t i = fixture.first_part; i < fixture.first_part + fixture.part_count; ++i) {
-    const scene::ScenePart& part = scene.parts[i];
-    if (part.unit != assets::UnitKind::price_rail) continue;
-    const Vec3f middle =
-        fixture_from_shelf.to_local({part.position_m[0], part.position_m[1], part.position_m[2]});
-    const bool before_this_shelf = std::fabs(middle.x) < shelf.width_m / 2 && middle.y > -0.06F &&
-                                   middle.y < 0.06F && std::fabs(middle.z) < 0.08F;
-    if (before_this_shelf) return {middle.y - part.half_size_m[1], middle.z};
-  }
-  return {};
-}
-
+constexpr float lift_m = 8e-4F;  // of a card before the tag
 int pixels(int near_px, PrintDetail detail) {
   return detail == PrintDetail::near ? near_px : near_px / 3;
 }
@@ -110,19 +82,17 @@ void PriceLabelBuilder::build(Draft& draft) const {
   const scene::Scene& scene = draft.scene();
   for (std::size_t i = 0; i < scene.price_labels.size(); ++i) {
     const scene::PriceLabel& label = scene.price_labels[i];
-    const scene::SceneShelf& shelf = scene.shelves[label.shelf];
-    const RailFace rail = rail_of(scene, shelf);
-    const float x = label.x_m - shelf.width_m / 2, y = rail.y - lift_m;
-    const Sticker tag{x, y, rail.z, label.width_m, label.height_m, looks_of_label_[i].tag};
+    const Vec3f at = price_tag_place(scene, label);
+    const Sticker tag{at.x, at.y, at.z, label.width_m, label.height_m, looks_of_label_[i].tag};
     stick(draft, label.shelf, tag);
     if (!looks_of_label_[i].card) continue;
     // Cards of neighbours may overlap; they hang a little apart.
     const float apart = static_cast<float>(i % 3) * lift_m;
     stick(draft,
           label.shelf,
-          {x,
-           y - lift_m - apart,
-           rail.z - label.height_m / 2 - card_height_m / 2,
+          {at.x,
+           at.y - lift_m - apart,
+           at.z - label.height_m / 2 - card_height_m / 2,
            card_width_m,
            card_height_m,
            *looks_of_label_[i].card});
