@@ -39,4 +39,11 @@ store::CreateOptions large_store(const fs::path& folder) {
   return options;
 }
 
+store::CreateOptions hypermarket(const fs::path& folder) {
+  store::CreateOptions options = neighbourhood_store(folder, false);
+  options.brief.prompt = "A 114 x 86 m hypermarket";
+  options.seed = 3;
+  return options;
+}
+
 }  // namespace marketgen::bench

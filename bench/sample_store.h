@@ -21,8 +21,9 @@ class ScratchFolder {
   std::filesystem::path folder_;
 };
 
-// The 24 x 15 m store of the README, or the 40 x 25 m one.
+// The 24 x 15 m store of the README, the 40 x 25 m one, and a hypermarket with a million products.
 store::CreateOptions neighbourhood_store(const std::filesystem::path& folder, bool previews);
 store::CreateOptions large_store(const std::filesystem::path& folder);
+store::CreateOptions hypermarket(const std::filesystem::path& folder);
 
 }  // namespace marketgen::bench
