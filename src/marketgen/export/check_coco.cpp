@@ -2,6 +2,8 @@
 // against pictures of object numbers that are drawn once more, depth against where the items stand.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/interrupt.h"

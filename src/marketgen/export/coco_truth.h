@@ -1,7 +1,9 @@
 // What a COCO annotation should say, from the store's items and planogram alone.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "export/coco_read.h"
 #include "scene/planogram_rows.h"
