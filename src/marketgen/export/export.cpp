@@ -47,14 +47,18 @@ Result<const Exporter*> exporter_named(std::string_view name) {
                    " (formats: " + known + ")"};
 }
 
-Result<void> write_beside(const std::filesystem::path& folder,
-                          const std::vector<BesideFile>& files) {
-  if (files.empty()) return {};
+Result<void> make_folder(const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) return Error{"io.cannot_write", folder.string(), failed.message()};
+  return {};
+}
+
+Result<void> write_beside(const std::filesystem::path& folder,
+                          const std::vector<BesideFile>& files) {
   for (const BesideFile& file : files) {
     MARKETGEN_CHECK(check_interrupt());
+    MARKETGEN_CHECK(make_folder((folder / file.name).parent_path()));
     MARKETGEN_CHECK(io::write_file(folder / file.name, file.bytes));
   }
   return {};
