@@ -24,17 +24,18 @@ class UrdfReader {
     contents_.parts.emplace();
     contents_.free_bodies = 0;
     MARKETGEN_CHECK(index());
-    std::vector<std::pair<std::string, Pose>> open{{std::string(urdf_room), Pose{}}};
+    std::vector<Open> open{{std::string(urdf_room), "", Pose{}}};
     std::size_t walked = 0;
     for (; !open.empty(); ++walked) {
-      const auto [name, pose] = open.back();
+      const Open at = open.back();
       open.pop_back();
-      MARKETGEN_CHECK(read_link(name, pose));
-      for (const XMLElement* joint : carried_by_[name]) {
+      MARKETGEN_CHECK(read_link(at));
+      for (const XMLElement* joint : carried_by_[at.link]) {
         MARKETGEN_TRY(const Pose parent_from_child, origin_of(*joint));
-        MARKETGEN_TRY(std::string child, end_of(*joint, "child"));
-        MARKETGEN_CHECK(read_joint(*joint, child, pose * parent_from_child));
-        open.emplace_back(std::move(child), pose * parent_from_child);
+        MARKETGEN_TRY(const std::string child, end_of(*joint, "child"));
+        const Pose pose = at.pose * parent_from_child;
+        MARKETGEN_CHECK(read_joint(*joint, child, pose));
+        open.push_back({child, child.ends_with(urdf_link) ? at.fixture : child, pose});
       }
     }
     if (walked != links_.size())
@@ -45,6 +46,12 @@ class UrdfReader {
   }
 
  private:
+  // A link on the way down, and the fixture that it is part of: what a joint moves is its parent's.
+  struct Open {
+    std::string link, fixture;
+    Pose pose;  // store frame
+  };
+
   Result<std::string> end_of(const XMLElement& joint, const char* which) const {
     MARKETGEN_TRY(const XMLElement* element, xml_.child(joint, which));
     return xml_.attribute(*element, "link");
@@ -119,34 +126,25 @@ class UrdfReader {
     return xml_.attribute_number(*mass, "value");
   }
 
-  Result<void> read_link(const std::string& name, const Pose& world_from_link) {
-    const auto found = links_.find(name);
-    if (found == links_.end()) return xml_.fault(xml_.root(), "there is no link \"" + name + "\"");
+  Result<void> read_link(const Open& at) {
+    const auto found = links_.find(at.link);
+    if (found == links_.end())
+      return xml_.fault(xml_.root(), "there is no link \"" + at.link + "\"");
     const XMLElement& link = *found->second;
     contents_.meshes += children(link, "visual").size();
     const char* mesh = mesh_of(link);
-    if (name != urdf_room && mesh != nullptr) return read_item(link, name, mesh, world_from_link);
-    const std::string fixture = fixture_of(name);
+    const bool room = at.link == urdf_room;
+    if (!room && mesh != nullptr) return read_item(link, at.link, mesh, at.pose);
+    if (!room) contents_.fixtures.insert(at.fixture);
     for (const XMLElement* collision : children(link, "collision")) {
       MARKETGEN_TRY(const std::string part, xml_.attribute(*collision, "name"));
-      if (name == urdf_room && part == urdf_floor) continue;
+      if (room && part == urdf_floor) continue;
       MARKETGEN_TRY(const assets::ContactShape solid, solid_of(*collision));
-      const assets::ContactShape placed = world_from_link * solid;
+      const assets::ContactShape placed = at.pose * solid;
       include_solid(contents_.bounds, placed);
-      if (name != urdf_room) contents_.parts->emplace(fixture + "/" + part, placed);
+      if (!room) contents_.parts->emplace(at.fixture + "/" + part, placed);
     }
     return {};
-  }
-
-  // The link's own name, or what is before "/<joint>/link".
-  std::string fixture_of(const std::string& link) {
-    const bool moved = link.ends_with(urdf_link);
-    if (!moved) {
-      if (link != urdf_room) contents_.fixtures.insert(link);
-      return link;
-    }
-    const std::string joint = link.substr(0, link.size() - urdf_link.size());
-    return joint.substr(0, joint.rfind('/'));
   }
 
   Result<void> read_item(const XMLElement& link,
