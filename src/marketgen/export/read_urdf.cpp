@@ -142,7 +142,7 @@ class UrdfReader {
       MARKETGEN_TRY(const assets::ContactShape solid, solid_of(*collision));
       const assets::ContactShape placed = at.pose * solid;
       include_solid(contents_.bounds, placed);
-      if (!room) contents_.parts->emplace(at.fixture + "/" + part, placed);
+      if (!room) contents_.parts->emplace(part, placed);
     }
     return {};
   }

@@ -1,5 +1,7 @@
 // How the links and joints of a URDF export are called. A fixture's own link has its id, an item's
-// link the item's; a joint that moves is "<fixture id>/<joint>".
+// link the item's; a joint that moves is "<fixture id>/<joint>". Names of
+// collisions are unique in the file (MuJoCo's geoms): of items their ids, of parts those of
+// ExportContents::parts.
 #pragma once
 #include <string_view>
 

@@ -60,9 +60,10 @@ class UrdfWriter {
     }
     out_.line(0, "<?xml version=\"1.0\"?>");
     out_.line(0, "<robot name=\"{}\">", escaped_markup(scene_.layout.name));
-    // MuJoCo would take the folders off the meshes' names, and make one body of all that stands.
+    // MuJoCo would take the folders off the meshes' names, refuse flat ones, which have no volume,
+    // and make one body of all that stands.
     out_.line(1,
-              "<mujoco><compiler strippath=\"false\" discardvisual=\"false\" "
+              "<mujoco><compiler strippath=\"false\" discardvisual=\"true\" "
               "fusestatic=\"false\"/></mujoco>");
     write_materials();
     write_room();
@@ -169,7 +170,8 @@ class UrdfWriter {
     for (const std::uint32_t row : link.parts) {
       const assets::ContactShape shape =
           link_from_fixture * physics::contact_shape_of(scene_.parts[row]);
-      const std::string part = part_name(scene_, row);
+      const std::string part =
+          scene_.layout.fixtures[scene_.parts[row].fixture].id + "/" + part_name(scene_, row);
       out_.line(2,
                 "<visual name=\"{}\">{}{}<material name=\"{}\"/></visual>",
                 part,
@@ -249,7 +251,7 @@ class UrdfWriter {
     out_.line(2,
               "<visual>{}</visual>{}",
               mesh(goods_mesh_file(scene_.catalog[item.sku].sku)),
-              collision("solid", goods.shape));
+              collision(id, goods.shape));
     out_.line(1, "</link>");
     const Pose world_from_item = scene::world_from_product(item);
     if (item.facing == scene::no_facing)
