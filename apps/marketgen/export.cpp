@@ -150,7 +150,7 @@ Run add_export(CLI::App& app) {
       "and faster where they do");
   command->add_flag("--still-fixtures",
                     flags->still,
-                    "mjcf, usd: doors, lids and drawers of fixtures do not move");
+                    "mjcf, usd, urdf: doors, lids and drawers of fixtures do not move");
   command->add_flag(
       "--primitives",
       flags->primitives,
@@ -193,6 +193,7 @@ Run add_export(CLI::App& app) {
                   "\n          marketgen export shop --format mjcf -o shop.xml --robot "
                   "realman-rm75@4.2,3.1,90"
                   "\n          marketgen export shop --format usd -o shop.usda --check"
+                  "\n          marketgen export shop --format urdf -o shop.urdf --check"
                   "\n          marketgen export shop --format nav2 -o shop.yaml --check"
                   "\n          marketgen export shop --format planogram -o planogram.csv --check"
                   "\n          marketgen export shop --format coco -o shelves.json --check");

@@ -9,7 +9,8 @@
 
 #include "base/text.h"
 #include "export/exporter.h"
-#include "export/mjcf_fixtures.h"
+#include "export/fixture_links.h"
+#include "export/read_goods.h"
 #include "physics/goods/contact_shape.h"
 #include "physics/goods/standing_goods.h"
 #include "physics/world/shell_pieces.h"
@@ -27,20 +28,14 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}", with_thousands(static_cast<std::int64_t>(count)), what);
 }
 
-void include(Bounds3& bounds, const assets::ContactShape& shape) {
-  const Vec3 half = assets::half_extents(shape);
-  bounds.include(to_float(shape.pose.position - half));
-  bounds.include(to_float(shape.pose.position + half));
-}
-
 Bounds3 bounds_of(const scene::Scene& scene) {
   Bounds3 bounds;
   for (const physics::ShellPiece& piece : physics::shell_pieces(scene.layout.shell)) {
-    include(bounds, {assets::CollisionShape::box, piece.pose, piece.half_size});
+    include_solid(bounds, {assets::CollisionShape::box, piece.pose, piece.half_size});
   }
   for (const scene::ScenePart& part : scene.parts) {
-    include(bounds,
-            scene::world_from_fixture(scene, part.fixture) * physics::contact_shape_of(part));
+    include_solid(bounds,
+                  scene::world_from_fixture(scene, part.fixture) * physics::contact_shape_of(part));
   }
   return bounds;
 }
@@ -66,19 +61,55 @@ Result<void> compare_fixtures(const scene::Scene& scene,
   return {};
 }
 
+// By its sine: turn_between() takes an arc cosine, which single precision spoils below 0.03
+// degrees.
+double turn_between_rad(const Quaternion& a, const Quaternion& b) {
+  const Quaternion apart = inverse(a) * b;
+  return 2 * std::atan2(length(Vec3{apart.x, apart.y, apart.z}), std::abs(apart.w));
+}
+
 Result<void> compare_turn(const scene::SceneProduct& product,
                           const ExportedItem& found,
                           const std::string& where) {
   if (!found.rotation) return {};
-  // By its sine: turn_between() takes an arc cosine, which single precision spoils below 0.03
-  // degrees.
-  const Quaternion apart = inverse(scene::world_from_product(product).rotation) * *found.rotation;
-  const double turn = 2 * std::atan2(length(Vec3{apart.x, apart.y, apart.z}), std::abs(apart.w));
+  const double turn =
+      turn_between_rad(scene::world_from_product(product).rotation, *found.rotation);
   if (turn <= turn_tolerance_rad) return {};
   return mismatch(where,
                   fmt::format("product \"{}\" is turned by {:.3f} degrees from its place",
                               found.id,
                               turn * 180 / std::numbers::pi));
+}
+
+// What differs between the two, or nothing.
+std::string difference(const assets::ContactShape& wanted, const assets::ContactShape& found) {
+  if (wanted.shape != found.shape) return "shape";
+  if (!(length(wanted.size - found.size) <= position_tolerance_m)) return "size";
+  if (!(length(wanted.pose.position - found.pose.position) <= position_tolerance_m)) return "place";
+  return turn_between_rad(wanted.pose.rotation, found.pose.rotation) <= turn_tolerance_rad ? ""
+                                                                                           : "turn";
+}
+
+Result<void> compare_parts(const scene::Scene& scene,
+                           const ExportContents& contents,
+                           const std::string& where) {
+  if (!contents.parts) return {};
+  if (contents.parts->size() != scene.parts.size())
+    return mismatch(where,
+                    fmt::format("{} of fixtures, the scene has {}",
+                                counted(contents.parts->size(), "parts"),
+                                scene.parts.size()));
+  for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
+    const std::uint32_t fixture = scene.parts[row].fixture;
+    const std::string name = scene.layout.fixtures[fixture].id + "/" + part_name(scene, row);
+    const auto found = contents.parts->find(name);
+    if (found == contents.parts->end()) return mismatch(where, "part \"" + name + "\" is missing");
+    const assets::ContactShape wanted =
+        scene::world_from_fixture(scene, fixture) * physics::contact_shape_of(scene.parts[row]);
+    if (const std::string what = difference(wanted, found->second); !what.empty())
+      return mismatch(where, "part \"" + name + "\" has another " + what);
+  }
+  return {};
 }
 
 // Of every SKU of which the file has items.
@@ -98,6 +129,9 @@ Result<void> compare_goods(const scene::Scene& scene,
       return mismatch(where, "\"" + goods.sku + "\" has another mass");
     if (!(std::abs(goods.friction - wanted.contact.sliding) <= relative))
       return mismatch(where, "\"" + goods.sku + "\" has another friction");
+    const std::string what = goods.solid ? difference(wanted.shape, *goods.solid) : "";
+    if (!what.empty())
+      return mismatch(where, fmt::format("the solid of \"{}\" has another {}", goods.sku, what));
   }
   return {};
 }
@@ -175,7 +209,7 @@ Result<void> compare_free_bodies(const scene::Scene& scene,
 ExportedJoint wanted_joint(const scene::Scene& scene, const scene::SceneJoint& joint) {
   const Pose world =
       scene::world_from_fixture(scene, joint.fixture) * scene::fixture_from_joint(joint);
-  return {mjcf_joint_name(scene, joint),
+  return {joint_name(scene, joint),
           joint.kind,
           world.position,
           rotate(world.rotation, {0, 0, 1}),
@@ -185,7 +219,7 @@ ExportedJoint wanted_joint(const scene::Scene& scene, const scene::SceneJoint& j
           double(joint.damping),
           double(joint.stiffness),
           double(joint.spring_rest),
-          mjcf_hold_open_factor(joint),
+          hold_open_factor(joint),
           double(joint.mass_kg),
           double(joint.gasket),
           double(joint.gasket_reach)};
@@ -272,6 +306,7 @@ Result<ExportSummary> compare_with_scene(const scene::Scene& scene,
   MARKETGEN_CHECK(compare_fixtures(scene, contents.fixtures, where));
   MARKETGEN_TRY(const double worst, compare_products(scene, contents.products, where));
   MARKETGEN_CHECK(compare_goods(scene, contents, where));
+  MARKETGEN_CHECK(compare_parts(scene, contents, where));
   MARKETGEN_CHECK(compare_bounds(bounds_of(scene), contents.bounds, where));
   MARKETGEN_CHECK(compare_free_bodies(scene, options, contents, where));
   MARKETGEN_CHECK(compare_joints(scene, options, contents, where));

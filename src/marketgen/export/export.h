@@ -26,7 +26,7 @@ struct ExportOptions {
   double robot_height_m = 2;
   std::optional<std::array<double, 4>> free_region_m;
   bool instanced = false;       // glb: EXT_mesh_gpu_instancing, a node a SKU instead of one an item
-  bool still_fixtures = false;  // mjcf: no part of a fixture can move
+  bool still_fixtures = false;  // mjcf, usd, urdf: no part of a fixture can move
   bool looks = false;           // mjcf: meshes and pictures over the contact primitives
   std::vector<robots::PlacedRobot> robots;  // mjcf
   // coco: stops along the shelves lie this far apart or a little less; the lens stands so far
@@ -86,8 +86,8 @@ std::vector<ExportFormat> export_formats();  // rows of export_formats.inc
 
 // Writes `scene` to the file `out`; what lies beside it goes to the folder "<stem of out>_assets".
 // All of it is put in place at the end, or nothing. Files of an earlier export there are written
-// anew or left. Errors: export.unknown_format with the nearest name, io.*, and for nav2 and coco
-// usage.bad_flag.
+// anew or left. Errors: export.unknown_format with the nearest name, io.*, and for nav2, coco
+// and urdf usage.bad_flag.
 Result<void> export_scene(const scene::Scene& scene,
                           std::string_view format,
                           const std::filesystem::path& out,

@@ -3,11 +3,13 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "assets/contact_shape.h"
 #include "base/result.h"
 #include "export/export.h"
 #include "geometry/mesh.h"
@@ -33,10 +35,8 @@ struct ExportedItem {
 struct ExportedGoods {
   std::string sku;
   double mass_kg = 0, friction = 0;
+  std::optional<assets::ContactShape> solid = {};  // product frame; absent: not one solid
 };
-
-// A hinge that turns further has no limits in formats that have a word for that.
-constexpr double endless_hinge_rad = 8 * 3.14159265358979;
 
 // Everything at position 0, in the store frame.
 struct ExportedJoint {
@@ -44,7 +44,7 @@ struct ExportedJoint {
   assets::JointKind kind = assets::JointKind::hinge;
   Vec3 at, axis;
   double lower = 0, upper = 0, friction = 0, damping = 0;
-  double stiffness = 0, spring_rest = 0, hold_open_factor = 0;  // of export/mjcf_fixtures.h
+  double stiffness = 0, spring_rest = 0, hold_open_factor = 0;  // of export/fixture_links.h
   double mass_kg = 0;
   double gasket = 0, gasket_reach = 0;  // of export/mjcf_fixtures.h
 };
@@ -57,6 +57,8 @@ struct ExportContents {
   std::optional<std::uint64_t> free_bodies;          // absent: nothing moves in this format
   std::optional<std::vector<ExportedJoint>> joints;  // absent: this format has none
   std::optional<std::vector<ExportedGoods>> goods;   // absent: this format says no masses
+  // Solids of fixtures in the store frame, by "<fixture id>/<part_name()>"; absent: no such names.
+  std::optional<std::map<std::string, assets::ContactShape>> parts;
   std::optional<std::uint64_t> looks;  // products whose look is apart from what they touch with
   std::uint64_t robots = 0;
   Bounds3 bounds;  // of everything solid but an endless floor

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "export/fixture_links.h"
 #include "scene/articulation.h"
 
 namespace marketgen::exporters {
@@ -12,7 +13,7 @@ constexpr int body_depth = 2;  // indentation of what lies in the world body
 
 class FixtureWriter {
  public:
-  FixtureWriter(MjcfText& out, const scene::Scene& scene) : out_(out), scene_(scene) {
+  FixtureWriter(XmlText& out, const scene::Scene& scene) : out_(out), scene_(scene) {
     parts_on_.resize(scene.joints.size());
     children_.resize(scene.joints.size());
     for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
@@ -45,15 +46,14 @@ class FixtureWriter {
     const assets::ContactShape shape = owner_from_fixture * physics::contact_shape_of(part);
     const double alpha = part.kind == assets::SurfaceKind::glass ? mjcf_glass_alpha : 1.0;
     out_.line(depth,
-              "<geom name=\"{}/{}-{}\" class=\"fixture\"{}{} size=\"{}\"{} rgba=\"{}\"/>",
+              "<geom name=\"{}/{}\" class=\"fixture\"{}{} size=\"{}\"{} rgba=\"{}\"/>",
               scene_.layout.fixtures[part.fixture].id,
-              name_of(part.unit),
-              row - scene_.fixtures[part.fixture].first_part,
+              part_name(scene_, row),
               shape.shape == assets::CollisionShape::cylinder ? " type=\"cylinder\"" : "",
               mjcf_pose(shape.pose),
               mjcf_size(shape),
               mass,
-              mjcf_color({part.color[0], part.color[1], part.color[2]}, alpha));
+              xml_color({part.color[0], part.color[1], part.color[2]}, alpha));
   }
 
   // The body's frame is the joint's.
@@ -62,7 +62,7 @@ class FixtureWriter {
     const Pose frame = scene::fixture_from_joint(joint);
     out_.line(depth,
               "<body name=\"{}\"{}>",
-              mjcf_joint_name(scene_, joint),
+              joint_name(scene_, joint),
               mjcf_pose(owner_from_fixture * frame));
     if (joint.kind != assets::JointKind::belt) write_joint(depth + 1, joint);
     const Pose body_from_fixture = inverse(frame);
@@ -79,7 +79,7 @@ class FixtureWriter {
 
   void write_joint(int depth, const scene::SceneJoint& joint) {
     // MuJoCo before 3.7 knows no springs but straight ones: others only where a door stays open.
-    const double bend = mjcf_hold_open_factor(joint);
+    const double bend = hold_open_factor(joint);
     const std::string bent = bend == 0 ? "" : fmt::format(" 0 {}", static_cast<float>(bend));
     const std::string spring =
         joint.stiffness == 0
@@ -89,7 +89,7 @@ class FixtureWriter {
     out_.line(depth,
               "<joint name=\"{}\" type=\"{}\" axis=\"0 0 1\" range=\"{} {}\" frictionloss=\"{}\" "
               "damping=\"{}\"{}/>",
-              mjcf_joint_name(scene_, joint),
+              joint_name(scene_, joint),
               name_of(joint.kind),  // MuJoCo's names are ours
               joint.lower,
               joint.upper,
@@ -98,7 +98,7 @@ class FixtureWriter {
               spring);
   }
 
-  MjcfText& out_;
+  XmlText& out_;
   const scene::Scene& scene_;
   std::vector<std::vector<std::uint32_t>> parts_on_, children_;  // by joint
 };
@@ -109,17 +109,7 @@ bool needs_numbers(const scene::SceneJoint& joint) {
 
 }  // namespace
 
-std::string mjcf_joint_name(const scene::Scene& scene, const scene::SceneJoint& joint) {
-  return scene.layout.fixtures[joint.fixture].id + "/" + joint.name;
-}
-
-double mjcf_hold_open_factor(const scene::SceneJoint& joint) {
-  if (joint.hold_open == 0) return 0;
-  const double reach = double(joint.hold_open) - double(joint.spring_rest);
-  return -double(joint.stiffness) / (reach * reach);
-}
-
-void write_mjcf_fixtures(MjcfText& out, const scene::Scene& scene, const ExportOptions& options) {
+void write_mjcf_fixtures(XmlText& out, const scene::Scene& scene, const ExportOptions& options) {
   FixtureWriter writer(out, scene);
   for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
     if (options.still_fixtures || scene.parts[row].joint < 0) writer.write_still(row);
@@ -130,7 +120,7 @@ void write_mjcf_fixtures(MjcfText& out, const scene::Scene& scene, const ExportO
   }
 }
 
-void write_mjcf_joint_numbers(MjcfText& out,
+void write_mjcf_joint_numbers(XmlText& out,
                               const scene::Scene& scene,
                               const ExportOptions& options) {
   if (options.still_fixtures || std::ranges::none_of(scene.joints, needs_numbers)) return;
@@ -139,7 +129,7 @@ void write_mjcf_joint_numbers(MjcfText& out,
     if (joint.gasket > 0)
       out.line(2,
                "<numeric name=\"{}/gasket\" data=\"{} {}\"/>",
-               mjcf_joint_name(scene, joint),
+               joint_name(scene, joint),
                joint.gasket,
                joint.gasket_reach);
     if (joint.kind != assets::JointKind::belt) continue;
@@ -147,8 +137,8 @@ void write_mjcf_joint_numbers(MjcfText& out,
         scene::world_from_fixture(scene, joint.fixture) * scene::fixture_from_joint(joint);
     out.line(2,
              "<numeric name=\"{}\" data=\"{} {} {}\"/>",
-             mjcf_joint_name(scene, joint),
-             mjcf_vector(rotate(world.rotation, {0, 0, 1})),
+             joint_name(scene, joint),
+             xml_vector(rotate(world.rotation, {0, 0, 1})),
              joint.lower,
              joint.upper);
   }

@@ -21,15 +21,10 @@
 namespace marketgen::exporters {
 
 // Inside <worldbody>.
-void write_mjcf_fixtures(MjcfText& out, const scene::Scene& scene, const ExportOptions& options);
+void write_mjcf_fixtures(XmlText& out, const scene::Scene& scene, const ExportOptions& options);
 // A <custom> section, or nothing when no joint is a belt or has a gasket.
-void write_mjcf_joint_numbers(MjcfText& out,
+void write_mjcf_joint_numbers(XmlText& out,
                               const scene::Scene& scene,
                               const ExportOptions& options);
-
-// "<fixture id>/<joint>".
-std::string mjcf_joint_name(const scene::Scene& scene, const scene::SceneJoint& joint);
-// The factor of x^3 in the spring's force -k x - factor x^3.
-double mjcf_hold_open_factor(const scene::SceneJoint& joint);
 
 }  // namespace marketgen::exporters

@@ -34,12 +34,12 @@ const std::string& MjcfGoods::sku_of(std::uint32_t row) const {
   return scene_->catalog[scene_->products[row].sku].sku;
 }
 
-void MjcfGoods::write_assets(MjcfText& out) const {
+void MjcfGoods::write_assets(XmlText& out) const {
   for (std::size_t sku = 0; sku < colors_.size(); ++sku)
     out.line(2,
              "<material name=\"{}\" rgba=\"{}\"/>",
              scene_->catalog[sku].sku,
-             mjcf_color(colors_[sku], 1));
+             xml_color(colors_[sku], 1));
   for (const auto& [sku, goods] : free_) {
     for (std::size_t i = 0; i < goods->body.pieces.size(); ++i) {
       const assets::ContactPiece& piece = goods->body.pieces[i];
@@ -55,7 +55,7 @@ void MjcfGoods::write_assets(MjcfText& out) const {
   }
 }
 
-void MjcfGoods::write_defaults(MjcfText& out) const {
+void MjcfGoods::write_defaults(XmlText& out) const {
   for (std::size_t sku = 0; sku < standing_.size(); ++sku) {
     const physics::StandingGoods& goods = standing_[sku];
     out.line(
@@ -73,7 +73,7 @@ void MjcfGoods::write_defaults(MjcfText& out) const {
   }
 }
 
-void MjcfGoods::write_standing(MjcfText& out, std::uint32_t row) const {
+void MjcfGoods::write_standing(XmlText& out, std::uint32_t row) const {
   const scene::SceneProduct& item = scene_->products[row];
   const Pose pose = scene::world_from_product(item) * standing_[item.sku].shape.pose;
   out.line(2,
@@ -84,7 +84,7 @@ void MjcfGoods::write_standing(MjcfText& out, std::uint32_t row) const {
 }
 
 // A ball has the inertia of its geom.
-void MjcfGoods::write_free(MjcfText& out, std::uint32_t row) const {
+void MjcfGoods::write_free(XmlText& out, std::uint32_t row) const {
   const physics::GoodsBody& goods = *free_.at(scene_->products[row].sku);
   out.line(3, "<freejoint/>");
   const Vec3f& middle = goods.body.center_of_mass;
@@ -105,7 +105,7 @@ void MjcfGoods::write_free(MjcfText& out, std::uint32_t row) const {
                 i);
 }
 
-void MjcfGoods::write_piece(MjcfText& out,
+void MjcfGoods::write_piece(XmlText& out,
                             const std::string& name,
                             const std::string& sku,
                             const assets::ContactPiece& piece,

@@ -21,17 +21,17 @@ class MjcfGoods {
 
   // A material per SKU, whose name says what an item is and whose colour is the pack's ground, and
   // the hulls of what is free.
-  void write_assets(MjcfText& out) const;
-  void write_defaults(MjcfText& out) const;
+  void write_assets(XmlText& out) const;
+  void write_defaults(XmlText& out) const;
   // The geom of an item that stands, in the world.
-  void write_standing(MjcfText& out, std::uint32_t row) const;
+  void write_standing(XmlText& out, std::uint32_t row) const;
   // Joint, inertia and geoms of a free item, inside of its body, whose frame is the product's.
-  void write_free(MjcfText& out, std::uint32_t row) const;
+  void write_free(XmlText& out, std::uint32_t row) const;
 
  private:
   explicit MjcfGoods(const scene::Scene& scene) : scene_(&scene) {}
   const std::string& sku_of(std::uint32_t row) const;
-  void write_piece(MjcfText& out,
+  void write_piece(XmlText& out,
                    const std::string& name,
                    const std::string& sku,
                    const assets::ContactPiece& piece,

@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include "assets/print/color.h"
-#include "export/mjcf_looks.h"
+#include "export/mjcf_text.h"
+#include "export/obj_text.h"
 #include "physics/mujoco_guard.h"
 #include "physics/world/robot_actor.h"
 #include "robots/link_parts.h"

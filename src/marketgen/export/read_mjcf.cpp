@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "export/exporter.h"
 #include "export/mjcf_robot.h"
+#include "export/read_goods.h"
 #include "io/file.h"
 #include "physics/goods/contact_shape.h"
 #include "physics/mujoco_guard.h"
@@ -33,9 +34,7 @@ void include_geom(Bounds3& bounds, const mjModel& model, const mjData& data, int
   const assets::ContactShape around{assets::CollisionShape::box,
                                     pose * Pose{{box[0], box[1], box[2]}, {}},
                                     {box[3], box[4], box[5]}};
-  const Vec3 half = assets::half_extents(around);
-  bounds.include(to_float(around.pose.position - half));
-  bounds.include(to_float(around.pose.position + half));
+  include_solid(bounds, around);
 }
 
 Vec3 vector_at(const mjtNum* numbers, int row) {

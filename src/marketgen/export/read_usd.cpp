@@ -38,21 +38,21 @@ struct UsdJoint {
   std::array<double, 3> at{}, axis{};
   double lower = 0, upper = 0, friction = 0, damping = 0, stiffness = 0, spring_rest = 0;
   double hold_open_factor = 0, mass_kg = 0, gasket = 0, gasket_reach = 0;
-  static constexpr auto fields = field_list(
-      field("name", &UsdJoint::name, "fixture and joint"),
-      field("kind", &UsdJoint::kind, "how it moves"),
-      field("at", &UsdJoint::at, "store frame, at position 0"),
-      field("axis", &UsdJoint::axis, "store frame"),
-      field("lower", &UsdJoint::lower, "least position"),
-      field("upper", &UsdJoint::upper, "greatest position"),
-      field("friction", &UsdJoint::friction, "dry friction"),
-      field("damping", &UsdJoint::damping, "of its drive"),
-      field("stiffness", &UsdJoint::stiffness, "of its drive"),
-      field("spring_rest", &UsdJoint::spring_rest, "target of its drive"),
-      field("hold_open_factor", &UsdJoint::hold_open_factor, "see mjcf_hold_open_factor"),
-      field("mass_kg", &UsdJoint::mass_kg, "of what it moves"),
-      field("gasket", &UsdJoint::gasket, "torque on the shut door"),
-      field("gasket_reach", &UsdJoint::gasket_reach, "where it has gone"));
+  static constexpr auto fields =
+      field_list(field("name", &UsdJoint::name, "fixture and joint"),
+                 field("kind", &UsdJoint::kind, "how it moves"),
+                 field("at", &UsdJoint::at, "store frame, at position 0"),
+                 field("axis", &UsdJoint::axis, "store frame"),
+                 field("lower", &UsdJoint::lower, "least position"),
+                 field("upper", &UsdJoint::upper, "greatest position"),
+                 field("friction", &UsdJoint::friction, "dry friction"),
+                 field("damping", &UsdJoint::damping, "of its drive"),
+                 field("stiffness", &UsdJoint::stiffness, "of its drive"),
+                 field("spring_rest", &UsdJoint::spring_rest, "target of its drive"),
+                 field("hold_open_factor", &UsdJoint::hold_open_factor, "see hold_open_factor"),
+                 field("mass_kg", &UsdJoint::mass_kg, "of what it moves"),
+                 field("gasket", &UsdJoint::gasket, "torque on the shut door"),
+                 field("gasket_reach", &UsdJoint::gasket_reach, "where it has gone"));
 };
 
 struct UsdAnswer {

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "base/hash.h"
+#include "export/fixture_links.h"
 #include "export/material_pictures.h"
-#include "export/mjcf_fixtures.h"
 #include "export/part_mesh.h"
 #include "export/usd_layers.h"
 #include "export/usd_solids.h"
@@ -17,37 +17,6 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t module_hash_letters = 12;
 
-// Wheels: engines take limits of no more than two turns.
-bool turns_endlessly(const scene::SceneJoint& joint) {
-  return joint.upper - joint.lower > endless_hinge_rad;
-}
-
-// One rigid body of a fixture: its body, or what one joint moves.
-struct FixtureBody {
-  int joint = -1;  // row in Scene::joints
-  Pose fixture_from_body;
-  std::vector<std::uint32_t> parts;  // rows in Scene::parts
-};
-
-// The fixture's own body first.
-std::vector<FixtureBody> bodies_of(const scene::Scene& scene,
-                                   std::uint32_t fixture,
-                                   bool still_fixtures) {
-  const scene::SceneFixture& row = scene.fixtures[fixture];
-  std::vector<FixtureBody> bodies(1);
-  std::map<int, std::size_t> body_of;
-  for (std::uint32_t j = 0; !still_fixtures && j < row.joint_count; ++j) {
-    const auto joint = static_cast<int>(row.first_joint + j);
-    body_of[joint] = bodies.size();
-    bodies.push_back({joint, scene::fixture_from_joint(scene.joints[row.first_joint + j]), {}});
-  }
-  for (std::uint32_t p = row.first_part; p < row.first_part + row.part_count; ++p) {
-    const auto found = body_of.find(scene.parts[p].joint);
-    bodies[found == body_of.end() ? 0 : found->second].parts.push_back(p);
-  }
-  return bodies;
-}
-
 // Writes each distinct body as an asset of its own.
 class ModuleWriter {
  public:
@@ -57,7 +26,7 @@ class ModuleWriter {
   }
 
   // A reference to the body's asset.
-  Result<std::string> add(const FixtureBody& body) {
+  Result<std::string> add(const FixtureLink& body) {
     const std::string name = "module_" + hash_of(body).substr(0, module_hash_letters);
     if (known_.insert(name).second) MARKETGEN_CHECK(write(body, name));
     return fmt::format("@./modules.usda@</Modules/{}>", name);
@@ -70,7 +39,7 @@ class ModuleWriter {
 
  private:
   // Of the parts without the rows of their fixture and joint.
-  std::string hash_of(const FixtureBody& body) const {
+  std::string hash_of(const FixtureLink& body) const {
     Hasher hash;
     for (const std::uint32_t row : body.parts) {
       scene::ScenePart part = parts_.scene.parts[row];
@@ -78,7 +47,7 @@ class ModuleWriter {
       part.joint = -1;
       hash.add_bytes(std::as_bytes(std::span(&part, 1)));
     }
-    const Pose& p = body.fixture_from_body;
+    const Pose& p = body.fixture_from_link;
     for (const double v : {p.position.x,
                            p.position.y,
                            p.position.z,
@@ -90,9 +59,9 @@ class ModuleWriter {
     return hash.hex();
   }
 
-  Result<void> write(const FixtureBody& body, const std::string& name) {
+  Result<void> write(const FixtureLink& body, const std::string& name) {
     const std::string path = "/Modules/" + name;
-    const Pose body_from_fixture = inverse(body.fixture_from_body);
+    const Pose body_from_fixture = inverse(body.fixture_from_link);
     UsdLooks looks(parts_.pictures);
     Mesh mesh;
     std::vector<int> by_surface;
@@ -173,8 +142,8 @@ class UsdFixtureWriter {
  private:
   Result<void> write_fixture(std::uint32_t fixture, const std::string& name) {
     const layout::Fixture& placed = scene_.layout.fixtures[fixture];
-    const std::vector<FixtureBody> bodies = bodies_of(scene_, fixture, still_);
-    const bool moves = std::ranges::any_of(bodies, [&](const FixtureBody& body) {
+    const std::vector<FixtureLink> bodies = fixture_links(scene_, fixture, still_);
+    const bool moves = std::ranges::any_of(bodies, [&](const FixtureLink& body) {
       return body.joint >= 0 && joint_of(body).kind != assets::JointKind::belt;
     });
     const UsdLabels labels{{"class", placed.kind}, {"zone", placed.zone}};
@@ -190,22 +159,22 @@ class UsdFixtureWriter {
     write_usd_pose(out_, world_from_fixture);
     names_ = {};
     body_path_.clear();
-    for (const FixtureBody& body : bodies) {
+    for (const FixtureLink& body : bodies) {
       MARKETGEN_CHECK(write_body(body, path, moves));
     }
     if (moves) write_anchor(path, world_from_fixture);
-    for (const FixtureBody& body : bodies) {
+    for (const FixtureLink& body : bodies) {
       if (body.joint >= 0 && joint_of(body).kind != assets::JointKind::belt) write_joint(body);
     }
     out_.close();
     return {};
   }
 
-  const scene::SceneJoint& joint_of(const FixtureBody& body) const {
+  const scene::SceneJoint& joint_of(const FixtureLink& body) const {
     return scene_.joints[static_cast<std::size_t>(body.joint)];
   }
 
-  Result<void> write_body(const FixtureBody& body, const std::string& path, bool moves) {
+  Result<void> write_body(const FixtureLink& body, const std::string& path, bool moves) {
     MARKETGEN_TRY(const std::string reference, modules_.add(body));
     const bool is_base = body.joint < 0;
     const std::string name = names_.of(is_base ? "body" : joint_of(body).name);
@@ -217,15 +186,15 @@ class UsdFixtureWriter {
       metadata.emplace_back("prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]");
     if (!is_base)
       metadata.push_back(
-          fmt::format("displayName = {}", usd_quoted(mjcf_joint_name(scene_, joint_of(body)))));
+          fmt::format("displayName = {}", usd_quoted(joint_name(scene_, joint_of(body)))));
     out_.open(fmt::format("def \"{}\"", name), metadata);
     if (!is_base) {
       const scene::SceneJoint& joint = joint_of(body);
       if (joint.kind == assets::JointKind::belt) write_belt(joint);
       out_.line("float physics:mass = {}", joint.mass_kg);
     }
-    out_.line("quatd xformOp:orient = {}", usd_orient(body.fixture_from_body.rotation));
-    out_.line("double3 xformOp:translate = {}", usd_vector(body.fixture_from_body.position));
+    out_.line("quatd xformOp:orient = {}", usd_orient(body.fixture_from_link.rotation));
+    out_.line("double3 xformOp:translate = {}", usd_vector(body.fixture_from_link.position));
     out_.close();
     return {};
   }
@@ -254,7 +223,7 @@ class UsdFixtureWriter {
   }
 
   // UsdPhysics counts in degrees, a drive's stiffness and damping as well.
-  void write_joint(const FixtureBody& body) {
+  void write_joint(const FixtureLink& body) {
     const scene::SceneJoint& joint = joint_of(body);
     const bool hinge = joint.kind == assets::JointKind::hinge;
     const double unit = hinge ? degrees : 1;
@@ -263,7 +232,7 @@ class UsdFixtureWriter {
                           hinge ? "Revolute" : "Prismatic",
                           names_.of("joint/" + joint.name)),
               {fmt::format("prepend apiSchemas = [\"PhysicsDriveAPI:{}\"]", drive),
-               fmt::format("displayName = {}", usd_quoted(mjcf_joint_name(scene_, joint)))});
+               fmt::format("displayName = {}", usd_quoted(joint_name(scene_, joint)))});
     out_.line(
         "float drive:{}:physics:damping = {}", drive, static_cast<float>(joint.damping / unit));
     out_.line(
@@ -276,7 +245,7 @@ class UsdFixtureWriter {
     out_.line("custom float marketgen:joint:gasket = {}", joint.gasket);
     out_.line("custom float marketgen:joint:gasketReach = {}", joint.gasket_reach);
     out_.line("custom float marketgen:joint:holdOpenFactor = {}",
-              static_cast<float>(mjcf_hold_open_factor(joint)));
+              static_cast<float>(hold_open_factor(joint)));
     out_.line("uniform token physics:axis = \"Z\"");
     out_.line("rel physics:body0 = <{}>", body_path_.at(joint.parent));
     out_.line("rel physics:body1 = <{}>", body_path_.at(body.joint));
@@ -284,7 +253,7 @@ class UsdFixtureWriter {
         joint.parent < 0
             ? Pose{}
             : scene::fixture_from_joint(scene_.joints[static_cast<std::size_t>(joint.parent)]);
-    write_frames(inverse(fixture_from_parent) * body.fixture_from_body, {});
+    write_frames(inverse(fixture_from_parent) * body.fixture_from_link, {});
     if (!hinge || !turns_endlessly(joint)) {  // none said: none there
       out_.line("float physics:lowerLimit = {}", static_cast<float>(joint.lower * unit));
       out_.line("float physics:upperLimit = {}", static_cast<float>(joint.upper * unit));

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.h"
-#include "geometry/convex_hull.h"
+#include "export/obj_text.h"
 #include "geometry/weld.h"
 
 namespace marketgen::exporters {
@@ -104,22 +104,6 @@ class SurfaceMesh {
   UsdList<std::tuple<int, int, int>, Vec3f> normals_;
   UsdList<std::pair<std::uint32_t, std::uint32_t>, Vec2f> st_;
 };
-
-// Of faces of hulls, one normal each.
-Mesh hull_mesh(const std::vector<Vec3f>& points) {
-  Mesh mesh;
-  for (const auto& triangle : convex_hull(points).triangles) {
-    const Vec3f a = points[triangle[0]], b = points[triangle[1]], c = points[triangle[2]];
-    const Vec3f across = cross(b - a, c - a);
-    if (!(length(across) > 0)) continue;
-    const Vec3f n = normalized(across);
-    const std::uint32_t first = mesh.add_vertex(a, n, {});
-    mesh.add_vertex(b, n, {});
-    mesh.add_vertex(c, n, {});
-    mesh.add_triangle(first, first + 1, first + 2, 0);
-  }
-  return mesh;
-}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include "assets/contents.h"
 #include "base/parallel.h"
+#include "export/body_inertia.h"
 #include "export/goods_look.h"
 #include "export/usd_layers.h"
 #include "export/usd_solids.h"
@@ -21,7 +22,7 @@ struct PrincipalInertia {
   Quaternion axes;
 };
 
-PrincipalInertia principal(const std::array<float, 6>& inertia) {  // xx yy zz xy xz yz
+PrincipalInertia principal(const std::array<double, 6>& inertia) {  // xx yy zz xy xz yz
   Eigen::Matrix3d matrix;
   matrix << inertia[0], inertia[3], inertia[4], inertia[3], inertia[1], inertia[5], inertia[4],
       inertia[5], inertia[2];
@@ -31,14 +32,6 @@ PrincipalInertia principal(const std::array<float, 6>& inertia) {  // xx yy zz x
   const Eigen::Quaterniond q(axes);
   const Eigen::Vector3d& m = solver.eigenvalues();
   return {{m.x(), m.y(), m.z()}, {q.w(), q.x(), q.y(), q.z()}};
-}
-
-// A ball is one ellipsoid of even density.
-PrincipalInertia inertia_of(const physics::GoodsBody& goods) {
-  if (goods.form != physics::GoodsForm::ball) return principal(goods.body.inertia_kg_m2);
-  const Vec3f& h = goods.body.pieces.front().half_size;
-  const double fifth = goods.product.mass_kg / 5, x = h.x * h.x, y = h.y * h.y, z = h.z * h.z;
-  return {{fifth * (y + z), fifth * (x + z), fifth * (x + y)}, {}};
 }
 
 class ProductWriter {
@@ -138,15 +131,11 @@ class ProductWriter {
                       const physics::GoodsBody& goods,
                       const physics::StandingGoods& standing,
                       const UsdContact& contact) {
-    const PrincipalInertia inertia = inertia_of(goods);
-    const Vec3f& middle = goods.body.center_of_mass;
+    const BodyInertia body = inertia_of(goods);
+    const PrincipalInertia inertia = principal(body.moments_kg_m2);
     out.open("variantSet \"physics\" =");
     out.open("\"free\"", {"prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]"});
-    if (goods.form == physics::GoodsForm::ball)
-      out.line("point3f physics:centerOfMass = {}",
-               usd_vector(to_double(goods.body.pieces[0].center)));
-    else
-      out.line("point3f physics:centerOfMass = {}", usd_vector(to_double(middle)));
+    out.line("point3f physics:centerOfMass = {}", usd_vector(body.center));
     out.line("float3 physics:diagonalInertia = {}", usd_vector(inertia.moments));
     out.line("float physics:mass = {}", static_cast<float>(standing.mass_kg));
     out.line("quatf physics:principalAxes = {}", usd_quaternion(inertia.axes));

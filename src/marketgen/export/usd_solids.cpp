@@ -1,12 +1,9 @@
 #include "export/usd_solids.h"
 
-#include <cmath>
-#include <numbers>
+#include "export/obj_text.h"
 
 namespace marketgen::exporters {
 namespace {
-
-constexpr int ellipsoid_points = 64;
 
 std::string schemas_of(const UsdContact& contact, std::string_view more = {}) {
   return fmt::format("prepend apiSchemas = [\"PhysicsCollisionAPI\", \"MaterialBindingAPI\"{}{}]",
@@ -18,18 +15,6 @@ void write_contact(UsdText& out, const UsdContact& contact) {
   out.line("rel material:binding:physics = <{}>", contact.material);
   if (contact.mass_kg) out.line("float physics:mass = {}", static_cast<float>(*contact.mass_kg));
   out.line("uniform token purpose = \"guide\"");
-}
-
-// Spread evenly (a spherical Fibonacci lattice), on the surface.
-std::vector<Vec3f> points_of_ellipsoid(const Vec3& half) {
-  std::vector<Vec3f> points;
-  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (int i = 0; i < ellipsoid_points; ++i) {
-    const double z = 1 - (2 * i + 1.0) / ellipsoid_points, r = std::sqrt(1 - z * z);
-    points.push_back(to_float(
-        Vec3{half.x * r * std::cos(turn * i), half.y * r * std::sin(turn * i), half.z * z}));
-  }
-  return points;
 }
 
 void write_hull(UsdText& out,
@@ -91,7 +76,7 @@ void write_usd_collider(UsdText& out,
   else if (shape.shape == assets::CollisionShape::cylinder)
     write_cylinder(out, name, shape, contact);
   else
-    write_hull(out, geometry, name, points_of_ellipsoid(shape.size), shape.pose, contact);
+    write_hull(out, geometry, name, ellipsoid_points(shape.size), shape.pose, contact);
 }
 
 void write_usd_collider(UsdText& out,

@@ -82,7 +82,7 @@ class MjcfWriter {
     out_.line(1, "<size memory=\"{}M\"/>", base_memory_mb + free);
     out_.line(1,
               "<statistic center=\"{}\" extent=\"{}\" meansize=\"0.1\"/>",
-              mjcf_vector({room.x / 2, room.y / 2, 1}),
+              xml_vector({room.x / 2, room.y / 2, 1}),
               static_cast<float>(std::max(room.x, room.y) * 0.6));
     out_.line(1, "<visual>");
     out_.line(2, "<global azimuth=\"60\" elevation=\"-40\" offwidth=\"1920\" offheight=\"1080\"/>");
@@ -139,7 +139,7 @@ class MjcfWriter {
                   "<light name=\"light-{}\" pos=\"{}\" dir=\"0 0 -1\" cutoff=\"85\" exponent=\"1\" "
                   "diffuse=\"0.25 0.25 0.24\" specular=\"0.05 0.05 0.05\" castshadow=\"false\"/>",
                   x * lights_across + y,
-                  mjcf_vector(at));
+                  xml_vector(at));
       }
     }
   }
@@ -159,9 +159,9 @@ class MjcfWriter {
       out_.line(2,
                 "<camera name=\"{}\" pos=\"{}\" xyaxes=\"{} {}\" fovy=\"{}\"/>",
                 escaped_markup(camera.name),
-                mjcf_vector(flat ? camera.at + back * far_m : camera.from),
-                mjcf_vector(right),
-                mjcf_vector(above),
+                xml_vector(flat ? camera.at + back * far_m : camera.from),
+                xml_vector(right),
+                xml_vector(above),
                 static_cast<float>(flat ? 2 * std::atan2(flat_m, far_m) * 180 / std::numbers::pi
                                         : camera.fov_deg));
     }
@@ -177,7 +177,7 @@ class MjcfWriter {
         "<geom name=\"floor\" class=\"shell\" type=\"plane\" size=\"{} {} 0.1\" pos=\"{}\" {}/>",
         static_cast<float>(room.x / 2),
         static_cast<float>(room.y / 2),
-        mjcf_vector({room.x / 2, room.y / 2, 0}),
+        xml_vector({room.x / 2, room.y / 2, 0}),
         ground);
     for (const physics::ShellPiece& piece : physics::shell_pieces(scene_.layout.shell)) {
       const std::string look = piece.kind == physics::ShellPieceKind::door
@@ -189,7 +189,7 @@ class MjcfWriter {
                 "<geom name=\"{}\" class=\"shell\"{} size=\"{}\"{}/>",
                 piece.id,
                 mjcf_pose(piece.pose),
-                mjcf_vector(piece.half_size),
+                xml_vector(piece.half_size),
                 look);
     }
   }
@@ -256,7 +256,7 @@ class MjcfWriter {
       out_.line(2,
                 "<connect name=\"hook/{0}\" body1=\"{0}\" anchor=\"{1}\"/>",
                 id,
-                mjcf_vector({0, 0, scene_.catalog[item.sku].height_m()}));
+                xml_vector({0, 0, scene_.catalog[item.sku].height_m()}));
     }
     out_.line(1, "</equality>");
   }
@@ -267,7 +267,7 @@ class MjcfWriter {
   std::optional<MjcfGoods> goods_;  // from write() on
   MjcfLooks looks_;                 // none without options.looks
   std::vector<MjcfRobot> robots_;
-  MjcfText out_;
+  XmlText out_;
 };
 
 }  // namespace

@@ -1,6 +1,4 @@
-#include <set>
-
-#include "base/build_info.h"
+#include "export/licences.h"
 #include "export/usd_layers.h"
 
 // The root layer names the four others, of room, fixtures, goods and lights; these refer to the
@@ -24,28 +22,6 @@ std::string root_layer(const scene::Scene& scene, const std::string& beside) {
   return out.take();
 }
 
-// Whose work lies in the folder. Models of imported products are not ours.
-std::string licences(const scene::Scene& scene) {
-  std::set<std::string> imported;
-  for (const scene::SceneProduct& item : scene.products) {
-    const catalog::Product& product = scene.catalog[item.sku];
-    if (product.archetype == "mesh") imported.insert(product.sku);
-  }
-  std::string text = fmt::format(
-      "# Licences\n\nThe meshes, pictures and layers of this store were made by MarketGen {}, from "
-      "its "
-      "own rows\nand drawings: Apache-2.0. Brands, names and designs are invented.\n",
-      program_version);
-  if (imported.empty()) return text;
-  text +=
-      "\nThese products show models that were imported; each is under the licence of its own "
-      "model, "
-      "which\nMarketGen does not know:\n\n";
-  for (const std::string& sku : imported)
-    text += fmt::format("- `{}`\n", sku);
-  return text;
-}
-
 }  // namespace
 
 Result<ExportFiles> write_usd(const scene::Scene& scene, const ExportOptions& options) {
@@ -67,7 +43,7 @@ Result<ExportFiles> write_usd(const scene::Scene& scene, const ExportOptions& op
   files.beside.push_back({usd_geometry_file, parts.geometry.finish()});
   for (BesideFile& picture : parts.pictures.take())
     files.beside.push_back(std::move(picture));
-  files.beside.push_back({"LICENCES.md", licences(scene)});
+  files.beside.push_back({"LICENCES.md", export_licences(scene)});
   files.main = root_layer(scene, options.beside);
   return files;
 }

@@ -9,6 +9,17 @@ Quaternion rotation_from_rpy(Vec3 rpy) {
          rotation_about({1, 0, 0}, rpy.x);
 }
 
+Vec3 rpy_from_rotation(const Quaternion& q) {
+  constexpr double straight_up = 1e-9;  // cosine of the pitch: roll and yaw are one there
+  const double norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  const Quaternion unit{q.w / norm, q.x / norm, q.y / norm, q.z / norm};
+  const Vec3 x = rotate(unit, {1, 0, 0}), y = rotate(unit, {0, 1, 0}), z = rotate(unit, {0, 0, 1});
+  const double level = std::hypot(x.x, x.y);
+  const double pitch = std::atan2(-x.z, level);
+  if (level < straight_up) return {std::atan2(-z.y, y.y), pitch, 0};
+  return {std::atan2(y.z, z.z), pitch, std::atan2(x.y, x.x)};
+}
+
 Quaternion rotation_from_z_to(Vec3 direction) {
   const double w = 1 + direction.z;
   if (w < 1e-12) return {0, 1, 0, 0};  // half a turn about X

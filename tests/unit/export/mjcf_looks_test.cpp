@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "export/export.h"
+#include "export/goods_sheets.h"
 #include "export/mjcf.h"
 #include "io/file.h"
 #include "io/png.h"
