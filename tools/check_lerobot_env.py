@@ -1,9 +1,9 @@
 """What LeRobot's make_env() makes of a dataset's episodes, beside the dataset; run by tools/check_lerobot in LeRobot's environment.
 
-    python tools/check_lerobot_env.py DATASET EPISODES [EVAL_INFO RESULTS]
+    python tools/check_lerobot_env.py DATASET EPISODES TRIALS EVAL_INFO RESULTS
 
 The features that a policy is given are those of the dataset; the recorded actions lead to the recorded states, rewards and success.
-EVAL_INFO of lerobot-eval has the successes that RESULTS of marketgen.evaluate have of the same checkpoint and episodes.
+EVAL_INFO of lerobot-eval has the successes that RESULTS of marketgen.evaluate have of the same checkpoint in TRIALS.
 """
 
 import json
@@ -48,9 +48,8 @@ def check_features(config, root):
     assert config.fps == meta.fps
 
 
-def number_of(episode, episodes):
-    lines = pathlib.Path(episodes).read_text().splitlines()[1:]
-    return [json.loads(line)["id"] for line in lines].index(episode)
+def ids_of(episodes):
+    return [json.loads(line)["id"] for line in pathlib.Path(episodes).read_text().splitlines()[1:]]
 
 
 def check_replay(config, root, episodes):
@@ -60,11 +59,12 @@ def check_replay(config, root, episodes):
     table = pyarrow.parquet.ParquetDataset(root / "data").read()
     frames = {name: np.stack(table[name].to_numpy()) for name in ("observation.state", "action")}
     for row in rows:
-        seen, _ = env.reset(seed=[number_of(row["episode_id"], episodes)])
+        seen, _ = env.reset(seed=[ids_of(episodes).index(row["episode_id"])])
         assert env.call("task_description")[0] in row["tasks"], row["episode_id"]
         for frame in range(row["dataset_from_index"], row["dataset_to_index"]):
             told = preprocess_observation(seen)
-            assert told["observation.state"].numpy()[0].tobytes() == frames["observation.state"][frame].tobytes(), (row["episode_id"], frame)
+            state = told["observation.state"].numpy()[0]
+            assert state.tobytes() == frames["observation.state"][frame].tobytes(), (row["episode_id"], frame)
             seen, _, terminated, truncated, info = env.step(frames["action"][frame][None])
             over = bool(terminated[0] or truncated[0])
             assert over == (frame + 1 == row["dataset_to_index"]), (row["episode_id"], frame)
@@ -74,11 +74,11 @@ def check_replay(config, root, episodes):
     return table.num_rows
 
 
-def check_scores(eval_info, results):
+def check_scores(trials, eval_info, results):
     [task] = json.loads(pathlib.Path(eval_info).read_text())["per_task"]
-    lines = (pathlib.Path(results) / "results.jsonl").read_text().splitlines()
-    by_episode = {row["episode_id"]: row["success_strict"] for row in map(json.loads, lines) if "episode_id" in row}
-    assert task["metrics"]["successes"] == list(by_episode.values()), (task, by_episode)
+    rows = map(json.loads, (pathlib.Path(results) / "results.jsonl").read_text().splitlines())
+    by_episode = {row["episode"]: row["success_strict"] for row in rows}
+    assert task["metrics"]["successes"] == [by_episode[episode] for episode in ids_of(trials)], (task, by_episode)
 
 
 def main():
@@ -90,9 +90,8 @@ def main():
         gymnasium.utils.env_checker.check_env(gymnasium.make(config.gym_id, **config.gym_kwargs).unwrapped)
     frames = check_replay(config, root, episodes)
     print(f"LeRobot's environment shows the features of the dataset, and {frames} frames of it again, bit for bit")
-    if len(sys.argv) > 3:
-        check_scores(*sys.argv[3:])
-        print("lerobot-eval and marketgen.evaluate find the same successes")
+    check_scores(*sys.argv[3:])
+    print("lerobot-eval and marketgen.evaluate find the same successes")
 
 
 if __name__ == "__main__":
