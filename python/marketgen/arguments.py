@@ -133,6 +133,11 @@ def a_size(name: str, value: Any) -> tuple[int, int]:
     return a_whole(name, width, 1, MAX_SIDE_PX), a_whole(name, height, 1, MAX_SIDE_PX)
 
 
+def camera_names(text: str) -> tuple[str, ...]:
+    """Of "scene_camera,wrist_camera"; "none": none."""
+    return () if text == "none" else tuple(text.split(","))
+
+
 def a_progress(value: Any) -> Progress | None:
     if value is not None and not callable(value):
         raise bad("progress", value, "a function of (done, total, text), or None")

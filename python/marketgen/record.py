@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import sys
 
+from . import arguments
 from .command_line import Told, callable_module, ended
 from .errors import Error
 from .recording import Recording, record, replay_check
@@ -56,7 +57,7 @@ def _record(given: argparse.Namespace) -> int:
         given.episodes,
         given.output,
         given.policy,
-        cameras=_cameras(given.cameras),
+        cameras=None if given.cameras is None else arguments.camera_names(given.cameras),
         size=_size(given.size),
         quality=given.quality,
         control_mode=given.control_mode,
@@ -89,12 +90,6 @@ def summary_of(made: Recording) -> str:
             f"{made.times_as_long:.2f} times as long as without recording ({spent})"
         )
     return "\n".join(lines)
-
-
-def _cameras(text: str | None) -> tuple[str, ...] | None:
-    if text is None:
-        return None
-    return () if text == "none" else tuple(text.split(","))
 
 
 def _size(text: str) -> tuple[int, int]:

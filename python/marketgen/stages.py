@@ -19,7 +19,8 @@ class Stages:
         self._rows: list[dict[str, Any]] | None = None
         self._lock = threading.Lock()
 
-    def environment(self, track: str, station: str | None):
+    def environment(self, track: str, station: str | None, **rendering: Any):
+        """`rendering`: render_mode, render_size, render_camera; without it nothing is drawn by render()."""
         from .environments.checkout import CheckoutUnloading
         from .environments.in_aisle import InAisleCollection
         from .environments.task_setup import CHECKOUT_STATION, TaskSetup
@@ -29,7 +30,7 @@ class Stages:
             where = station or CHECKOUT_STATION
             self._setups[key] = TaskSetup(track, episodes=self._path, station=where, **self._options)
         kind = CheckoutUnloading if track == "checkout" else InAisleCollection
-        return kind(setup=self._setups[key])
+        return kind(setup=self._setups[key], **rendering)
 
     def task(self, env, info: dict[str, Any]) -> dict[str, Any]:
         """What the agent is told before it begins."""

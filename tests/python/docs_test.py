@@ -198,6 +198,10 @@ def known_flags():
 # Of other programs: CMake, ctest, GoogleTest, pip, pipx, build, git, Docker, LeRobot, ROS 2.
 OTHERS_FLAGS = {"--preset", "--build", "--target", "--gtest", "--no-build-isolation", "--depth", "--python", "--size-prefixed", "--raw-binary"} | {
     "--dataset",
+    "--env",
+    "--eval",
+    "--no-docker",
+    "--render",
     "--ros-args",
     "--params-file",
     "--install",

@@ -24,6 +24,7 @@ from .dataset import About, counted_in, settings_in, write_dataset
 from .features import acted
 from .outputs import alone_in, writing
 from .parts import Part, Unfinished
+from .staging import documents_of, episodes_of, place_of, stages_of
 from .video import CODECS, Encoder
 
 if TYPE_CHECKING:
@@ -283,23 +284,10 @@ class _Stage:
     """Where episodes are acted out and by whom. Raises Error usage.bad_flag, episode.* for what does not go together."""
 
     def __init__(self, run: _Run):
-        from ..environments.task_setup import ground_of
-        from ..stages import Stages
-
         part, of = run.shard
-        texts = ground_of("checkout", None, run.path).episodes()
-        self.episodes = list(enumerate(texts))[part - 1 :: of]
-        place = self._place([json.loads(text) for _, text in self.episodes], run.path)
-        stages = Stages(
-            run.path,
-            {
-                **run.options,
-                "obs_mode": "rgbd",
-                "width": run.size[0],
-                "height": run.size[1],
-                "tools": place["tools"],
-            },
-        )
+        self.episodes = list(enumerate(episodes_of(run.path)))[part - 1 :: of]
+        place = place_of(documents_of([text for _, text in self.episodes]), run.path)
+        stages = stages_of(run.path, place, run.size, run.options)
         self.env = stages.environment(place["track"], place["station"])
         self.player = Player(run.policy, self.env, stages)
         self.kinds = acted(self.env.robot_names, self.env.action_names)
@@ -320,14 +308,3 @@ class _Stage:
             "realism": told_realism(run.options["realism"]),
             "success_only": run.success_only,
         }
-
-    @staticmethod
-    def _place(episodes: list[dict[str, Any]], path: str) -> dict[str, Any]:
-        """What they must share: their numbers mean the same then."""
-        if not episodes:
-            raise Error("episode.impossible", path, "it has no episode for this shard")
-        places = [{"track": one["track"], "station": one.get("station"), "robot": one["robot"], "tools": one.get("tools", "")} for one in episodes]
-        for one, place in zip(episodes, places, strict=True):
-            if place != places[0]:
-                raise Error("usage.bad_flag", "episodes", f"{one['id']} is of {place}, others are of {places[0]}: a dataset is of one robot")
-        return places[0]
