@@ -66,7 +66,7 @@ def without_wall(file):
         return {key: value for key, value in json.loads(file.read_text()).items() if "wall" not in key}
     if file.name == "report.json":
         report = json.loads(file.read_text())
-        return {key: value for key, value in report.items() if key not in ("timings", "peak_rss_mb")}
+        return {key: value for key, value in report.items() if key not in ("timing_s", "peak_rss_mb")}
     return file.read_bytes()
 
 

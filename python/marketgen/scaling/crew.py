@@ -136,7 +136,7 @@ class Crew:
         if self._deaths[job.key] >= MAX_DEATHS:
             why = " ".join(str(death).split())[:300]
             message = f"{MAX_DEATHS} workers died over it: give each more memory, or make parts smaller. The last: {why}"
-            raise Error("internal.failed", job.name, message)
+            raise Error("program.failed", job.name, message)
 
     def _end(self, actor: Any) -> None:
         with contextlib.suppress(self._ray.exceptions.RayError):
