@@ -144,7 +144,7 @@ def test_a_broken_off_run_goes_on(tasks, alone, tmp_path):
 
 
 def test_ctrl_c_leaves_what_is_finished_and_no_worker(tasks, alone, tmp_path):
-    """A process of its own, with a cluster of its own, that is interrupted as a terminal does it."""
+    """A process of its own that is interrupted as a terminal does it."""
     program = f"import marketgen.ray; marketgen.ray.evaluate({str(tasks)!r}, {POLICY!r}, 'results', part=1, workers=1, resume=True)"
     began = subprocess.Popen([sys.executable, "-c", program], cwd=tmp_path, stderr=subprocess.PIPE, text=True, start_new_session=True)
     beside = tmp_path / "results.unfinished"

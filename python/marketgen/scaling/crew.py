@@ -65,7 +65,8 @@ def _remove_scratch_of_the_dead() -> None:
 
 
 class Crew:
-    """Actors, begun when there is work for them. Without a cluster (`ray.init` was not called) it begins one on this machine.
+    """Actors, begun when there is work for them. Where `ray.init` was not called it is, without more: the cluster that runs on
+    this machine or that RAY_ADDRESS names, else one of this machine's cores.
 
     workers  actors at most; 0: as many as the cluster has cores for
     cpus     cores of each
@@ -74,7 +75,7 @@ class Crew:
     def __init__(self, workers: int, cpus: int):
         self._ray = ray_module()
         if not self._ray.is_initialized():
-            self._ray.init(include_dashboard=False, log_to_driver=False)
+            self._ray.init(log_to_driver=False)
         self._cpus = cpus
         self._workers = workers or max(1, int(self._ray.cluster_resources().get("CPU", 1)) // cpus)
         self._kind = self._ray.remote(num_cpus=cpus, max_restarts=0)(Worker)
