@@ -8,8 +8,6 @@ import os
 import pathlib
 import signal
 import subprocess
-import sys
-import time
 
 import pytest
 import ray
@@ -141,26 +139,6 @@ def test_a_broken_off_run_goes_on(tasks, alone, tmp_path):
     assert len(told.told) <= EPISODES // PART - 1
     assert files_of(tmp_path / "results") == alone
     assert not (tmp_path / "results.unfinished").exists()
-
-
-def test_ctrl_c_leaves_what_is_finished_and_no_worker(tasks, alone, tmp_path):
-    """A process of its own that is interrupted as a terminal does it."""
-    program = f"import marketgen.ray; marketgen.ray.evaluate({str(tasks)!r}, {POLICY!r}, 'results', part=1, workers=1, resume=True)"
-    began = subprocess.Popen([sys.executable, "-c", program], cwd=tmp_path, stderr=subprocess.PIPE, text=True, start_new_session=True)
-    beside = tmp_path / "results.unfinished"
-    limit = time.monotonic() + 60
-    while len(list(beside.glob("[0-9a-f]*"))) < 1:
-        assert began.poll() is None and time.monotonic() < limit
-        time.sleep(0.05)
-    os.killpg(began.pid, signal.SIGINT)
-    began.communicate(timeout=60)
-    assert began.returncode != 0
-    finished = {folder.name for folder in beside.glob("[0-9a-f]*")}
-    assert 1 <= len(finished) < EPISODES
-    told = After(0, lambda: None)
-    marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=1, resume=True, progress=told)
-    assert len(told.told) == EPISODES - len(finished)
-    assert files_of(tmp_path / "results") == alone
 
 
 def test_what_cannot_be_done_is_an_error_of_its_own(tasks, tmp_path):
