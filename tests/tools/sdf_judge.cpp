@@ -11,7 +11,9 @@ int main(int count, char** words) {
     std::cerr << error << '\n';
   if (!errors.empty() || root.WorldCount() != 1) return 1;
   // What `gz sdf --check` asks beside that.
-  if (!sdf::checkFrameAttachedToNames(&root) || !sdf::checkJointParentChildNames(&root) ||
+  sdf::Errors of_joints;
+  sdf::checkJointParentChildNames(&root, of_joints);
+  if (!of_joints.empty() || !sdf::checkFrameAttachedToNames(&root) ||
       !sdf::checkFrameAttachedToGraph(&root) || !sdf::checkPoseRelativeToGraph(&root) ||
       !sdf::recursiveSiblingUniqueNames(root.Element()))
     return 1;

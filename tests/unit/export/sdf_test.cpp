@@ -58,11 +58,27 @@ class SdfExport : public testing::Test {
 
 TEST_F(SdfExport, AFreeRegionGivesModelsThatCanMove) {
   exporters::ExportOptions options;
-  options.free_region_m = {{0, 0, 3, 4}};
+  options.free_region_m = {{0, 0, 2.75, 4}};
   const auto summary = exported(options);
   ASSERT_TRUE(summary.ok()) << to_string(summary.error());
   EXPECT_GT(summary->free_bodies, 0U);
   EXPECT_LT(summary->free_bodies, summary->products);
+}
+
+TEST_F(SdfExport, WhatHangsFreelyHasAJointAtItsUpperEdge) {
+  made_.scene.shelves[1].use = assets::ShelfUse::hang;  // three packs of cereal, 0.28 m high
+  exporters::ExportOptions options;
+  options.free_region_m = {{0, 0, 6, 4}};
+  const auto summary = exported(options);
+  ASSERT_TRUE(summary.ok()) << to_string(summary.error());
+  const std::string hook =
+      "<joint name=\"hook\" type=\"ball\"><parent>world</parent><child>item</child>"
+      "<pose>0 0 0.28 0 0 0</pose></joint>";
+  const std::string text = *io::read_file(file());
+  int hooks = 0;
+  for (std::size_t at = text.find(hook); at != std::string::npos; at = text.find(hook, at + 1))
+    ++hooks;
+  EXPECT_EQ(hooks, 3);
 }
 
 TEST_F(SdfExport, JointsMoveUnlessFixturesAreStill) {
