@@ -25,8 +25,10 @@ namespace {
 
 constexpr std::string_view static_model = "<static>true</static>";
 
+// Empty for a frame that is its owner's.
 std::string sdf_pose(const Pose& pose) {
-  return fmt::format("<pose>{} {}</pose>", xml_vector(pose.position), xml_rpy(pose.rotation));
+  const std::string numbers = xml_vector(pose.position) + " " + xml_rpy(pose.rotation);
+  return numbers == "0 0 0 0 0 0" ? "" : fmt::format("<pose>{}</pose>", numbers);
 }
 
 std::string sdf_inertial(const BodyInertia& body) {
