@@ -103,7 +103,7 @@ class SdfReader {
       MARKETGEN_TRY(const assets::ContactShape solid, solid_of(*collision));
       const assets::ContactShape placed = world * solid;
       include_solid(contents_.bounds, placed);
-      if (!fixture.empty()) contents_.parts->emplace(fixture + "/" + name, placed);
+      if (!fixture.empty()) contents_.parts->emplace(fmt::format("{}/{}", fixture, name), placed);
     }
     return {};
   }
@@ -120,7 +120,8 @@ class SdfReader {
       if (!links.emplace(called, std::pair(link, world * pose)).second)
         return xml_.fault(*link, "link \"" + called + "\" occurs twice");
     }
-    bool mounted = is_static(model);
+    const bool still = is_static(model);
+    bool mounted = still;
     for (const XMLElement* joint : children(model, "joint")) {
       MARKETGEN_TRY(const XMLElement* parent, xml_.child(*joint, "parent"));
       MARKETGEN_TRY(const XMLElement* child, xml_.child(*joint, "child"));
@@ -131,6 +132,8 @@ class SdfReader {
         mounted = mounted || joint->Attribute("type", "fixed") != nullptr;
         continue;
       }
+      if (still && joint->Attribute("type", "fixed") == nullptr)
+        return xml_.fault(*joint, "nothing moves in a static model");
       if (!links.contains(from)) return xml_.fault(*parent, "there is no link \"" + from + "\"");
       MARKETGEN_CHECK(read_joint(*joint, name, *moved->second.first, moved->second.second));
     }

@@ -105,6 +105,10 @@ TEST_F(SdfExport, CheckNoticesWhatWasChanged) {
                   "<joint name=\"body/mount\" type=\"revolute\"")
                 .find("not fixed to the world"),
             std::string::npos);
+  EXPECT_NE(after("<model name=\"dry/run-1/module-1\">",
+                  "<model name=\"dry/run-1/module-1\"><static>true</static>")
+                .find("nothing moves in a static model"),
+            std::string::npos);
   EXPECT_NE(after("<radius>", "<radius>1").find("the solid of"), std::string::npos);
   EXPECT_NE(after("</world>", "").find("no XML"), std::string::npos);
 }
