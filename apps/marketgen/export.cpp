@@ -141,7 +141,7 @@ Run add_export(CLI::App& app) {
   command
       ->add_option("--free-region",
                    flags->free_region,
-                   "mjcf, usd: products in x0,y0,x1,y1 become free bodies")
+                   "mjcf, usd, sdf: products in x0,y0,x1,y1 become free bodies")
       ->type_name("REGION");
   command->add_flag(
       "--instanced",
@@ -150,7 +150,7 @@ Run add_export(CLI::App& app) {
       "and faster where they do");
   command->add_flag("--still-fixtures",
                     flags->still,
-                    "mjcf, usd, urdf: doors, lids and drawers of fixtures do not move");
+                    "mjcf, usd, urdf, sdf: doors, lids and drawers of fixtures do not move");
   command->add_flag(
       "--primitives",
       flags->primitives,
@@ -194,6 +194,7 @@ Run add_export(CLI::App& app) {
                   "realman-rm75@4.2,3.1,90"
                   "\n          marketgen export shop --format usd -o shop.usda --check"
                   "\n          marketgen export shop --format urdf -o shop.urdf --check"
+                  "\n          marketgen export shop --format sdf -o shop.sdf --check"
                   "\n          marketgen export shop --format nav2 -o shop.yaml --check"
                   "\n          marketgen export shop --format planogram -o planogram.csv --check"
                   "\n          marketgen export shop --format coco -o shelves.json --check");

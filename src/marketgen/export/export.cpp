@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "export/exporter.h"
 #include "io/output.h"
+#include "scene/placements.h"
 
 namespace marketgen::exporters {
 namespace {
@@ -115,6 +116,12 @@ std::vector<bool> products_in_free_region(const scene::Scene& scene, const Expor
     inside[i] = p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1;
   }
   return inside;
+}
+
+bool hangs_on_peg(const scene::Scene& scene, std::uint32_t product) {
+  const std::uint32_t facing = scene.products[product].facing;
+  return facing != scene::no_facing &&
+         scene.shelves[scene.facings[facing].shelf].use == assets::ShelfUse::hang;
 }
 
 }  // namespace marketgen::exporters

@@ -17,7 +17,7 @@
 
 namespace marketgen::exporters {
 
-// x0, y0, x1, y1 in metres: products whose centre lies inside become free bodies (MJCF).
+// x0, y0, x1, y1 in metres: products whose centre lies inside become free bodies (mjcf, usd, sdf).
 struct ExportOptions {
   double resolution_m = 0.05;  // nav2: side of a cell; 0.01 to 0.25, rounded to whole millimetres
   // nav2: whose waypoints these are. Its radius is what layouts are made for (layout/reach.h); what
@@ -26,7 +26,7 @@ struct ExportOptions {
   double robot_height_m = 2;
   std::optional<std::array<double, 4>> free_region_m;
   bool instanced = false;       // glb: EXT_mesh_gpu_instancing, a node a SKU instead of one an item
-  bool still_fixtures = false;  // mjcf, usd, urdf: no part of a fixture can move
+  bool still_fixtures = false;  // mjcf, usd, urdf, sdf: no part of a fixture can move
   bool looks = false;           // mjcf: meshes and pictures over the contact primitives
   std::vector<robots::PlacedRobot> robots;  // mjcf
   // coco: stops along the shelves lie this far apart or a little less; the lens stands so far

@@ -86,6 +86,9 @@ Error mismatch(const std::string& where, std::string message);
 // Products whose centre lies in options.free_region_m, by row; none without a region.
 std::vector<bool> products_in_free_region(const scene::Scene& scene, const ExportOptions& options);
 
+// Where such a product would fall, engines need a joint at the middle of its upper edge.
+bool hangs_on_peg(const scene::Scene& scene, std::uint32_t product);
+
 // Compares what was read with the scene. Error: export.mismatch with the first difference.
 Result<ExportSummary> compare_with_scene(const scene::Scene& scene,
                                          const ExportOptions& options,

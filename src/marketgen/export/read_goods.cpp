@@ -8,10 +8,12 @@ namespace {
 bool same(const ExportedGoods& a, const ExportedGoods& b) {
   if (a.mass_kg != b.mass_kg || a.friction != b.friction) return false;
   if (!a.solid || !b.solid) return a.solid.has_value() == b.solid.has_value();
-  constexpr double near_m = 1e-6;  // a solid's place in its pack comes from the difference of two
+  // A solid's place in its pack comes from the difference of two.
+  constexpr double near_m = 1e-6, near_rad = 1e-6;
+  const Quaternion turn = inverse(a.solid->pose.rotation) * b.solid->pose.rotation;
   return a.solid->shape == b.solid->shape && length(a.solid->size - b.solid->size) <= near_m &&
          length(a.solid->pose.position - b.solid->pose.position) <= near_m &&
-         a.solid->pose.rotation == b.solid->pose.rotation;
+         2 * length(Vec3{turn.x, turn.y, turn.z}) <= near_rad;
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <map>
 
 #include "export/exporter.h"
+#include "export/joint_extras.h"
+#include "export/named_solids.h"
 #include "export/read_goods.h"
 #include "export/read_xml.h"
 #include "export/urdf_names.h"
@@ -138,7 +140,7 @@ class UrdfReader {
     if (!room) contents_.fixtures.insert(at.fixture);
     for (const XMLElement* collision : children(link, "collision")) {
       MARKETGEN_TRY(const std::string part, xml_.attribute(*collision, "name"));
-      if (room && part == urdf_floor) continue;
+      if (room && part == floor_solid) continue;
       MARKETGEN_TRY(const assets::ContactShape solid, solid_of(*collision));
       const assets::ContactShape placed = at.pose * solid;
       include_solid(contents_.bounds, placed);
@@ -169,34 +171,17 @@ class UrdfReader {
     ExportedJoint joint;
     MARKETGEN_TRY(joint.name, xml_.attribute(element, "name"));
     const auto own = own_.find(joint.name);
-    const bool belt = own != own_.end() && own->second->Attribute("kind", "belt") != nullptr;
+    const bool belt = own != own_.end() && is_belt(*own->second);
     if (type == "fixed" && !belt) return {};
-    joint.kind = belt                  ? assets::JointKind::belt
-                 : type == "prismatic" ? assets::JointKind::slide
-                                       : assets::JointKind::hinge;
+    joint.kind = joint_kind_of(type);
     joint.at = world.position;
     joint.axis = rotate(world.rotation, {0, 0, 1});
     const auto link = links_.find(child);
     if (link == links_.end()) return xml_.fault(element, "it moves no link");
     MARKETGEN_TRY(joint.mass_kg, mass_of(*link->second));
-    if (belt) {
-      MARKETGEN_CHECK(read_limits(*own->second, joint));
-    } else {
-      MARKETGEN_CHECK(read_motion(element, type, joint));
-    }
-    if (own != own_.end() && !belt) {
-      MARKETGEN_TRY(joint.hold_open_factor,
-                    xml_.attribute_number(*own->second, "hold_open_factor"));
-      MARKETGEN_TRY(joint.gasket, xml_.attribute_number(*own->second, "gasket"));
-      MARKETGEN_TRY(joint.gasket_reach, xml_.attribute_number(*own->second, "gasket_reach"));
-    }
+    if (!belt) MARKETGEN_CHECK(read_motion(element, type, joint));
+    if (own != own_.end()) MARKETGEN_CHECK(read_joint_extras(xml_, *own->second, joint));
     contents_.joints->push_back(std::move(joint));
-    return {};
-  }
-
-  Result<void> read_limits(const XMLElement& element, ExportedJoint& joint) const {
-    MARKETGEN_TRY(joint.lower, xml_.attribute_number(element, "lower"));
-    MARKETGEN_TRY(joint.upper, xml_.attribute_number(element, "upper"));
     return {};
   }
 
@@ -211,7 +196,8 @@ class UrdfReader {
       joint.lower = -std::numeric_limits<double>::infinity();
       joint.upper = -joint.lower;
     } else {
-      MARKETGEN_CHECK(read_limits(*limit, joint));
+      MARKETGEN_TRY(joint.lower, xml_.attribute_number(*limit, "lower"));
+      MARKETGEN_TRY(joint.upper, xml_.attribute_number(*limit, "upper"));
     }
     MARKETGEN_TRY(const XMLElement* dynamics, xml_.child(element, "dynamics"));
     MARKETGEN_TRY(joint.damping, xml_.attribute_number(*dynamics, "damping"));

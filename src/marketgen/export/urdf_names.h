@@ -8,7 +8,6 @@
 namespace marketgen::exporters {
 
 constexpr std::string_view urdf_room = "room";     // the root link
-constexpr std::string_view urdf_floor = "floor";   // its collision for the floor
 constexpr std::string_view urdf_link = "/link";    // after a joint's name: the link that it moves
 constexpr std::string_view urdf_mount = "/mount";  // after a link's name: the joint that fixes it
 // Below the folder beside: a ball of radius 1 m, scaled to the half axes of what is an ellipsoid.

@@ -80,9 +80,7 @@ class GoodsWriter {
   }
 
   bool hangs_free(std::uint32_t row) const {
-    const std::uint32_t facing = parts_.scene.products[row].facing;
-    return parts_.free[row] && facing != scene::no_facing &&
-           parts_.scene.shelves[parts_.scene.facings[facing].shelf].use == assets::ShelfUse::hang;
+    return parts_.free[row] && hangs_on_peg(parts_.scene, row);
   }
 
   // Free goods on pegs hang from the middle of their upper edge; a robot takes one by switching the

@@ -250,8 +250,7 @@ class MjcfWriter {
     out_.line(1, "<equality>");
     for (std::uint32_t row = 0; row < scene_.products.size(); ++row) {
       const scene::SceneProduct& item = scene_.products[row];
-      if (!free_[row] || item.facing == scene::no_facing) continue;
-      if (scene_.shelves[scene_.facings[item.facing].shelf].use != assets::ShelfUse::hang) continue;
+      if (!free_[row] || !hangs_on_peg(scene_, row)) continue;
       const std::string id = scene::product_id(scene_, row);
       out_.line(2,
                 "<connect name=\"hook/{0}\" body1=\"{0}\" anchor=\"{1}\"/>",

@@ -6,13 +6,14 @@
 #include "export/body_inertia.h"
 #include "export/exporter.h"
 #include "export/fixture_links.h"
+#include "export/joint_extras.h"
 #include "export/material_pictures.h"
 #include "export/model_files.h"
+#include "export/named_solids.h"
 #include "export/obj_text.h"
 #include "export/urdf_names.h"
 #include "export/xml_text.h"
 #include "physics/goods/standing_goods.h"
-#include "physics/world/shell_pieces.h"
 #include "scene/placements.h"
 
 // The store as one tree: the room, fixtures fixed to it, doors and lids on their joints, every item
@@ -22,7 +23,6 @@ namespace {
 
 // URDF wants both said; no drive of the store moves a joint, so these are beyond what a hand does.
 constexpr double joint_effort = 1000, joint_speed = 100;
-constexpr double floor_thickness_m = 0.1;
 
 std::string origin(const Pose& pose) {
   return fmt::format(
@@ -77,7 +77,7 @@ class UrdfWriter {
   }
 
  private:
-  std::string color_of(const scene::ScenePart& part) const {
+  static std::string color_of(const scene::ScenePart& part) {
     return xml_color({part.color[0], part.color[1], part.color[2]},
                      part.kind == assets::SurfaceKind::glass ? double(glass_alpha) : 1.0);
   }
@@ -114,15 +114,8 @@ class UrdfWriter {
     out_.line(1, "<link name=\"{}\">", urdf_room);
     for (const ModelFiles::RoomMesh& surface : files_.room())
       out_.line(2, "<visual name=\"{}\">{}</visual>", surface.surface, mesh(surface.file));
-    const plan::Shell& shell = scene_.layout.shell;
-    const Vec3 half{shell.width_mm * 0.5e-3, shell.depth_mm * 0.5e-3, floor_thickness_m / 2};
-    out_.line(2,
-              "{}",
-              collision(urdf_floor,
-                        {assets::CollisionShape::box, {{half.x, half.y, -half.z}, {}}, half}));
-    for (const physics::ShellPiece& piece : physics::shell_pieces(shell))
-      out_.line(
-          2, "{}", collision(piece.id, {assets::CollisionShape::box, piece.pose, piece.half_size}));
+    for (const NamedSolid& solid : room_solids(scene_.layout.shell))
+      out_.line(2, "{}", collision(solid.name, solid.shape));
     out_.line(1, "</link>");
   }
 
@@ -186,28 +179,23 @@ class UrdfWriter {
   // A belt stands still; what URDF has no words for stands in elements of our own.
   void write_joint(const scene::SceneJoint& joint, const Pose& parent_from_link) {
     const std::string name = joint_name(scene_, joint);
-    const bool belt = joint.kind == assets::JointKind::belt;
-    const bool endless = joint.kind == assets::JointKind::hinge && turns_endlessly(joint);
+    const std::string_view type = joint_type(joint);
     const std::string parent =
         joint.parent < 0 ? scene_.layout.fixtures[joint.fixture].id
                          : link_name(scene_.joints[static_cast<std::size_t>(joint.parent)]);
-    out_.line(1,
-              "<joint name=\"{}\" type=\"{}\">",
-              name,
-              belt                                     ? "fixed"
-              : endless                                ? "continuous"
-              : joint.kind == assets::JointKind::hinge ? "revolute"
-                                                       : "prismatic");
+    out_.line(1, "<joint name=\"{}\" type=\"{}\">", name, type);
     out_.line(2,
               "<parent link=\"{}\"/><child link=\"{}\"/>{}",
               parent,
               link_name(joint),
               origin(parent_from_link));
-    if (!belt) {
+    if (type != "fixed") {
       out_.line(2, "<axis xyz=\"0 0 1\"/>");
       out_.line(2,
                 "<limit{} effort=\"{}\" velocity=\"{}\"/>",
-                endless ? "" : fmt::format(" lower=\"{}\" upper=\"{}\"", joint.lower, joint.upper),
+                type == "continuous"
+                    ? ""
+                    : fmt::format(" lower=\"{}\" upper=\"{}\"", joint.lower, joint.upper),
                 joint_effort,
                 joint_speed);
       out_.line(2, "<dynamics damping=\"{}\" friction=\"{}\"/>", joint.damping, joint.friction);
@@ -217,29 +205,15 @@ class UrdfWriter {
   }
 
   void write_extras(const scene::SceneJoint& joint, const std::string& name) {
-    if (joint.kind == assets::JointKind::belt) {
-      out_.line(1,
-                "<marketgen joint=\"{}\" kind=\"belt\" lower=\"{}\" upper=\"{}\"/>",
-                name,
-                joint.lower,
-                joint.upper);
-      return;
-    }
-    if (joint.stiffness > 0)
+    if (joint.kind != assets::JointKind::belt && joint.stiffness > 0)
       out_.line(1,
                 "<gazebo reference=\"{}\"><springReference>{}</springReference>"
                 "<springStiffness>{}</springStiffness></gazebo>",
                 name,
                 joint.spring_rest,
                 joint.stiffness);
-    if (joint.gasket > 0 || joint.hold_open != 0)
-      out_.line(1,
-                "<marketgen joint=\"{}\" hold_open_factor=\"{}\" gasket=\"{}\" "
-                "gasket_reach=\"{}\"/>",
-                name,
-                xml_numbers({hold_open_factor(joint)}),
-                joint.gasket,
-                joint.gasket_reach);
+    if (const std::string extras = joint_extras(joint); !extras.empty())
+      out_.line(1, "<marketgen joint=\"{}\" {}/>", name, extras);
   }
 
   void write_item(std::uint32_t row) {

@@ -10,8 +10,10 @@ namespace marketgen::exporters {
 
 std::string xml_numbers(std::initializer_list<double> numbers) {
   std::string text;
-  for (const double number : numbers)
-    text += fmt::format("{}{}", text.empty() ? "" : " ", static_cast<float>(number));
+  for (const double number : numbers) {
+    const float shown = static_cast<float>(number) + 0.0F;  // no -0
+    text += fmt::format("{}{}", text.empty() ? "" : " ", shown);
+  }
   return text;
 }
 
