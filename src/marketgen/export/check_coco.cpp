@@ -92,7 +92,7 @@ class CocoCheck {
     const std::filesystem::path relative(name);
     if (relative.is_absolute() || relative.lexically_normal().string().starts_with(".."))
       return mismatch(place(image), "\"" + name + "\" does not lie beside it");
-    const auto bytes = io::read_file(file_.parent_path() / relative);
+    Result<std::string> bytes = io::read_file(file_.parent_path() / relative);
     if (!bytes.ok()) return mismatch(place(image), name + ": " + bytes.error().message);
     return bytes;
   }

@@ -49,7 +49,10 @@ Mesh surface_mesh(const Mesh& mesh, std::uint16_t surface) {
   return part;
 }
 
-constexpr assets::Surface white{.color = {1, 1, 1}};
+// Below a picture.
+assets::Surface white_surface() {
+  return {.color = {1, 1, 1}};
+}
 
 }  // namespace
 
@@ -70,7 +73,7 @@ Result<ModelFiles> ModelFiles::make(const scene::Scene& scene) {
     const std::string& sku = scene.catalog[row].sku;
     files.files_.push_back(
         {goods_mesh_file(sku), "mtllib pack.mtl\nusemtl look\n" + sheets[row]->obj});
-    files.files_.push_back({sku + "/pack.mtl", mtl_text(white, "pack.png")});
+    files.files_.push_back({sku + "/pack.mtl", mtl_text(white_surface(), "pack.png")});
     files.files_.push_back({sku + "/pack.png", sheets[row]->png});
   }
   MARKETGEN_CHECK(files.add_room(scene));
@@ -93,7 +96,7 @@ Result<void> ModelFiles::add_room(const scene::Scene& scene) {
     std::string picture;
     if (row != nullptr) {
       MARKETGEN_TRY(MaterialPictures made, material_pictures(*row));
-      look = white;
+      look = white_surface();
       picture = name + ".png";
       files_.push_back({"room/" + picture, std::move(made.color)});
     }
