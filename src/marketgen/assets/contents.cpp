@@ -22,7 +22,7 @@ constexpr float mean_between = 0.27F, mean_of_pieces = 0.50F;
 Result<Vec3f> color_in(const catalog::Product& product,
                        const std::string& text,
                        std::string_view name) {
-  const Result<Vec3f> color = linear_from_hex(text);
+  Result<Vec3f> color = linear_from_hex(text);
   if (color.ok()) return color;
   return Error{
       color.error().code, fmt::format("{}/contents/{}", product.sku, name), color.error().message};

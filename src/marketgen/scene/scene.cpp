@@ -51,9 +51,9 @@ Pose world_from_product(const SceneProduct& product) {
   return pose_of(product.position_m, product.rotation_wxyz);
 }
 
-void place(SceneProduct& product, const Pose& pose) {
-  const Vec3& p = pose.position;
-  const Quaternion& q = pose.rotation;
+void place(SceneProduct& product, const Pose& world_from_product) {
+  const Vec3& p = world_from_product.position;
+  const Quaternion& q = world_from_product.rotation;
   product.position_m = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
   product.rotation_wxyz = {static_cast<float>(q.w),
                            static_cast<float>(q.x),
