@@ -104,11 +104,12 @@ Result<void> compare_parts(const scene::Scene& scene,
     const std::string name =
         fmt::format("{}/{}", scene.layout.fixtures[fixture].id, part_name(scene, row));
     const auto found = contents.parts->find(name);
-    if (found == contents.parts->end()) return mismatch(where, "part \"" + name + "\" is missing");
+    if (found == contents.parts->end())
+      return mismatch(where, fmt::format("part \"{}\" is missing", name));
     const assets::ContactShape wanted =
         scene::world_from_fixture(scene, fixture) * physics::contact_shape_of(scene.parts[row]);
     if (const std::string what = difference(wanted, found->second); !what.empty())
-      return mismatch(where, "part \"" + name + "\" has another " + what);
+      return mismatch(where, fmt::format("part \"{}\" has another {}", name, what));
   }
   return {};
 }
