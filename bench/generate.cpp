@@ -98,7 +98,6 @@ Figures run_generate(const catalog::Catalog& catalog) {
   }
   add("generate_114x86m_s", median(million), "s", runs);
   add("generate_114x86m_products", static_cast<double>(million_products), "items", 1);
-  add("generate_114x86m_peak_rss_mb", peak_rss_mb(), "MB", 1);
   return figures;
 }
 
