@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/complete_contents.h"
 #include "catalog/user_products.h"
 #include "environments/environment_entry.h"
 #include "environments/policy_name.h"
@@ -18,6 +19,13 @@ namespace marketgen::environments {
 episodes::EpisodeStore store_row(const store::Store& store) {
   const store::Manifest& m = store.manifest;
   return {m.name, m.scene_hash, episodes::plan_hash(store.plan), m.seed, store.plan, {}, m.own, {}};
+}
+
+Arena::Arena(const std::filesystem::path& data,
+             const episodes::EpisodeHeader& header,
+             const catalog::Catalog& catalog)
+    : data_(data), header_(header), catalog_(catalog), products_(header.products) {
+  catalog::complete_contents(products_, catalog);
 }
 
 void Arena::offer(std::shared_ptr<const store::Store> store) {

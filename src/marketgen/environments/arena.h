@@ -31,8 +31,7 @@ class Arena {
   // All of them must outlive the arena.
   Arena(const std::filesystem::path& data,
         const episodes::EpisodeHeader& header,
-        const catalog::Catalog& catalog)
-      : data_(data), header_(header), catalog_(catalog) {}
+        const catalog::Catalog& catalog);
 
   // Reset to the episode. Errors: those of the track's world; episode.other_store when the header's
   // plan does not give the store that the episode was drawn from. With a perturbation the world is
@@ -67,6 +66,8 @@ class Arena {
   const std::filesystem::path& data() const { return data_; }
   const episodes::EpisodeHeader& header() const { return header_; }
   const catalog::Catalog& catalog() const { return catalog_; }
+  // The header's rows of goods, and what is seen of them as the catalogue has it now.
+  const std::vector<catalog::Product>& products() const { return products_; }
   perception::LookLibrary& looks() { return looks_; }
   SharedObjects& shared() { return shared_; }
 
@@ -74,6 +75,7 @@ class Arena {
   std::filesystem::path data_;
   const episodes::EpisodeHeader& header_;
   const catalog::Catalog& catalog_;
+  std::vector<catalog::Product> products_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const store::Store>> offered_;  // by scene hash
   llm::ModelChoice access_;

@@ -97,7 +97,7 @@ double EpisodeGround::largest_side_m() const {
 std::vector<catalog::Product> EpisodeGround::known_products() const {
   std::map<std::string, catalog::Product> rows;
   if (!store_)  // as the episodes have them, whatever the program's say today
-    for (const catalog::Product& row : file_.header.products)
+    for (const catalog::Product& row : products())
       rows.emplace(row.sku, row);
   for (const catalog::Product& row : catalog_->products)
     rows.emplace(row.sku, row);

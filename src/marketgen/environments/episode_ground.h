@@ -37,7 +37,7 @@ class EpisodeGround {
   const std::vector<episodes::EpisodeSpec>& episodes() const { return file_.episodes; }
   const std::vector<episodes::EpisodeStore>& stores() const { return file_.header.stores; }
   // A file's: rows of what its episodes are about. A store's: of all that it sells.
-  const std::vector<catalog::Product>& products() const { return file_.header.products; }
+  const std::vector<catalog::Product>& products() const { return arena_.products(); }
   const std::filesystem::path& data() const { return data_; }
   const catalog::Catalog& catalog() const { return *catalog_; }
   // The catalogue as agents know it, whatever their episode is about: the rows of a file's

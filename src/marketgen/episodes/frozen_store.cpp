@@ -1,6 +1,5 @@
 #include "episodes/frozen_store.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <span>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.h"
+#include "catalog/complete_contents.h"
 #include "episodes/track_entry.h"
 #include "io/file.h"
 #include "io/gzip.h"
@@ -50,13 +50,6 @@ std::string station_file(const EpisodeSpec& spec) {
   return fmt::format("{}.json", spec.station.value_or(std::string(name_of(spec.track))));
 }
 
-void complete_contents(scene::Scene& scene, const catalog::Catalog& catalog) {
-  for (catalog::Product& row : scene.catalog) {
-    const auto now = std::ranges::find(catalog.products, row.sku, &catalog::Product::sku);
-    if (!row.contents && now != catalog.products.end()) row.contents = now->contents;
-  }
-}
-
 }  // namespace
 
 std::string frozen_scene_file(const EpisodeStore& store) {
@@ -82,7 +75,7 @@ Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore
     return Error{"episode.other_store",
                  file,
                  fmt::format("has scene {}, the episodes are of {}", there, store.scene_hash)};
-  complete_contents(scene, catalog);
+  catalog::complete_contents(scene.catalog, catalog);
   return std::make_shared<const scene::Scene>(std::move(scene));
 }
 

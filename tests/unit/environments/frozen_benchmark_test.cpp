@@ -72,6 +72,8 @@ TEST_P(FrozenBenchmark, ItsJarsShowWhatIsInThem) {
     ++jars;
   }
   EXPECT_GT(jars, 10);
+  for (const catalog::Product& row : ground_->products())
+    EXPECT_TRUE(row.archetype != "jar" || row.contents) << row.sku;
 }
 
 TEST_P(FrozenBenchmark, ItsStoresAreInItsFiles) {

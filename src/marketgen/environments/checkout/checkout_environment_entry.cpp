@@ -106,8 +106,7 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
                                                   spec.tools));
     auto world = std::make_unique<episodes::CheckoutWorld>(std::move(made));
     MARKETGEN_TRY(auto lane, shared_lane(arena, world->station(), spec));
-    MARKETGEN_CHECK(
-        world->reset(spec, arena.header().products, std::move(lane), perturbation, realism));
+    MARKETGEN_CHECK(world->reset(spec, arena.products(), std::move(lane), perturbation, realism));
     return std::unique_ptr<episodes::TrackWorld>(std::move(world));
   }
 
