@@ -13,9 +13,6 @@ namespace {
 
 // Heights in pixels: near, and a third of it from afar.
 constexpr int near_tag_px = 96, near_card_px = 222;
-constexpr auto card_width_m = static_cast<float>(assets::promotion_card_width_mm * 1e-3);
-constexpr auto card_height_m = static_cast<float>(assets::promotion_card_height_mm * 1e-3);
-constexpr float lift_m = 8e-4F;  // of a card before the tag
 int pixels(int near_px, PrintDetail detail) {
   return detail == PrintDetail::near ? near_px : near_px / 3;
 }
@@ -86,15 +83,14 @@ void PriceLabelBuilder::build(Draft& draft) const {
     const Sticker tag{at.x, at.y, at.z, label.width_m, label.height_m, looks_of_label_[i].tag};
     stick(draft, label.shelf, tag);
     if (!looks_of_label_[i].card) continue;
-    // Cards of neighbours may overlap; they hang a little apart.
-    const float apart = static_cast<float>(i % 3) * lift_m;
+    const Vec3f card = promotion_card_place(scene, i);
     stick(draft,
           label.shelf,
-          {at.x,
-           at.y - lift_m - apart,
-           at.z - label.height_m / 2 - card_height_m / 2,
-           card_width_m,
-           card_height_m,
+          {card.x,
+           card.y,
+           card.z,
+           promotion_card_width_m,
+           promotion_card_height_m,
            *looks_of_label_[i].card});
   }
 }
