@@ -12,6 +12,7 @@
 #include "io/png.h"
 #include "render/picture_cache.h"
 #include "render/price_tags.h"
+#include "scene/price_tags.h"
 
 namespace marketgen::exporters {
 namespace {
@@ -30,26 +31,35 @@ Pose place_at(const scene::Scene& scene, const scene::PriceLabel& label, const V
   return scene::world_from_shelf(scene, label.shelf) * Pose{to_double(in_shelf), {}};
 }
 
-// One design of tag for each SKU and promotion, one mesh for each size of it.
+using Design = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // SKU, promotion, cents
+
+Design design_of(const scene::PriceLabel& label) {
+  return {label.sku, label.promotion, label.price_cents};
+}
+
+// One design of tag for each SKU, promotion and price, one mesh for each size of it.
 Result<void> add_tags(const scene::Scene& scene, PricePrints& prints) {
   struct Same {
     const scene::PriceLabel* first = nullptr;
     std::vector<Pose> places;
   };
-  std::map<std::tuple<std::uint32_t, std::uint32_t>, std::size_t> picture_of;   // SKU, promotion
-  std::map<std::tuple<std::uint32_t, std::uint32_t, float, float>, Same> tags;  // and size
+  std::map<Design, std::size_t> picture_of;
+  std::map<Design, catalog::Product> said;
+  std::map<std::tuple<Design, float, float>, Same> tags;  // and size
   for (const scene::PriceLabel& label : scene.price_labels) {
-    Same& same = tags[{label.sku, label.promotion, label.width_m, label.height_m}];
+    Same& same = tags[{design_of(label), label.width_m, label.height_m}];
     if (same.first == nullptr) same.first = &label;
     same.places.push_back(place_at(scene, label, render::price_tag_place(scene, label)));
-    picture_of[{label.sku, label.promotion}] = 0;
+    picture_of[design_of(label)] = 0;
+    said.try_emplace(design_of(label), scene::product_on_tag(scene, label));
   }
-  std::vector<std::pair<std::tuple<std::uint32_t, std::uint32_t>, Result<std::string>>> drawn;
+  std::vector<std::pair<Design, Result<std::string>>> drawn;
   for (const auto& [key, index] : picture_of)
     drawn.emplace_back(key, std::string());
   parallel_for(drawn.size(), [&](std::size_t i) {
-    const auto& [sku, promotion] = drawn[i].first;
-    const Result<Image> tag = exported_price_tag(scene.catalog[sku], promotion != 0, tag_px);
+    const Design& design = drawn[i].first;
+    const bool promotion = std::get<1>(design) != 0;
+    const Result<Image> tag = exported_price_tag(said.at(design), promotion, tag_px);
     drawn[i].second = tag.ok() ? io::encode_png(*tag) : tag.error();
   });
   for (auto& [key, png] : drawn) {
@@ -59,7 +69,7 @@ Result<void> add_tags(const scene::Scene& scene, PricePrints& prints) {
   }
   for (auto& [key, same] : tags)
     prints.tags.push_back({"price/" + scene.catalog[same.first->sku].sku,
-                           picture_of[{same.first->sku, same.first->promotion}],
+                           picture_of[design_of(*same.first)],
                            upright_quad(same.first->width_m, same.first->height_m),
                            std::move(same.places)});
   return {};

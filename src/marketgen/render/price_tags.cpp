@@ -8,7 +8,6 @@
 namespace marketgen::render {
 namespace {
 
-constexpr float tag_lift_m = 8e-4F;   // label stock before the rail
 constexpr float card_lift_m = 8e-4F;  // of a card before the tag
 // Where a rail's front is unless the fixture has one elsewhere.
 constexpr auto usual_front_m = static_cast<float>(assets::price_rail_face_m);
@@ -45,7 +44,7 @@ RailFace rail_of(const scene::Scene& scene, const scene::SceneShelf& shelf) {
 Vec3f price_tag_place(const scene::Scene& scene, const scene::PriceLabel& label) {
   const scene::SceneShelf& shelf = scene.shelves[label.shelf];
   const RailFace rail = rail_of(scene, shelf);
-  return {label.x_m - shelf.width_m / 2, rail.y - tag_lift_m, rail.z};
+  return {label.x_m - shelf.width_m / 2, rail.y - price_tag_lift_m, rail.z};
 }
 
 Vec3f promotion_card_place(const scene::Scene& scene, std::size_t row) {

@@ -8,6 +8,9 @@
 
 namespace marketgen::render {
 
+// A tag's face before the face of its rail: label stock, metres.
+constexpr float price_tag_lift_m = 8e-4F;
+
 // Middle of the tag in the frame of its shelf, metres: before the price rail where the shelf has
 // one. The tag is upright there, as wide and high as its label says, and faces -Y.
 Vec3f price_tag_place(const scene::Scene& scene, const scene::PriceLabel& label);

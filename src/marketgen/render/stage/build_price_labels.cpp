@@ -7,6 +7,7 @@
 #include "render/picture_objects.h"
 #include "render/price_tags.h"
 #include "render/stage/build_signage.h"
+#include "scene/price_tags.h"
 
 namespace marketgen::render::raytrace {
 namespace {
@@ -58,19 +59,19 @@ PriceLabelBuilder::PriceLabelBuilder(Draft& draft) {
   const int tag_px = pixels(near_tag_px, draft.print()),
             card_px = pixels(near_card_px, draft.print());
   for (const scene::PriceLabel& label : scene.price_labels) {
-    const catalog::Product& product = scene.catalog[label.sku];
+    const catalog::Product product = scene::product_on_tag(scene, label);
     const bool promotion = label.promotion != 0;
     const std::string row = io::write_json_line(product);
     Looks looks;
     looks.tag = paper(
         draft.print_texture(fmt::format("tag {} {} {}", tag_px, promotion ? "promotion" : "", row),
-                            [&product, promotion, tag_px] {
+                            [product, promotion, tag_px] {
                               return assets::print_price_tag(product, promotion, tag_px);
                             }));
     if (promotion)
       looks.card =
           paper(draft.print_texture(fmt::format("promotion card {} {}", card_px, row),
-                                    [&product, card_px] { return print_card(product, card_px); }));
+                                    [product, card_px] { return print_card(product, card_px); }));
     looks_of_label_.push_back(looks);
   }
 }
