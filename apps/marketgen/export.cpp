@@ -39,7 +39,15 @@ struct FormatFlag {
 };
 
 Result<void> check_formats(const ExportFlags& flags) {
+  const auto& known = exporters::export_formats();
+  if (std::ranges::none_of(known, [&](const auto& format) { return format.name == flags.format; }))
+    return {};  // what is wrong then is the format
   const FormatFlag special[] = {
+      {"--free-region", !flags.free_region.empty(), {"mjcf", "usd", "sdf"}},
+      {"--instanced", flags.instanced, {"glb"}},
+      {"--still-fixtures", flags.still, {"mjcf", "usd", "urdf", "sdf"}},
+      {"--primitives", flags.primitives, {"mjcf"}},
+      {"--robot", !flags.robots.empty(), {"mjcf"}},
       {"--resolution", flags.resolution.has_value(), {"nav2"}},
       {"--robot-radius", flags.robot_radius.has_value(), {"nav2", "coco"}},
       {"--robot-height", flags.robot_height.has_value(), {"nav2", "coco"}},
@@ -51,7 +59,7 @@ Result<void> check_formats(const ExportFlags& flags) {
     if (flag.given && std::ranges::find(flag.formats, flags.format) == flag.formats.end())
       return Error{"usage.bad_flag",
                    flag.flag,
-                   fmt::format("it is for --format {} only", fmt::join(flag.formats, " and "))};
+                   fmt::format("it is for --format {} only", fmt::join(flag.formats, ", "))};
   }
   return {};
 }
@@ -101,8 +109,6 @@ Result<void> run_export(const ExportFlags& flags) {
   options.robot_height_m = flags.robot_height.value_or(options.robot_height_m);
   MARKETGEN_CHECK(set_cameras(options, flags));
   options.progress = &progress_for(flags.common);
-  if (!flags.robots.empty() && flags.format != "mjcf")
-    return Error{"usage.bad_flag", "--robot", "robots go into --format mjcf only"};
   MARKETGEN_TRY(options.robots, collect::standing_robots(scene, flags.robots, "--robot "));
   if (!flags.free_region.empty()) {
     MARKETGEN_TRY(const auto region, parse_region(flags.free_region));
@@ -122,6 +128,64 @@ Result<void> run_export(const ExportFlags& flags) {
   return {};
 }
 
+// Of formats with fixtures and goods as bodies.
+void add_model_flags(CLI::App& command, ExportFlags& flags) {
+  command
+      .add_option("--free-region",
+                  flags.free_region,
+                  "mjcf, usd, sdf: products in x0,y0,x1,y1 become free bodies")
+      ->type_name("REGION");
+  command.add_flag(
+      "--instanced",
+      flags.instanced,
+      "glb: a node a SKU with EXT_mesh_gpu_instancing, which few viewers read; smaller "
+      "and faster where they do");
+  command.add_flag("--still-fixtures",
+                   flags.still,
+                   "mjcf, usd, urdf, sdf: doors, lids and drawers of fixtures do not move");
+  command.add_flag(
+      "--primitives",
+      flags.primitives,
+      "mjcf: contact primitives alone, in one file; no meshes and no pictures beside it");
+  command
+      .add_option(
+          "--robot",
+          flags.robots,
+          "mjcf: put a robot in (repeatable): ROW@X,Y[,HEADING_DEG][,...] as `render` takes it")
+      ->type_name("ROBOT")
+      ->allow_extra_args(false);
+}
+
+// Of the robot that is to drive there.
+void add_robot_size_flags(CLI::App& command, ExportFlags& flags) {
+  command.add_option("--resolution",
+                     flags.resolution,
+                     "nav2: side of a map's cell in metres, 0.01 to 0.25 (0.05)");
+  command.add_option("--robot-radius",
+                     flags.robot_radius,
+                     "nav2, coco: metres from the robot's middle that it keeps free (0.42)");
+  command.add_option("--robot-height",
+                     flags.robot_height,
+                     "nav2, coco: metres over the floor; it passes under what hangs higher (2)");
+}
+
+// Of pictures along the shelves.
+void add_camera_flags(CLI::App& command, ExportFlags& flags) {
+  command.add_option("--camera-spacing",
+                     flags.camera_spacing,
+                     "coco: metres along the shelves from picture to picture, 0.05 to 10 (0.5)");
+  command.add_option("--camera-distance",
+                     flags.camera_distance,
+                     "coco: metres before the shelves, or the nearest that the aisle allows (1)");
+  command
+      .add_option("--camera-height",
+                  flags.camera_heights,
+                  "coco: metres over the floor of a camera (repeatable; 0.6 and 1.5)")
+      ->allow_extra_args(false);
+  command.add_option("--size", flags.size, "coco: picture size in pixels (1280x720)")
+      ->type_name("SIZE");
+}
+
 }  // namespace
 
 Run add_export(CLI::App& app) {
@@ -138,52 +202,9 @@ Run add_export(CLI::App& app) {
       ->type_name(choice_of(names))
       ->required();
   add_output(*command, "-o,--output", flags->output, "file to write")->required();
-  command
-      ->add_option("--free-region",
-                   flags->free_region,
-                   "mjcf, usd, sdf: products in x0,y0,x1,y1 become free bodies")
-      ->type_name("REGION");
-  command->add_flag(
-      "--instanced",
-      flags->instanced,
-      "glb: a node a SKU with EXT_mesh_gpu_instancing, which few viewers read; smaller "
-      "and faster where they do");
-  command->add_flag("--still-fixtures",
-                    flags->still,
-                    "mjcf, usd, urdf, sdf: doors, lids and drawers of fixtures do not move");
-  command->add_flag(
-      "--primitives",
-      flags->primitives,
-      "mjcf: contact primitives alone, in one file; no meshes and no pictures beside it");
-  command
-      ->add_option(
-          "--robot",
-          flags->robots,
-          "mjcf: put a robot in (repeatable): ROW@X,Y[,HEADING_DEG][,...] as `render` takes it")
-      ->type_name("ROBOT")
-      ->allow_extra_args(false);
-  command->add_option("--resolution",
-                      flags->resolution,
-                      "nav2: side of a map's cell in metres, 0.01 to 0.25 (0.05)");
-  command->add_option("--robot-radius",
-                      flags->robot_radius,
-                      "nav2, coco: metres from the robot's middle that it keeps free (0.42)");
-  command->add_option("--robot-height",
-                      flags->robot_height,
-                      "nav2, coco: metres over the floor; it passes under what hangs higher (2)");
-  command->add_option("--camera-spacing",
-                      flags->camera_spacing,
-                      "coco: metres along the shelves from picture to picture, 0.05 to 10 (0.5)");
-  command->add_option("--camera-distance",
-                      flags->camera_distance,
-                      "coco: metres before the shelves, or the nearest that the aisle allows (1)");
-  command
-      ->add_option("--camera-height",
-                   flags->camera_heights,
-                   "coco: metres over the floor of a camera (repeatable; 0.6 and 1.5)")
-      ->allow_extra_args(false);
-  command->add_option("--size", flags->size, "coco: picture size in pixels (1280x720)")
-      ->type_name("SIZE");
+  add_model_flags(*command, *flags);
+  add_robot_size_flags(*command, *flags);
+  add_camera_flags(*command, *flags);
   command->add_option("--skin", flags->skin, "export the store in the look of this style")
       ->type_name("STYLE");
   command->add_flag("--check", flags->check, "read the file back and compare it with the store");

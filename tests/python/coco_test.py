@@ -17,7 +17,7 @@ from pycocotools.cocoeval import COCOeval
 # Of pycocotools itself with NumPy 2.
 pytestmark = pytest.mark.filterwarnings("ignore:__array__ implementation doesn't accept a copy keyword:DeprecationWarning")
 
-PROMPT = "an untidy shop with dairy, snacks and drinks; some shelves are out of stock"
+PROMPT = "an untidy shop with dairy, snacks and drinks; some shelves are out of stock; 10 % of the price tags are missing, 10 % wrong price tags"
 SIZE = (640, 360)
 
 
@@ -54,6 +54,8 @@ def test_counts_are_those_of_the_check(folder, coco):
     assert summary["annotations"] == len(coco.anns)
     assert summary["gaps"] == len(of(coco, "gap")) > 0
     assert summary["price_tags"] == len(of(coco, "price_tag")) > 50
+    assert summary["wrong_price_tags"] == sum("fault" in a for a in of(coco, "price_tag")) > 5
+    assert summary["missing_price_tags"] == len(of(coco, "missing_price_tag")) > 5
     assert summary["misplaced"] == sum(a["misplaced"] for a in products(coco)) > 0
 
 
@@ -132,8 +134,13 @@ def test_prices_and_gaps_are_those_of_the_planogram(folder, coco):
     place = lambda a: tuple(a["place"][key] for key in ("fixture", "side", "shelf", "position"))  # noqa: E731
     for tag in of(coco, "price_tag"):
         row = rows[place(tag)]
-        assert (tag["sku"], tag["price"], tag["promotion"]) == (row["sku"], row["price"], row["promotion"])
-        assert f"{row['price']:.2f} €" in tag["text"]
+        assert (tag["sku"], tag["promotion"]) == (row["sku"], row["promotion"])
+        assert (tag["price"] == row["price"]) == ("fault" not in tag)
+        assert tag.get("fault", "wrong_price") == "wrong_price"
+        assert f"{tag['price']:.2f} €" in tag["text"]
+    tagged = {place(tag) for tag in of(coco, "price_tag")}
+    for missing in of(coco, "missing_price_tag"):
+        assert missing["sku"] == rows[place(missing)]["sku"] and place(missing) not in tagged
     empty = collections.Counter()
     for gap in of(coco, "gap"):
         row = rows[place(gap)]

@@ -86,6 +86,15 @@ Verdict check_gaps(const plan::Requirement& r, const StockCount& count) {
           fmt::format("{:.0f} % of the facing blocks are sold out", 100 * share)};
 }
 
+// Which tags have a fault is drawn by chance, and two hang only where a block is wide enough.
+Verdict check_tags(const plan::Requirement& r, std::size_t faulty, std::size_t blocks) {
+  const double share = share_of(static_cast<double>(faulty), static_cast<double>(blocks));
+  const std::string measured = fmt::format("{} of {} places for price tags", faulty, blocks);
+  if (r.comparison == plan::Comparison::at_least || r.subject == "tags_doubled")
+    return {r.value > 0 ? faulty > 0 : faulty == 0, measured};
+  return {compares(r, share, r.value > 0 ? 0.02 + r.value / 4 : 0), measured};
+}
+
 }  // namespace
 
 Verdict check_fixture_count(const Facts& facts, const plan::Requirement& r) {
@@ -194,6 +203,11 @@ Verdict check_stock(const Facts& facts, const plan::Requirement& r) {
   if (count.blocks == 0) return {false, "no goods stand there"};
   if (r.subject == "misplaced" || r.subject == "jitter") return check_order(r, count);
   if (r.subject == "out_of_stock") return check_gaps(r, count);
+  if (r.subject == "tags_missing") return check_tags(r, count.no_tag, count.tagged_blocks);
+  if (r.subject == "tags_wrong_price") return check_tags(r, count.wrong_price, count.tagged_blocks);
+  if (r.subject == "tags_wrong_product")
+    return check_tags(r, count.wrong_product, count.tagged_blocks);
+  if (r.subject == "tags_doubled") return check_tags(r, count.two_tags, count.tagged_blocks);
   const double fill = share_of(count.stocked_m, count.front_m);
   constexpr double tolerance = 0.12;  // packs do not divide a shelf evenly
   return {compares(r, fill, tolerance),

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "audit/traffic.h"
+#include "scene/price_tags.h"
 
 namespace marketgen::audit {
 namespace {
@@ -35,6 +36,27 @@ int walkable_gaps(const std::vector<std::array<int, 2>>& stretches) {
   return number;
 }
 
+// Of the blocks whose fixtures count.
+void count_tags(const scene::Scene& scene, const std::vector<bool>& fixtures, StockCount& count) {
+  std::vector<std::uint8_t> tags(scene.facings.size(), 0);
+  std::vector<bool> wrong_price(tags.size(), false), wrong_product(tags.size(), false);
+  for (const scene::PriceLabel& label : scene.price_labels) {
+    ++tags[label.facing];
+    const scene::TagFault fault = scene::fault_of(scene, label);
+    if (fault == scene::TagFault::wrong_price) wrong_price[label.facing] = true;
+    if (fault == scene::TagFault::wrong_product) wrong_product[label.facing] = true;
+  }
+  for (std::size_t row = 0; row < tags.size(); ++row) {
+    const scene::SceneShelf& shelf = scene.shelves[scene.facings[row].shelf];
+    if (!fixtures[shelf.fixture] || shelf.price_rail == 0) continue;
+    ++count.tagged_blocks;
+    count.no_tag += tags[row] == 0 ? 1 : 0;
+    count.two_tags += tags[row] > 1 ? 1 : 0;
+    count.wrong_price += wrong_price[row] && tags[row] == 1 ? 1 : 0;
+    count.wrong_product += wrong_product[row] ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 StockCount stock_on(const scene::Scene& scene, const std::vector<bool>& fixtures) {
@@ -56,6 +78,7 @@ StockCount stock_on(const scene::Scene& scene, const std::vector<bool>& fixtures
     ++count.items;
     count.misplaced += (product.flags & scene::product_misplaced) != 0 ? 1 : 0;
   }
+  count_tags(scene, fixtures, count);
   return count;
 }
 

@@ -11,6 +11,9 @@ namespace marketgen::audit {
 // What stands on some of the fixtures.
 struct StockCount {
   std::size_t items = 0, misplaced = 0, blocks = 0, empty_blocks = 0;
+  // Blocks on shelves with a price rail; of these without a tag, with a tag that says a price that
+  // does not hold, with one of another product, with more than one tag.
+  std::size_t tagged_blocks = 0, no_tag = 0, wrong_price = 0, wrong_product = 0, two_tags = 0;
   double front_m = 0, stocked_m = 0;  // width of their shelves, and of the blocks with goods
 };
 // `fixtures`: which ones count, by row of scene.fixtures.

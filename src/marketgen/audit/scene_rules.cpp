@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "catalog/zone_goods.h"
 #include "scene/planogram.h"
+#include "scene/price_tags.h"
 
 namespace marketgen::audit {
 
@@ -112,7 +113,7 @@ std::vector<layout::Violation> check_STORAGE_WRONG(const SceneFacts& facts, cons
 std::vector<layout::Violation> check_PRICE_MISSING(const SceneFacts& facts, const SceneRule& rule) {
   std::vector<std::uint8_t> priced(facts.scene.facings.size(), 0);
   for (const scene::PriceLabel& label : facts.scene.price_labels)
-    priced[label.facing] = 1;
+    if (scene::fault_of(facts.scene, label) == scene::TagFault::none) priced[label.facing] = 1;
   std::size_t number = 0;
   std::string where;
   for (std::size_t i = 0; i < priced.size(); ++i) {
@@ -121,10 +122,11 @@ std::vector<layout::Violation> check_PRICE_MISSING(const SceneFacts& facts, cons
     if (number++ == 0) where = facts.scene.layout.fixtures[facts.scene.shelves[f.shelf].fixture].id;
   }
   if (number == 0) return {};
-  return {violation_of(rule,
-                       where,
-                       static_cast<double>(number),
-                       fmt::format("{} facings have no price on the edge of their shelf", number))};
+  return {violation_of(
+      rule,
+      where,
+      static_cast<double>(number),
+      fmt::format("{} facings do not have their price on the edge of their shelf", number))};
 }
 
 std::vector<layout::Violation> check_DENSITY_LOW(const SceneFacts& facts, const SceneRule& rule) {

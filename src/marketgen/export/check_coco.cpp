@@ -60,6 +60,7 @@ class CocoCheck {
       MARKETGEN_CHECK(truth_.check(kind, read, at));
       MARKETGEN_TRY(const std::vector<std::uint32_t> pixels, mask_of(read, image, at));
       ++counts_[kind], misplaced_ += read.misplaced ? 1 : 0;
+      wrong_tags_ += read.fault.empty() ? 0 : 1;
       if (read.place) fixtures_.insert(read.place->fixture);
       if (kind != CocoKind::item) continue;
       MARKETGEN_CHECK(check_item(read, pixels, image, plane, depth, at));
@@ -80,6 +81,7 @@ class CocoCheck {
 
   static CocoKind kind_of(const std::string& category) {
     if (category == coco_gap) return CocoKind::gap;
+    if (category == coco_missing_tag) return CocoKind::missing_tag;
     return category == coco_price_tag ? CocoKind::price_tag : CocoKind::item;
   }
 
@@ -183,17 +185,22 @@ class CocoCheck {
     found.pictures = coco.images.size();
     found.products = counts_[CocoKind::item], found.gaps = counts_[CocoKind::gap];
     found.price_tags = counts_[CocoKind::price_tag], found.misplaced = misplaced_;
-    found.annotations = found.products + found.gaps + found.price_tags;
+    found.wrong_price_tags = wrong_tags_;
+    found.missing_price_tags = counts_[CocoKind::missing_tag];
+    found.annotations = found.products + found.gaps + found.price_tags + found.missing_price_tags;
     found.skus = skus_.size(), found.fixtures = fixtures_.size();
     found.in_words = fmt::format(
-        "{} pictures of {} fixtures: {} items of {} SKUs ({} misplaced), {} gaps, {} price tags",
+        "{} pictures of {} fixtures: {} items of {} SKUs ({} misplaced), {} gaps, {} price tags "
+        "({} wrong), {} missing ones",
         found.pictures,
         found.fixtures,
         found.products,
         found.skus,
         found.misplaced,
         found.gaps,
-        found.price_tags);
+        found.price_tags,
+        found.wrong_price_tags,
+        found.missing_price_tags);
     return found;
   }
 
@@ -202,7 +209,7 @@ class CocoCheck {
   render::Renderer& renderer_;
   CocoTruth truth_;
   std::map<CocoKind, std::uint64_t> counts_;
-  std::uint64_t misplaced_ = 0, depths_ = 0, off_item_ = 0;
+  std::uint64_t misplaced_ = 0, wrong_tags_ = 0, depths_ = 0, off_item_ = 0;
   std::set<std::string> skus_, fixtures_;
 };
 

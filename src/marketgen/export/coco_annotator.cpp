@@ -5,6 +5,7 @@
 #include "assets/print/label.h"
 #include "render/picture_objects.h"
 #include "scene/placements.h"
+#include "scene/price_tags.h"
 
 namespace marketgen::exporters {
 namespace {
@@ -36,7 +37,7 @@ std::vector<CocoCategory> coco_categories(const scene::Scene& scene) {
     if (!product.ean.empty()) category.gtin = product.ean;
     categories.push_back(std::move(category));
   }
-  for (const std::string_view name : {coco_gap, coco_price_tag})
+  for (const std::string_view name : {coco_gap, coco_price_tag, coco_missing_tag})
     categories.push_back({next(), std::string(name), std::string(coco_shelf), {}, {}, {}});
   return categories;
 }
@@ -45,7 +46,8 @@ CocoAnnotator::CocoAnnotator(const scene::Scene& scene)
     : scene_(scene),
       planogram_(scene::planogram_rows(scene)),
       gaps_(gap_panels(scene)),
-      tags_(price_tag_panels(scene)) {}
+      tags_(price_tag_panels(scene)),
+      missing_tags_(missing_tag_panels(scene)) {}
 
 std::vector<CocoAnnotation> CocoAnnotator::annotate(
     const render::Frame& frame,
@@ -63,11 +65,17 @@ std::vector<CocoAnnotation> CocoAnnotator::annotate(
     const PanelView view = view_of_gap(panel, camera, frame);
     if (!view.pixels.empty()) add(gap(panel), view);
   }
-  for (const ShelfPanel& panel : tags_) {
+  const auto view_on_rail = [&](const ShelfPanel& panel) {
     const std::uint32_t fixture = scene_.shelves[scene_.facings[panel.facing].shelf].fixture;
-    const PanelView view =
-        view_of_tag(panel, render::first_fixture_object + fixture, camera, frame);
+    return view_of_tag(panel, render::first_fixture_object + fixture, camera, frame);
+  };
+  for (const ShelfPanel& panel : tags_) {
+    const PanelView view = view_on_rail(panel);
     if (!view.pixels.empty()) add(price_tag(panel), view);
+  }
+  for (const ShelfPanel& panel : missing_tags_) {
+    const PanelView view = view_on_rail(panel);
+    if (!view.pixels.empty()) add(missing_tag(panel), view);
   }
   return annotations;
 }
@@ -118,7 +126,7 @@ CocoAnnotation CocoAnnotator::gap(const ShelfPanel& panel) const {
 
 CocoAnnotation CocoAnnotator::price_tag(const ShelfPanel& panel) const {
   const scene::PriceLabel& label = scene_.price_labels[panel.label];
-  const catalog::Product& product = scene_.catalog[label.sku];
+  const catalog::Product product = scene::product_on_tag(scene_, label);
   CocoAnnotation annotation;
   annotation.category_id = static_cast<int>(scene_.catalog.size()) + 2;
   annotation.sku = product.sku;
@@ -126,6 +134,18 @@ CocoAnnotation CocoAnnotator::price_tag(const ShelfPanel& panel) const {
   annotation.text = assets::price_tag_text(product, label.promotion != 0);
   annotation.price = product.price;
   annotation.promotion = label.promotion != 0;
+  const scene::TagFault fault = scene::fault_of(scene_, label);
+  if (fault != scene::TagFault::none) annotation.fault = name_of(fault);
+  if (fault == scene::TagFault::wrong_product)
+    annotation.planogram_sku = planogram_[panel.facing].sku;
+  return annotation;
+}
+
+CocoAnnotation CocoAnnotator::missing_tag(const ShelfPanel& panel) const {
+  CocoAnnotation annotation;
+  annotation.category_id = static_cast<int>(scene_.catalog.size()) + 3;
+  annotation.sku = planogram_[panel.facing].sku;
+  place(annotation, panel.facing);
   return annotation;
 }
 

@@ -15,7 +15,8 @@ namespace marketgen::exporters {
 
 using VisibleParts = std::map<std::uint32_t, render::VisiblePart>;
 
-// One a SKU of the store, in the order of its catalogue, then gaps and price tags; numbers from 1.
+// One a SKU of the store, in the order of its catalogue, then gaps, price tags and
+// missing tags; numbers from 1.
 std::vector<CocoCategory> coco_categories(const scene::Scene& scene);
 
 // Holds what all pictures of a store share. annotate() may be called from many threads at a time.
@@ -23,8 +24,8 @@ class CocoAnnotator {
  public:
   explicit CocoAnnotator(const scene::Scene& scene);  // which must outlive it
 
-  // Items, then gaps, then price tags; those that show at least one pixel. `parts` are those of the
-  // frame, `silhouettes` what each of its items would cover alone, by object number. Ids of
+  // Items, gaps, price tags, missing tags; those that show at least one pixel. `parts` are those of
+  // the frame, `silhouettes` what each of its items would cover alone, by object number. Ids of
   // annotations and of the picture are left 0.
   std::vector<CocoAnnotation> annotate(const render::Frame& frame,
                                        const render::Camera& camera,
@@ -39,10 +40,11 @@ class CocoAnnotator {
   void place(CocoAnnotation& annotation, std::uint32_t facing) const;
   CocoAnnotation gap(const ShelfPanel& panel) const;
   CocoAnnotation price_tag(const ShelfPanel& panel) const;
+  CocoAnnotation missing_tag(const ShelfPanel& panel) const;
 
   const scene::Scene& scene_;
   std::vector<scene::PlanogramRow> planogram_;  // by facing
-  std::vector<ShelfPanel> gaps_, tags_;
+  std::vector<ShelfPanel> gaps_, tags_, missing_tags_;
 };
 
 }  // namespace marketgen::exporters

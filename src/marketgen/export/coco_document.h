@@ -21,7 +21,8 @@ namespace marketgen::exporters {
 constexpr std::string_view coco_color_folder = "color", coco_depth_folder = "depth";
 
 // Categories that are no SKU, and what they belong to.
-constexpr std::string_view coco_gap = "gap", coco_price_tag = "price_tag", coco_shelf = "shelf";
+constexpr std::string_view coco_gap = "gap", coco_price_tag = "price_tag",
+                           coco_missing_tag = "missing_price_tag", coco_shelf = "shelf";
 
 // Of a module: 1 is its back.
 inline std::string coco_side(int side) {
@@ -49,7 +50,7 @@ struct CocoCategory {
 
   static constexpr auto fields = field_list(
       field("id", &CocoCategory::id, "number"),
-      field("name", &CocoCategory::name, "SKU, gap or price_tag"),
+      field("name", &CocoCategory::name, "SKU, gap, price_tag or missing_price_tag"),
       field("supercategory", &CocoCategory::supercategory, "the product's category, or shelf"),
       field("product", &CocoCategory::product, "name of the product"),
       field("brand", &CocoCategory::brand, "its brand"),
@@ -115,6 +116,7 @@ struct CocoAnnotation {
   std::optional<std::vector<std::string>> text;
   std::optional<double> price;
   std::optional<bool> promotion;
+  std::optional<std::string> fault;
 
   static constexpr auto fields = field_list(
       field("id", &CocoAnnotation::id, "number"),
@@ -125,17 +127,21 @@ struct CocoAnnotation {
       field("iscrowd", &CocoAnnotation::iscrowd, "always 0"),
       field("segmentation", &CocoAnnotation::segmentation, "its pixels"),
       field("occlusion", &CocoAnnotation::occlusion, "1 - area / pixels that would show it alone"),
-      field(
-          "sku", &CocoAnnotation::sku, "of the item; that belongs in the gap; that the tag names"),
+      field("sku",
+            &CocoAnnotation::sku,
+            "of the item; that belongs in the gap or at the missing tag; that the tag names"),
       field("place", &CocoAnnotation::place, "in the planogram; none of items in no block"),
       field("instance", &CocoAnnotation::instance, "the item's id"),
       field("depth_m", &CocoAnnotation::depth_m, "mean over an item's pixels"),
       field("misplaced", &CocoAnnotation::misplaced, "the planogram has another SKU there"),
-      field("planogram_sku", &CocoAnnotation::planogram_sku, "of a misplaced item: that SKU"),
+      field("planogram_sku",
+            &CocoAnnotation::planogram_sku,
+            "of a misplaced item, and of the tag of a wrong product: that SKU"),
       field("column", &CocoAnnotation::column, "of a gap in its block, from the left; none: all"),
       field("text", &CocoAnnotation::text, "lines on the tag"),
       field("price", &CocoAnnotation::price, "on the tag, euro"),
-      field("promotion", &CocoAnnotation::promotion, "the tag is an offer's"));
+      field("promotion", &CocoAnnotation::promotion, "the tag is an offer's"),
+      field("fault", &CocoAnnotation::fault, "of a tag: wrong_price or wrong_product"));
 };
 
 }  // namespace marketgen::exporters

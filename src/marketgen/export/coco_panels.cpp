@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "render/price_tags.h"
+#include "scene/price_tags.h"
 #include "scene/shelf_fill.h"
 
 namespace marketgen::exporters {
 namespace {
 
 constexpr double min_panel_depth_m = 0.05;  // of a corner before the camera
-constexpr double tag_depth_m =
-    4e-4;  // half of what a tag is lifted off its rail (render/price_tags.h)
+constexpr double tag_depth_m = render::price_tag_lift_m / 2;
 constexpr double gap_depth_m = 5e-3;  // a front board's lip is no thing that stands in a gap
 
 // A panel in the camera's frame.
@@ -145,6 +145,28 @@ std::vector<ShelfPanel> price_tag_panels(const scene::Scene& scene) {
                       label.height_m,
                       label.facing,
                       row,
+                      {}});
+  }
+  return panels;
+}
+
+std::vector<ShelfPanel> missing_tag_panels(const scene::Scene& scene) {
+  std::vector<bool> has_tag(scene.facings.size(), false);
+  for (const scene::PriceLabel& label : scene.price_labels)
+    has_tag[label.facing] = true;
+  std::vector<ShelfPanel> panels;
+  for (std::uint32_t row = 0; row < scene.facings.size(); ++row) {
+    const scene::Facing& facing = scene.facings[row];
+    if (has_tag[row] || facing.width_m <= 0 || scene.shelves[facing.shelf].price_rail == 0)
+      continue;
+    const scene::PriceLabel tag = scene::tag_before_block(facing.shelf, facing.x_m, facing.width_m);
+    Vec3 middle = to_double(render::price_tag_place(scene, tag));
+    middle.y += static_cast<double>(render::price_tag_lift_m);
+    panels.push_back({scene::world_from_shelf(scene, facing.shelf) * Pose{middle, {}},
+                      tag.width_m,
+                      tag.height_m,
+                      row,
+                      0,
                       {}});
   }
   return panels;

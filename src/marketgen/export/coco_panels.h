@@ -1,5 +1,5 @@
-// Upright rectangles of shelves that pictures show but have no number for: price tags, and the
-// fronts of facings where nothing stands.
+// Upright rectangles of shelves that pictures show but have no number for: price tags, where tags
+// are missing, and the fronts of facings where nothing stands.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -24,6 +24,9 @@ struct ShelfPanel {
 // The tags of all shelf edges, by row.
 std::vector<ShelfPanel> price_tag_panels(const scene::Scene& scene);
 
+// Where tags are missing: on the faces of price rails before blocks that have none.
+std::vector<ShelfPanel> missing_tag_panels(const scene::Scene& scene);
+
 // Facings of the planogram that are empty from front to back: a column of a block, or a whole block
 // of loose goods. As high as the packs would stand there, in the plane of the goods' fronts.
 std::vector<ShelfPanel> gap_panels(const scene::Scene& scene);
@@ -35,9 +38,9 @@ struct PanelView {
   std::array<int, 4> box{};           // x0, y0, x1, y1 around `pixels`; past the last
 };
 
-// A tag shows where the picture's depth is its own and its number the fixture's; a gap where
-// nothing is nearer than its plane. Nothing is shown of panels that turn their backs. Precondition:
-// the camera has no distortion.
+// A tag, and the rail where one is missing, shows where the picture's depth is its own and its
+// number the fixture's; a gap where nothing is nearer than its plane. Nothing is shown of panels
+// that turn their backs. Precondition: the camera has no distortion.
 PanelView view_of_tag(const ShelfPanel& tag,
                       std::uint32_t fixture_object,
                       const render::Camera& camera,

@@ -44,7 +44,7 @@ ReadCocoAnnotation annotation_in(const Json& row) {
   if (row.at("iscrowd") != 0) throw Json::other_error::create(501, "iscrowd is not 0", nullptr);
   read.instance = row.value("instance", ""), read.planogram_sku = row.value("planogram_sku", "");
   read.misplaced = row.value("misplaced", false), read.promotion = row.value("promotion", false);
-  read.price = row.value("price", 0.0);
+  read.price = row.value("price", 0.0), read.fault = row.value("fault", "");
   if (row.contains("place")) read.place = place_in(row.at("place"));
   if (row.contains("column")) read.column = row.at("column").get<int>();
   if (row.contains("text")) row.at("text").get_to(read.text);

@@ -35,7 +35,7 @@ struct ReadCocoAnnotation {
   int id = 0, image = 0, category = 0, area = 0;
   std::array<int, 4> box{};  // left, top, width, height
   double occlusion = 0, price = 0;
-  std::string counts, sku, instance, planogram_sku;
+  std::string counts, sku, instance, planogram_sku, fault;
   std::optional<ReadCocoPlace> place;
   std::optional<int> column;
   bool misplaced = false, promotion = false;

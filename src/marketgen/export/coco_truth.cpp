@@ -39,6 +39,8 @@ CocoTruth::CocoTruth(const scene::Scene& scene)
   }
   for (std::uint32_t i = 0; i < scene.products.size(); ++i)
     products_[scene::product_id(scene, i)] = i;
+  for (std::uint32_t i = 0; i < scene.price_labels.size(); ++i)
+    tags_.emplace(scene.price_labels[i].facing, i);
 }
 
 std::optional<std::uint32_t> CocoTruth::product(const std::string& instance) const {
@@ -52,8 +54,9 @@ const scene::PlanogramRow* CocoTruth::row_at(const std::optional<ReadCocoPlace>&
 }
 
 Result<void> CocoTruth::check_categories(const ReadCoco& coco, const std::string& where) const {
-  std::map<std::string, std::string> wanted{{std::string(coco_gap), std::string(coco_shelf)},
-                                            {std::string(coco_price_tag), std::string(coco_shelf)}};
+  std::map<std::string, std::string> wanted;
+  for (const std::string_view name : {coco_gap, coco_price_tag, coco_missing_tag})
+    wanted[std::string(name)] = coco_shelf;
   for (const catalog::Product& product : scene_.catalog)
     wanted[product.sku] = product.category;
   std::map<std::string, std::string> read;
@@ -61,8 +64,8 @@ Result<void> CocoTruth::check_categories(const ReadCoco& coco, const std::string
     read.insert(names);
   if (read == wanted && coco.categories.size() == wanted.size()) return {};
   return mismatch(where,
-                  fmt::format("its {} categories are not the {} products of the store, gap and "
-                              "price_tag",
+                  fmt::format("its {} categories are not the {} products of the store, gap, "
+                              "price_tag and missing_price_tag",
                               coco.categories.size(),
                               scene_.catalog.size()));
 }
@@ -75,6 +78,8 @@ Result<void> CocoTruth::check(CocoKind kind,
       return check_item(read, where);
     case CocoKind::gap:
       return check_gap(read, where);
+    case CocoKind::missing_tag:
+      return check_missing_tag(read, where);
     case CocoKind::price_tag:
       break;
   }
@@ -122,16 +127,34 @@ Result<void> CocoTruth::check_gap(const ReadCocoAnnotation& read, const std::str
 Result<void> CocoTruth::check_price_tag(const ReadCocoAnnotation& read,
                                         const std::string& where) const {
   const scene::PlanogramRow* block = row_at(read.place);
+  if (block == nullptr) return mismatch(where, "the planogram has no block there");
+  const auto [first, last] = tags_.equal_range(facings_.at(*read.place));
+  const bool hangs_there = std::any_of(first, last, [&](const auto& tag) {
+    const scene::PriceLabel& label = scene_.price_labels[tag.second];
+    return scene_.catalog[label.sku].sku == read.sku && read.promotion == (label.promotion != 0) &&
+           std::abs(read.price - label.price_cents / 100.0) < cent;
+  });
+  if (!hangs_there)
+    return mismatch(where, fmt::format("no tag of \"{}\" at {} hangs there", read.sku, read.price));
+  const bool other = block->sku != read.sku;
+  const bool dated = !other && std::abs(read.price - block->price) > cent;
+  if (read.fault != (other   ? "wrong_product"
+                     : dated ? "wrong_price"
+                             : "") ||
+      read.planogram_sku != (other ? block->sku : ""))
+    return mismatch(where,
+                    fmt::format("the planogram has \"{}\" for {} there", block->sku, block->price));
+  if (std::ranges::find(read.text, fmt::format("{:.2f} \u20ac", read.price)) == read.text.end())
+    return mismatch(where, fmt::format("its text does not say {:.2f} \u20ac", read.price));
+  return {};
+}
+
+Result<void> CocoTruth::check_missing_tag(const ReadCocoAnnotation& read,
+                                          const std::string& where) const {
+  const scene::PlanogramRow* block = row_at(read.place);
   if (block == nullptr || block->sku != read.sku)
     return mismatch(where, "the planogram has no block of \"" + read.sku + "\" there");
-  if (std::abs(read.price - block->price) > cent)
-    return mismatch(
-        where,
-        fmt::format("{} is not the price of \"{}\", {}", read.price, read.sku, block->price));
-  if (read.promotion != block->promotion)
-    return mismatch(where, "an offer is none, or the other way round");
-  if (std::ranges::find(read.text, fmt::format("{:.2f} \u20ac", block->price)) == read.text.end())
-    return mismatch(where, fmt::format("its text does not say {:.2f} \u20ac", block->price));
+  if (tags_.contains(facings_.at(*read.place))) return mismatch(where, "a tag hangs there");
   return {};
 }
 

@@ -11,7 +11,7 @@
 
 namespace marketgen::exporters {
 
-enum class CocoKind { item, gap, price_tag };
+enum class CocoKind { item, gap, price_tag, missing_tag };
 
 class CocoTruth {
  public:
@@ -19,7 +19,8 @@ class CocoTruth {
 
   // Row in scene.products of an item's id; nothing when the store has none of it.
   std::optional<std::uint32_t> product(const std::string& instance) const;
-  // The categories are the store's SKUs with their categories, gap and price_tag.
+  // The categories are the store's SKUs with their categories, gap, price_tag and
+  // missing_price_tag.
   Result<void> check_categories(const ReadCoco& coco, const std::string& where) const;
   // Every word of an annotation but its pixels. Error: export.mismatch at `where`.
   Result<void> check(CocoKind kind, const ReadCocoAnnotation& read, const std::string& where) const;
@@ -31,11 +32,13 @@ class CocoTruth {
   Result<void> check_item(const ReadCocoAnnotation& read, const std::string& where) const;
   Result<void> check_gap(const ReadCocoAnnotation& read, const std::string& where) const;
   Result<void> check_price_tag(const ReadCocoAnnotation& read, const std::string& where) const;
+  Result<void> check_missing_tag(const ReadCocoAnnotation& read, const std::string& where) const;
 
   const scene::Scene& scene_;
-  std::vector<scene::PlanogramRow> planogram_;      // by facing
-  std::map<ReadCocoPlace, std::uint32_t> facings_;  // by place
-  std::map<std::string, std::uint32_t> products_;   // by id
+  std::vector<scene::PlanogramRow> planogram_;        // by facing
+  std::map<ReadCocoPlace, std::uint32_t> facings_;    // by place
+  std::map<std::string, std::uint32_t> products_;     // by id
+  std::multimap<std::uint32_t, std::uint32_t> tags_;  // rows of scene.price_labels, by facing
 };
 
 }  // namespace marketgen::exporters

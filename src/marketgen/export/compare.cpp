@@ -101,8 +101,7 @@ Result<void> compare_parts(const scene::Scene& scene,
                                 scene.parts.size()));
   for (std::uint32_t row = 0; row < scene.parts.size(); ++row) {
     const std::uint32_t fixture = scene.parts[row].fixture;
-    const std::string name =
-        fmt::format("{}/{}", scene.layout.fixtures[fixture].id, part_name(scene, row));
+    const std::string name = part_id(scene, row);
     const auto found = contents.parts->find(name);
     if (found == contents.parts->end())
       return mismatch(where, fmt::format("part \"{}\" is missing", name));

@@ -45,7 +45,8 @@ struct ExportOptions {
 struct ExportSummary {
   std::uint64_t fixtures = 0, products = 0, skus = 0, meshes = 0, free_bodies = 0, joints = 0,
                 looks = 0, robots = 0, waypoints = 0, blocks = 0, units = 0, pictures = 0,
-                annotations = 0, gaps = 0, price_tags = 0, misplaced = 0;
+                annotations = 0, gaps = 0, price_tags = 0, misplaced = 0, wrong_price_tags = 0,
+                missing_price_tags = 0;
   double free_m2 = 0, keepout_m2 = 0;
   std::array<double, 3> bounds_low_m{}, bounds_high_m{};
   double worst_position_error_m = 0;  // of any product against the scene, after `check`
@@ -70,6 +71,12 @@ struct ExportSummary {
       field("annotations", &ExportSummary::annotations, "what they show, together (coco)"),
       field("gaps", &ExportSummary::gaps, "of these, empty facings (coco)"),
       field("price_tags", &ExportSummary::price_tags, "of these, price tags (coco)"),
+      field("wrong_price_tags",
+            &ExportSummary::wrong_price_tags,
+            "of these tags, with the price or the product of another (coco)"),
+      field("missing_price_tags",
+            &ExportSummary::missing_price_tags,
+            "of the annotations, places without a tag (coco)"),
       field("misplaced", &ExportSummary::misplaced, "of these, misplaced items (coco)"),
       field("bounds_low_m", &ExportSummary::bounds_low_m, "lowest corner"),
       field("bounds_high_m", &ExportSummary::bounds_high_m, "highest corner"),

@@ -26,9 +26,21 @@ std::vector<FixtureLink> fixture_links(const scene::Scene& scene,
   return links;
 }
 
+const scene::SceneJoint& joint_of(const scene::Scene& scene, const FixtureLink& link) {
+  return scene.joints[static_cast<std::size_t>(link.joint)];
+}
+
+bool moves(const scene::Scene& scene, const FixtureLink& link) {
+  return link.joint >= 0 && joint_of(scene, link).kind != assets::JointKind::belt;
+}
+
 std::string part_name(const scene::Scene& scene, std::uint32_t part) {
   const scene::ScenePart& row = scene.parts[part];
   return fmt::format("{}-{}", name_of(row.unit), part - scene.fixtures[row.fixture].first_part);
+}
+
+std::string part_id(const scene::Scene& scene, std::uint32_t part) {
+  return scene.layout.fixtures[scene.parts[part].fixture].id + "/" + part_name(scene, part);
 }
 
 std::string joint_name(const scene::Scene& scene, const scene::SceneJoint& joint) {

@@ -1,6 +1,7 @@
 // The rigid bodies of which a fixture is made up, for formats that have links and joints.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,23 @@ std::vector<FixtureLink> fixture_links(const scene::Scene& scene,
                                        std::uint32_t fixture,
                                        bool still_fixtures);
 
+// What moves the link; not of the fixture's own body.
+const scene::SceneJoint& joint_of(const scene::Scene& scene, const FixtureLink& link);
+// Whether the link moves in its fixture. A belt stands still: it carries what lies on it.
+bool moves(const scene::Scene& scene, const FixtureLink& link);
+
 // "<unit>-<n>", unique in its fixture.
 std::string part_name(const scene::Scene& scene, std::uint32_t part);
+// "<fixture id>/<part>", unique in the store.
+std::string part_id(const scene::Scene& scene, std::uint32_t part);
 // "<fixture id>/<joint>".
 std::string joint_name(const scene::Scene& scene, const scene::SceneJoint& joint);
 // The factor of x^3 in the spring's force -k x - factor x^3.
 double hold_open_factor(const scene::SceneJoint& joint);
 // Wheels: engines take limits of no more than two turns.
 bool turns_endlessly(const scene::SceneJoint& joint);
+// The limits of a joint that has none.
+constexpr double no_upper_limit = std::numeric_limits<double>::infinity();
+constexpr double no_lower_limit = -no_upper_limit;
 
 }  // namespace marketgen::exporters

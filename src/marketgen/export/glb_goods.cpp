@@ -1,6 +1,5 @@
 #include "export/glb_goods.h"
 
-#include "assets/contents.h"
 #include "export/goods_look.h"
 #include "export/price_prints.h"
 
@@ -13,18 +12,7 @@ Result<int> add_product_mesh(const catalog::Product& product,
                              GlbMaterials& materials) {
   if (made.error) return *made.error;
   const int label = made.label.empty() ? -1 : document.add_texture(made.label);
-  std::vector<int> surfaces;
-  for (const assets::Surface& surface : made.model.surfaces) {
-    if (surface.texture.empty() || surface.texture == "label") {
-      surfaces.push_back(materials.add(surface, surface.texture.empty() ? -1 : label));
-      continue;
-    }
-    MARKETGEN_TRY(const int tiled,
-                  surface.texture == "contents"
-                      ? materials.add_tiled(assets::contents_material(*product.contents))
-                      : materials.add_tiled(surface.texture));
-    surfaces.push_back(tiled);
-  }
+  MARKETGEN_TRY(const std::vector<int> surfaces, add_looks(materials, product, made.model, label));
   return document.add_mesh(product.sku, made.model.mesh, surfaces);
 }
 

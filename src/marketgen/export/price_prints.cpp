@@ -11,14 +11,13 @@
 #include "io/json.h"
 #include "io/png.h"
 #include "render/picture_cache.h"
+#include "render/price_tags.h"
+#include "scene/price_tags.h"
 
 namespace marketgen::exporters {
 namespace {
 
 constexpr int tag_px = 64, card_px = 148;  // heights
-constexpr auto card_width_m = static_cast<float>(assets::promotion_card_width_mm * 1e-3);
-constexpr auto card_height_m = static_cast<float>(assets::promotion_card_height_mm * 1e-3);
-constexpr float tag_lift_m = 8e-4F;  // label stock before the rail
 
 Mesh upright_quad(float width_m, float height_m) {
   const float x = width_m / 2, z = height_m / 2;
@@ -27,42 +26,40 @@ Mesh upright_quad(float width_m, float height_m) {
   return quad;
 }
 
-Pose place_of(const scene::Scene& scene, const scene::PriceLabel& label) {
-  const scene::SceneShelf& shelf = scene.shelves[label.shelf];
-  const double middle_m = (assets::price_rail_top_m + assets::price_rail_bottom_m) / 2;
-  return scene::world_from_shelf(scene, label.shelf) *
-         Pose{{label.x_m - shelf.width_m / 2, assets::price_rail_face_m - tag_lift_m, middle_m},
-              {}};
+// Of what is stuck on there in the shelf's frame.
+Pose place_at(const scene::Scene& scene, const scene::PriceLabel& label, const Vec3f& in_shelf) {
+  return scene::world_from_shelf(scene, label.shelf) * Pose{to_double(in_shelf), {}};
 }
 
-// The card of an offer hangs below its tag; those of neighbours, which may overlap, a little apart.
-Pose place_of_card(const scene::Scene& scene, std::size_t row) {
-  const scene::PriceLabel& label = scene.price_labels[row];
-  const double apart_m = tag_lift_m * static_cast<double>(1 + row % 3);
-  return place_of(scene, label) *
-         Pose{{0, -apart_m, -static_cast<double>(label.height_m + card_height_m) / 2}, {}};
+using Design = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // SKU, promotion, cents
+
+Design design_of(const scene::PriceLabel& label) {
+  return {label.sku, label.promotion, label.price_cents};
 }
 
-// One design of tag for each SKU and promotion, one mesh for each size of it.
+// One design of tag for each SKU, promotion and price, one mesh for each size of it.
 Result<void> add_tags(const scene::Scene& scene, PricePrints& prints) {
   struct Same {
     const scene::PriceLabel* first = nullptr;
     std::vector<Pose> places;
   };
-  std::map<std::tuple<std::uint32_t, std::uint32_t>, std::size_t> picture_of;   // SKU, promotion
-  std::map<std::tuple<std::uint32_t, std::uint32_t, float, float>, Same> tags;  // and size
+  std::map<Design, std::size_t> picture_of;
+  std::map<Design, catalog::Product> said;
+  std::map<std::tuple<Design, float, float>, Same> tags;  // and size
   for (const scene::PriceLabel& label : scene.price_labels) {
-    Same& same = tags[{label.sku, label.promotion, label.width_m, label.height_m}];
+    Same& same = tags[{design_of(label), label.width_m, label.height_m}];
     if (same.first == nullptr) same.first = &label;
-    same.places.push_back(place_of(scene, label));
-    picture_of[{label.sku, label.promotion}] = 0;
+    same.places.push_back(place_at(scene, label, render::price_tag_place(scene, label)));
+    picture_of[design_of(label)] = 0;
+    said.try_emplace(design_of(label), scene::product_on_tag(scene, label));
   }
-  std::vector<std::pair<std::tuple<std::uint32_t, std::uint32_t>, Result<std::string>>> drawn;
+  std::vector<std::pair<Design, Result<std::string>>> drawn;
   for (const auto& [key, index] : picture_of)
     drawn.emplace_back(key, std::string());
   parallel_for(drawn.size(), [&](std::size_t i) {
-    const auto& [sku, promotion] = drawn[i].first;
-    const Result<Image> tag = exported_price_tag(scene.catalog[sku], promotion != 0, tag_px);
+    const Design& design = drawn[i].first;
+    const bool promotion = std::get<1>(design) != 0;
+    const Result<Image> tag = exported_price_tag(said.at(design), promotion, tag_px);
     drawn[i].second = tag.ok() ? io::encode_png(*tag) : tag.error();
   });
   for (auto& [key, png] : drawn) {
@@ -72,7 +69,7 @@ Result<void> add_tags(const scene::Scene& scene, PricePrints& prints) {
   }
   for (auto& [key, same] : tags)
     prints.tags.push_back({"price/" + scene.catalog[same.first->sku].sku,
-                           picture_of[{same.first->sku, same.first->promotion}],
+                           picture_of[design_of(*same.first)],
                            upright_quad(same.first->width_m, same.first->height_m),
                            std::move(same.places)});
   return {};
@@ -83,7 +80,8 @@ Result<void> add_cards(const scene::Scene& scene, PricePrints& prints) {
   std::map<std::uint32_t, std::vector<Pose>> cards;  // by SKU
   for (std::size_t row = 0; row < scene.price_labels.size(); ++row) {
     const scene::PriceLabel& label = scene.price_labels[row];
-    if (label.promotion != 0) cards[label.sku].push_back(place_of_card(scene, row));
+    if (label.promotion != 0)
+      cards[label.sku].push_back(place_at(scene, label, render::promotion_card_place(scene, row)));
   }
   for (auto& [sku, places] : cards) {
     const catalog::Product& product = scene.catalog[sku];
@@ -93,10 +91,11 @@ Result<void> add_cards(const scene::Scene& scene, PricePrints& prints) {
             fmt::format("promotion card {} {}", card_px, io::write_json_line(product)),
             [&product = product] { return assets::draw_promotion_card(product, card_px); }));
     MARKETGEN_TRY(std::string png, io::encode_png(card));
-    prints.cards.push_back({"offer/" + product.sku,
-                            prints.pictures.size(),
-                            upright_quad(card_width_m, card_height_m),
-                            std::move(places)});
+    prints.cards.push_back(
+        {"offer/" + product.sku,
+         prints.pictures.size(),
+         upright_quad(render::promotion_card_width_m, render::promotion_card_height_m),
+         std::move(places)});
     prints.pictures.push_back(std::move(png));
   }
   return {};

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <limits>
 #include <map>
 
 #include "export/exporter.h"
+#include "export/fixture_links.h"
 #include "export/joint_extras.h"
 #include "export/named_solids.h"
 #include "export/read_goods.h"
@@ -175,8 +175,8 @@ class SdfReader {
     if (length(along - Vec3{0, 0, 1}) > 0) return xml_.fault(*axis, "it is not Z");
     MARKETGEN_TRY(const XMLElement* limit, xml_.child(*axis, "limit"));
     if (type == "continuous") {
-      joint.lower = -std::numeric_limits<double>::infinity();
-      joint.upper = -joint.lower;
+      joint.lower = no_lower_limit;
+      joint.upper = no_upper_limit;
     } else {
       MARKETGEN_TRY(joint.lower, xml_.child_number(*limit, "lower"));
       MARKETGEN_TRY(joint.upper, xml_.child_number(*limit, "upper"));

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "export/exporter.h"
+#include "export/fixture_links.h"
 #include "export/joint_extras.h"
 #include "export/named_solids.h"
 #include "export/read_goods.h"
@@ -193,8 +193,8 @@ class UrdfReader {
     if (along != std::vector<double>{0, 0, 1}) return xml_.fault(*axis, "it is not Z");
     MARKETGEN_TRY(const XMLElement* limit, xml_.child(element, "limit"));
     if (type == "continuous") {
-      joint.lower = -std::numeric_limits<double>::infinity();
-      joint.upper = -joint.lower;
+      joint.lower = no_lower_limit;
+      joint.upper = no_upper_limit;
     } else {
       MARKETGEN_TRY(joint.lower, xml_.attribute_number(*limit, "lower"));
       MARKETGEN_TRY(joint.upper, xml_.attribute_number(*limit, "upper"));

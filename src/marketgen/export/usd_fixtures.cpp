@@ -143,12 +143,12 @@ class UsdFixtureWriter {
   Result<void> write_fixture(std::uint32_t fixture, const std::string& name) {
     const layout::Fixture& placed = scene_.layout.fixtures[fixture];
     const std::vector<FixtureLink> bodies = fixture_links(scene_, fixture, still_);
-    const bool moves = std::ranges::any_of(bodies, [&](const FixtureLink& body) {
-      return body.joint >= 0 && joint_of(body).kind != assets::JointKind::belt;
-    });
+    const bool articulated =
+        std::ranges::any_of(bodies, [&](const FixtureLink& body) { return moves(scene_, body); });
     const UsdLabels labels{{"class", placed.kind}, {"zone", placed.zone}};
-    const std::string root = moves ? "\"PhysicsArticulationRootAPI\"" + usd_label_schemas(labels)
-                                   : usd_label_schemas(labels).substr(2);
+    const std::string root = articulated
+                                 ? "\"PhysicsArticulationRootAPI\"" + usd_label_schemas(labels)
+                                 : usd_label_schemas(labels).substr(2);
     const std::string path = "/Shop/fixtures/" + name;
     out_.open(fmt::format("def Xform \"{}\"", name),
               {"prepend apiSchemas = [" + root + "]",
@@ -160,36 +160,32 @@ class UsdFixtureWriter {
     names_ = {};
     body_path_.clear();
     for (const FixtureLink& body : bodies) {
-      MARKETGEN_CHECK(write_body(body, path, moves));
+      MARKETGEN_CHECK(write_body(body, path, articulated));
     }
-    if (moves) write_anchor(path, world_from_fixture);
+    if (articulated) write_anchor(path, world_from_fixture);
     for (const FixtureLink& body : bodies) {
-      if (body.joint >= 0 && joint_of(body).kind != assets::JointKind::belt) write_joint(body);
+      if (moves(scene_, body)) write_joint(joint_of(scene_, body));
     }
     out_.close();
     return {};
   }
 
-  const scene::SceneJoint& joint_of(const FixtureLink& body) const {
-    return scene_.joints[static_cast<std::size_t>(body.joint)];
-  }
-
-  Result<void> write_body(const FixtureLink& body, const std::string& path, bool moves) {
+  Result<void> write_body(const FixtureLink& body, const std::string& path, bool articulated) {
     MARKETGEN_TRY(const std::string reference, modules_.add(body));
     const bool is_base = body.joint < 0;
-    const std::string name = names_.of(is_base ? "body" : joint_of(body).name);
+    const std::string name = names_.of(is_base ? "body" : joint_of(scene_, body).name);
     body_path_[body.joint] = path + "/" + name;
     std::vector<std::string> metadata{"instanceable = true", "prepend references = " + reference};
     if (!is_base)
       metadata.emplace_back("prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]");
-    else if (moves)
+    else if (articulated)
       metadata.emplace_back("prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]");
     if (!is_base)
       metadata.push_back(
-          fmt::format("displayName = {}", usd_quoted(joint_name(scene_, joint_of(body)))));
+          fmt::format("displayName = {}", usd_quoted(joint_name(scene_, joint_of(scene_, body)))));
     out_.open(fmt::format("def \"{}\"", name), metadata);
     if (!is_base) {
-      const scene::SceneJoint& joint = joint_of(body);
+      const scene::SceneJoint& joint = joint_of(scene_, body);
       if (joint.kind == assets::JointKind::belt) write_belt(joint);
       out_.line("float physics:mass = {}", joint.mass_kg);
     }
@@ -223,8 +219,7 @@ class UsdFixtureWriter {
   }
 
   // UsdPhysics counts in degrees, a drive's stiffness and damping as well.
-  void write_joint(const FixtureLink& body) {
-    const scene::SceneJoint& joint = joint_of(body);
+  void write_joint(const scene::SceneJoint& joint) {
     const bool hinge = joint.kind == assets::JointKind::hinge;
     const double unit = hinge ? degrees : 1;
     const char* drive = hinge ? "angular" : "linear";

@@ -1,6 +1,5 @@
 #include <Eigen/Dense>
 
-#include "assets/contents.h"
 #include "base/parallel.h"
 #include "export/body_inertia.h"
 #include "export/goods_look.h"
@@ -111,19 +110,7 @@ class ProductWriter {
                                     UsdLooks& looks) {
     const std::string label =
         look.label.empty() ? "" : parts_.pictures.add("label_" + product.sku, ".jpg", look.label);
-    std::vector<int> by_surface;
-    for (const assets::Surface& surface : look.model.surfaces) {
-      if (surface.texture.empty() || surface.texture == "label") {
-        by_surface.push_back(looks.add(surface, surface.texture.empty() ? "" : label));
-        continue;
-      }
-      MARKETGEN_TRY(const int tiled,
-                    surface.texture == "contents"
-                        ? looks.add_tiled(assets::contents_material(*product.contents))
-                        : looks.add_tiled(surface.texture));
-      by_surface.push_back(tiled);
-    }
-    return by_surface;
+    return add_looks(looks, product, look.model, label);
   }
 
   // Still goods are one solid round the pack, free ones what they are in our own physics.

@@ -157,30 +157,25 @@ class SdfWriter {
 
   void write_fixture(std::uint32_t fixture) {
     const std::vector<FixtureLink> links = fixture_links(scene_, fixture, options_.still_fixtures);
-    const bool moves = std::ranges::any_of(links, [&](const FixtureLink& link) {
-      return link.joint >= 0 && joint_of(link).kind != assets::JointKind::belt;
-    });
+    const bool articulated =
+        std::ranges::any_of(links, [&](const FixtureLink& link) { return moves(scene_, link); });
     out_.line(1,
               "<model name=\"{}\">{}{}",
               scene_.layout.fixtures[fixture].id,
-              moves ? "" : static_model,
+              articulated ? "" : static_model,
               sdf_pose(scene::world_from_fixture(scene_, fixture)));
     for (const FixtureLink& link : links)
       write_link(link);
-    if (moves)
+    if (articulated)
       out_.line(2,
                 "<joint name=\"{0}{1}\" type=\"fixed\"><parent>world</parent><child>{0}</child>"
                 "</joint>",
                 sdf_body,
                 sdf_mount);
     for (const FixtureLink& link : links) {
-      if (link.joint >= 0) write_joint(joint_of(link));
+      if (link.joint >= 0) write_joint(joint_of(scene_, link));
     }
     out_.line(1, "</model>");
-  }
-
-  const scene::SceneJoint& joint_of(const FixtureLink& link) const {
-    return scene_.joints[static_cast<std::size_t>(link.joint)];
   }
 
   // Of what this joint moves; of the fixture itself for -1.
@@ -192,7 +187,7 @@ class SdfWriter {
   void write_link(const FixtureLink& link) {
     out_.line(2, "<link name=\"{}\">{}", link_name(link.joint), sdf_pose(link.fixture_from_link));
     if (link.joint >= 0)
-      out_.line(3, "{}", sdf_inertial(inertia_of(scene_, joint_of(link), link.parts)));
+      out_.line(3, "{}", sdf_inertial(inertia_of(scene_, joint_of(scene_, link), link.parts)));
     const Pose link_from_fixture = inverse(link.fixture_from_link);
     for (const std::uint32_t row : link.parts) {
       const assets::ContactShape shape =

@@ -135,20 +135,16 @@ class UrdfWriter {
     const std::vector<FixtureLink> links = fixture_links(scene_, fixture, options_.still_fixtures);
     for (const FixtureLink& link : links) {
       by_joint[link.joint] = &link;
-      write_link(link, link.joint < 0 ? id : link_name(joint_of(link)));
+      write_link(link, link.joint < 0 ? id : link_name(joint_of(scene_, link)));
       if (link.joint < 0) {
         write_mount(id, urdf_room, scene::world_from_fixture(scene_, fixture));
         continue;
       }
-      const scene::SceneJoint& joint = joint_of(link);
+      const scene::SceneJoint& joint = joint_of(scene_, link);
       const Pose parent_from_link =
           inverse(by_joint.at(joint.parent)->fixture_from_link) * link.fixture_from_link;
       write_joint(joint, parent_from_link);
     }
-  }
-
-  const scene::SceneJoint& joint_of(const FixtureLink& link) const {
-    return scene_.joints[static_cast<std::size_t>(link.joint)];
   }
 
   std::string link_name(const scene::SceneJoint& joint) const {
@@ -158,13 +154,12 @@ class UrdfWriter {
   void write_link(const FixtureLink& link, const std::string& name) {
     out_.line(1, "<link name=\"{}\">", name);
     if (link.joint >= 0)
-      out_.line(2, "{}", inertial(inertia_of(scene_, joint_of(link), link.parts)));
+      out_.line(2, "{}", inertial(inertia_of(scene_, joint_of(scene_, link), link.parts)));
     const Pose link_from_fixture = inverse(link.fixture_from_link);
     for (const std::uint32_t row : link.parts) {
       const assets::ContactShape shape =
           link_from_fixture * physics::contact_shape_of(scene_.parts[row]);
-      const std::string part =
-          scene_.layout.fixtures[scene_.parts[row].fixture].id + "/" + part_name(scene_, row);
+      const std::string part = part_id(scene_, row);
       out_.line(2,
                 "<visual name=\"{}\">{}{}<material name=\"{}\"/></visual>",
                 part,

@@ -133,6 +133,8 @@ Ways set_goods(const StandingStore& store,
     if (field == "fill") patch.set_stock->fill = value;
     if (field == "out_of_stock") patch.set_stock->out_of_stock = value;
     if (field == "misplaced") patch.set_stock->misplaced = value;
+    std::optional<plan::PriceTagSpec> tags = zone.stock.price_tags;
+    if (set_price_tags(tags, field, value)) patch.set_stock->price_tags = tags;
     if (field == "jitter") {
       patch.set_stock->jitter = value;
       patch.set_stock->misplaced = value >= untidy_jitter ? untidy_misplaced : 0;

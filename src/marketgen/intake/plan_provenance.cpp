@@ -5,6 +5,11 @@
 namespace marketgen::intake {
 namespace {
 
+// The field of a zone's stock that such a wish sets.
+std::string stock_path(std::string_view subject) {
+  return subject.starts_with("tags_") ? "stock/price_tags" : "stock/" + std::string(subject);
+}
+
 using Kind = plan::RequirementKind;
 
 constexpr std::size_t max_entries = 2000;  // limit of Plan::provenance
@@ -219,7 +224,7 @@ class ProvenanceWriter {
       case Kind::aisle_width:
         return for_gondolas("aisle_mm", wish.span);
       case Kind::stock:
-        return for_zones("", "stock/" + wish.subject, wish.span, said);
+        return for_zones("", stock_path(wish.subject), wish.span, said);
       default:
         return;  // what must not be there leaves no trace in a plan
     }

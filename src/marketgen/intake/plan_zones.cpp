@@ -1,7 +1,9 @@
 #include "intake/plan_zones.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "intake/core_columns.h"
 #include "intake/drawn_runs.h"
@@ -321,6 +323,7 @@ class ZoneWriter {
     }
     if (wish.subject == "out_of_stock") stock.out_of_stock = wish.value;
     if (wish.subject == "misplaced") stock.misplaced = wish.value;
+    set_price_tags(stock.price_tags, wish.subject, wish.value);
     if (wish.subject != "jitter") return;
     // "Tidy" is faced up: not one item stands out.
     stock.jitter = wish.comparison == plan::Comparison::at_most ? 0 : wish.value;
@@ -353,6 +356,23 @@ class ZoneWriter {
 };
 
 }  // namespace
+
+bool set_price_tags(std::optional<plan::PriceTagSpec>& tags,
+                    std::string_view subject,
+                    double share) {
+  constexpr std::array<std::pair<std::string_view, double plan::PriceTagSpec::*>, 4> faults = {
+      {{"tags_missing", &plan::PriceTagSpec::missing},
+       {"tags_wrong_price", &plan::PriceTagSpec::wrong_price},
+       {"tags_wrong_product", &plan::PriceTagSpec::wrong_product},
+       {"tags_doubled", &plan::PriceTagSpec::doubled}}};
+  for (const auto& [name, fault] : faults) {
+    if (name != subject) continue;
+    if (!tags) tags.emplace();
+    *tags.*fault = share;
+    return true;
+  }
+  return false;
+}
 
 std::vector<plan::Zone> zones_of(const PlanSources& sources) {
   const ZoneWriter writer(sources);

@@ -177,6 +177,7 @@ struct SetStock {
   std::optional<IntRange> facings;
   std::optional<BlockPattern> block;
   std::optional<double> depth_fill, jitter, out_of_stock, misplaced;
+  std::optional<PriceTagSpec> price_tags;
   UsualFields usual;
   static constexpr auto fields =
       field_list(field("zone", &SetStock::zone, "whose goods", required(), reference()),
@@ -190,7 +191,8 @@ struct SetStock {
                  changes<StockSpec>("jitter", &SetStock::jitter),
                  changes<StockSpec>("out_of_stock", &SetStock::out_of_stock),
                  changes<StockSpec>("misplaced", &SetStock::misplaced),
-                 field("usual", &SetStock::usual, usual_doc, at_most_items(10)));
+                 changes<StockSpec>("price_tags", &SetStock::price_tags),
+                 field("usual", &SetStock::usual, usual_doc, at_most_items(11)));
 };
 
 struct MoveOpening {

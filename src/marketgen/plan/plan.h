@@ -212,6 +212,26 @@ constexpr std::array<std::string_view, 3> names_of(BlockPattern) {
   return {"brand-vertical", "brand-horizontal", "mixed"};
 }
 
+// Faults of the price tags on shelf edges: shares of the tags that would be there, each on its own.
+struct PriceTagSpec {
+  double missing = 0, wrong_price = 0, wrong_product = 0, doubled = 0;
+
+  static constexpr auto fields =
+      field_list(field("missing", &PriceTagSpec::missing, "are not there", range(0.0, 1.0)),
+                 field("wrong_price",
+                       &PriceTagSpec::wrong_price,
+                       "say a price that does not hold any more",
+                       range(0.0, 1.0)),
+                 field("wrong_product",
+                       &PriceTagSpec::wrong_product,
+                       "are those of another product on the shelf",
+                       range(0.0, 1.0)),
+                 field("doubled",
+                       &PriceTagSpec::doubled,
+                       "have an outdated one beside them where the block is wide enough for two",
+                       range(0.0, 1.0)));
+};
+
 struct StockSpec {
   std::vector<std::string> categories;
   std::vector<std::string> exclude;                    // words of products that must not be here
@@ -223,6 +243,7 @@ struct StockSpec {
   double jitter = 0.2;
   double out_of_stock = 0.03;
   double misplaced = 0.0;
+  std::optional<PriceTagSpec> price_tags;  // none: every tag is there and right
 
   static constexpr auto fields = field_list(
       field("categories",
@@ -255,7 +276,8 @@ struct StockSpec {
       field("misplaced",
             &StockSpec::misplaced,
             "share of the items in front rows that stand in the wrong place",
-            range(0.0, 0.5)));
+            range(0.0, 0.5)),
+      field("price_tags", &StockSpec::price_tags, "faults of the price tags on the shelf edges"));
 };
 
 struct Zone {

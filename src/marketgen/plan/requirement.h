@@ -76,8 +76,9 @@ constexpr std::array<std::string_view, 3> names_of(Comparison) {
 //   opening         subject: opening kind; object: its wall or ""; second_object: the end of that
 //                   wall (a side, or center) or ""; value: how many, 0 = any
 //   endcaps         value: 1 wanted, 0 not
-//   stock           subject: fill, jitter, out_of_stock or misplaced; object: zone type, or "" for
-//                   every zone; value: share
+//   stock           subject: fill, jitter, out_of_stock, misplaced, tags_missing, tags_wrong_price,
+//                   tags_wrong_product or tags_doubled; object: zone type, or "" for every zone;
+//                   value: share
 //   light           subject: light_kelvin or light_lux; value
 // What is asked of every zone does not hold for those in `except`.
 struct Requirement {

@@ -2,15 +2,17 @@
 
 #include <cmath>
 
+#include "assets/fixtures/fixture_model.h"
 #include "render/stage/world.h"
 
 namespace marketgen::render {
 namespace {
 
-constexpr float tag_lift_m = 8e-4F;  // label stock before the rail
-// Where a rail's front usually is (assets/fixtures/units.h): 6 mm before the board, 38 mm down, 2
-// mm up.
-constexpr float usual_front_m = -0.006F, usual_middle_m = -0.018F;
+constexpr float card_lift_m = 8e-4F;  // of a card before the tag
+// Where a rail's front is unless the fixture has one elsewhere.
+constexpr auto usual_front_m = static_cast<float>(assets::price_rail_face_m);
+constexpr auto usual_middle_m =
+    static_cast<float>((assets::price_rail_top_m + assets::price_rail_bottom_m) / 2);
 
 struct RailFace {
   float y = usual_front_m, z = usual_middle_m;  // in the shelf frame
@@ -42,7 +44,15 @@ RailFace rail_of(const scene::Scene& scene, const scene::SceneShelf& shelf) {
 Vec3f price_tag_place(const scene::Scene& scene, const scene::PriceLabel& label) {
   const scene::SceneShelf& shelf = scene.shelves[label.shelf];
   const RailFace rail = rail_of(scene, shelf);
-  return {label.x_m - shelf.width_m / 2, rail.y - tag_lift_m, rail.z};
+  return {label.x_m - shelf.width_m / 2, rail.y - price_tag_lift_m, rail.z};
+}
+
+Vec3f promotion_card_place(const scene::Scene& scene, std::size_t row) {
+  const scene::PriceLabel& label = scene.price_labels[row];
+  const Vec3f tag = price_tag_place(scene, label);
+  const float apart = static_cast<float>(row % 3) * card_lift_m;
+  return {
+      tag.x, tag.y - card_lift_m - apart, tag.z - label.height_m / 2 - promotion_card_height_m / 2};
 }
 
 }  // namespace marketgen::render

@@ -9,6 +9,7 @@
 #include "layout/module_spec.h"
 #include "scene/bays.h"
 #include "scene/placements.h"
+#include "scene/price_tags.h"
 #include "scene/row_arrays.h"
 #include "scene/scene.h"
 #include "scene/shelf_fill.h"
@@ -223,23 +224,17 @@ std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
 }
 
 constexpr double promotion_share = 0.08;  // of price labels are yellow
-constexpr double label_width_m = 0.07, label_height_m = 0.038, smallest_label_m = 0.03;
 
 void add_price_label(Scene& scene,
                      std::uint32_t shelf,
                      const FilledBlock& block,
                      const catalog::Product& product,
                      Stream draw) {
-  PriceLabel label;
-  label.shelf = shelf;
+  PriceLabel label = tag_before_block(shelf, block.x_m, block.width_m);
   label.sku = block.product;
   label.facing = static_cast<std::uint32_t>(scene.facings.size());
-  label.width_m =
-      static_cast<float>(std::clamp(block.width_m - 0.004, smallest_label_m, label_width_m));
-  label.height_m = static_cast<float>(label_height_m);
-  label.x_m = static_cast<float>(block.x_m + block.width_m / 2);
   label.promotion = draw.chance(promotion_share) ? 1 : 0;
-  label.price_cents = static_cast<std::uint32_t>(product.price * 100 + 0.5);
+  label.price_cents = price_cents(product);
   scene.price_labels.push_back(label);
 }
 
@@ -345,6 +340,7 @@ Result<Scene> build_scene(const layout::Layout& layout,
   MARKETGEN_CHECK(check_number(bays, scene, plan, catalog));
   add_stock(scene, bays, fill_bays(bays, scene, plan, catalog, seed), catalog, seed);
   misplace_items(scene, plan, catalog, seed);
+  fault_price_tags(scene, plan, seed);
   MARKETGEN_CHECK(add_placements(scene, plan, catalog));
   compact_catalog(scene, catalog);
   return scene;

@@ -101,7 +101,8 @@ void add_counts(PlanogramRow& row, const Scene& scene, const Facing& facing) {
 std::vector<PlanogramRow> planogram_rows(const Scene& scene) {
   std::vector<bool> promoted(scene.facings.size(), false);
   for (const PriceLabel& label : scene.price_labels)
-    promoted[label.facing] = promoted[label.facing] || label.promotion != 0;
+    if (label.promotion != 0 && label.sku == scene.facings[label.facing].sku)
+      promoted[label.facing] = true;
   const auto bays = bay_numbers(scene);
   std::vector<PlanogramRow> rows;
   rows.reserve(scene.facings.size());

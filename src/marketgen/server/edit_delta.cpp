@@ -141,6 +141,7 @@ std::vector<DeltaBase::FixtureLook> DeltaBase::looks_of(const scene::Scene& scen
     add_bits(text, shelf.side);
     add_bits(text, label.x_m);
     add_bits(text, label.promotion);
+    add_bits(text, label.price_cents);
   }
   std::vector<FixtureLook> looks;
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i)

@@ -7,6 +7,7 @@
 #pragma once
 #include <string>
 
+#include "scene/price_tags.h"
 #include "scene/scene.h"
 #include "support/hand_made_scene.h"
 
@@ -119,6 +120,7 @@ class AuditedShop {
       label.shelf = shelf;
       label.sku = block.sku;
       label.facing = static_cast<std::uint32_t>(scene.facings.size());
+      label.price_cents = scene::price_cents(scene.catalog[block.sku]);
       scene.price_labels.push_back(label);
       scene.facings.push_back(block);
     }

@@ -154,6 +154,43 @@ TEST_F(Coco, APriceTagHasItsPlaceAndWhatItSays) {
   EXPECT_DOUBLE_EQ(tags[0].occlusion, 0);
 }
 
+TEST_F(Coco, TagsThatAreMissingOrWrongSayWhatShouldHangThere) {
+  HandMadeScene made;
+  made.stock();
+  made.scene.price_labels[0].price_cents = 129;
+  made.scene.price_labels.pop_back();
+  made.scene.facings[5].x_m = 0.2F, made.scene.facings[5].width_m = 0.2F;
+  scene::ScenePart rail;  // before the upper board, as shelves have it
+  rail.unit = assets::UnitKind::price_rail;
+  rail.position_m = {0, -0.224F, HandMadeScene::upper_board_m - 0.018F};
+  rail.half_size_m = {0.62F, 0.002F, 0.02F};
+  made.scene.parts.push_back(rail);
+  made.scene.fixtures[0].part_count = 5;
+  const exporters::ReadCoco coco = exported(made.scene);
+  const auto tags = of(coco, "price_tag"), missing = of(coco, "missing_price_tag");
+  ASSERT_EQ(tags.size(), 1U);
+  EXPECT_EQ(tags[0].fault, "wrong_price");
+  EXPECT_EQ(tags[0].price, 1.29);
+  EXPECT_EQ(tags[0].text[2], "1.29 \u20ac");
+  ASSERT_EQ(missing.size(), 1U);  // blocks without a width have no place for one
+  EXPECT_EQ(missing[0].sku, "box-cereal");
+  EXPECT_EQ(missing[0].place->shelf, 2);
+  const double rail_m = HandMadeScene::upper_board_m - 0.018, face_m = shelf_front_m - 0.006;
+  expect_box(missing[0].box, seen_box(2.645, 2.715, rail_m - 0.019, rail_m + 0.019, face_m));
+  EXPECT_EQ(fault_of(made.scene, *io::read_file(file())), "");
+  made.scene.price_labels[0].price_cents = 99;  // the same pictures of another store
+  const auto other = exported(made.scene);
+  EXPECT_EQ(of(other, "price_tag")[0].fault, "");
+  // A tag of cola where cereal belongs.
+  const std::uint32_t cereal = made.scene.facings[5].sku;
+  made.scene.price_labels[0].facing = 5, made.scene.price_labels[0].shelf = 1;
+  const auto strange = of(exported(made.scene), "price_tag");
+  ASSERT_EQ(strange.size(), 1U);
+  EXPECT_EQ(strange[0].fault, "wrong_product");
+  EXPECT_EQ(strange[0].sku, "can-cola");
+  EXPECT_EQ(strange[0].planogram_sku, made.scene.catalog[cereal].sku);
+}
+
 // The same item alone in the store covers what its occlusion is measured by.
 TEST_F(Coco, OcclusionIsTheShareThatOtherThingsHide) {
   HandMadeScene both, alone;

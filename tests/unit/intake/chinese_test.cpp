@@ -313,6 +313,7 @@ const std::vector<ChineseCase> chinese_cases = {
     // ---- Stock and products ----
     {"货架九成满", {"stock fill 0.9"}, {}},
     {"货填到八成五", {"stock fill 0.85"}, {}},
+    {"价签缺失5%", {"stock tags_missing 0.05"}, {}},
     {"随机缺货5%", {"stock out_of_stock 0.05"}, {"随机"}},
     {"一定要有牛奶", {"product_present milk"}, {}},
     // ---- Strength, mixed, unknown ----

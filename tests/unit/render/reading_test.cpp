@@ -14,6 +14,7 @@
 
 #include "base/text.h"
 #include "io/file.h"
+#include "scene/price_tags.h"
 #include "support/bar_faces.h"
 #include "synthetic_scene.h"
 
@@ -113,6 +114,7 @@ struct LabelBoard {
     scene::PriceLabel label;
     label.shelf = label.sku = i;
     label.x_m = 0.2F;
+    label.price_cents = scene::price_cents(product);
     scene.price_labels.push_back(label);
     // 18 mm below the shelf and 7 mm before it is where a rail holds them.
     const auto shelf_at = scene::world_from_shelf(scene, i).position;

@@ -7,15 +7,13 @@
 #include "render/picture_objects.h"
 #include "render/price_tags.h"
 #include "render/stage/build_signage.h"
+#include "scene/price_tags.h"
 
 namespace marketgen::render::raytrace {
 namespace {
 
 // Heights in pixels: near, and a third of it from afar.
 constexpr int near_tag_px = 96, near_card_px = 222;
-constexpr auto card_width_m = static_cast<float>(assets::promotion_card_width_mm * 1e-3);
-constexpr auto card_height_m = static_cast<float>(assets::promotion_card_height_mm * 1e-3);
-constexpr float lift_m = 8e-4F;  // of a card before the tag
 int pixels(int near_px, PrintDetail detail) {
   return detail == PrintDetail::near ? near_px : near_px / 3;
 }
@@ -61,19 +59,19 @@ PriceLabelBuilder::PriceLabelBuilder(Draft& draft) {
   const int tag_px = pixels(near_tag_px, draft.print()),
             card_px = pixels(near_card_px, draft.print());
   for (const scene::PriceLabel& label : scene.price_labels) {
-    const catalog::Product& product = scene.catalog[label.sku];
+    const catalog::Product product = scene::product_on_tag(scene, label);
     const bool promotion = label.promotion != 0;
     const std::string row = io::write_json_line(product);
     Looks looks;
     looks.tag = paper(
         draft.print_texture(fmt::format("tag {} {} {}", tag_px, promotion ? "promotion" : "", row),
-                            [&product, promotion, tag_px] {
+                            [product, promotion, tag_px] {
                               return assets::print_price_tag(product, promotion, tag_px);
                             }));
     if (promotion)
       looks.card =
           paper(draft.print_texture(fmt::format("promotion card {} {}", card_px, row),
-                                    [&product, card_px] { return print_card(product, card_px); }));
+                                    [product, card_px] { return print_card(product, card_px); }));
     looks_of_label_.push_back(looks);
   }
 }
@@ -86,15 +84,14 @@ void PriceLabelBuilder::build(Draft& draft) const {
     const Sticker tag{at.x, at.y, at.z, label.width_m, label.height_m, looks_of_label_[i].tag};
     stick(draft, label.shelf, tag);
     if (!looks_of_label_[i].card) continue;
-    // Cards of neighbours may overlap; they hang a little apart.
-    const float apart = static_cast<float>(i % 3) * lift_m;
+    const Vec3f card = promotion_card_place(scene, i);
     stick(draft,
           label.shelf,
-          {at.x,
-           at.y - lift_m - apart,
-           at.z - label.height_m / 2 - card_height_m / 2,
-           card_width_m,
-           card_height_m,
+          {card.x,
+           card.y,
+           card.z,
+           promotion_card_width_m,
+           promotion_card_height_m,
            *looks_of_label_[i].card});
   }
 }
