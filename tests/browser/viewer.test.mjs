@@ -2,7 +2,7 @@
 // taken lie in MARKETGEN_BROWSER_PICTURES, where that names a folder.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -252,6 +252,51 @@ test("layers show aisles with their widths and broken rules with their words", a
 
 const goTo = (page, hash) =>
   page.evaluate((hash) => new Promise((done) => (window.addEventListener("hashchange", done, { once: true }), (location.hash = hash))).then(() => 0), hash);
+
+// Mean of each channel, 0..255: of what the page has drawn, and of a picture's file.
+const meanOfPage = (page) =>
+  page.evaluate(() => {
+    const { stage } = window.marketgen;
+    stage.draw(true);
+    const gl = stage.renderer.getContext();
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+    const pixels = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return [0, 1, 2].map((c) => pixels.reduce((sum, byte, i) => sum + (i % 4 === c ? byte : 0), 0) / (width * height));
+  });
+async function meanOfFile(file) {
+  const blank = await browser.newPage();
+  const means = await blank.evaluate(async (address) => {
+    const picture = Object.assign(new Image(), { src: address });
+    await picture.decode();
+    const canvas = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+    canvas.drawImage(picture, 0, 0);
+    const { data } = canvas.getImageData(0, 0, picture.width, picture.height);
+    return [0, 1, 2].map((c) => data.reduce((sum, byte, i) => sum + (i % 4 === c ? byte : 0), 0) / (picture.width * picture.height));
+  }, `data:image/png;base64,${readFileSync(file, "base64")}`);
+  await blank.close();
+  return means;
+}
+
+test("the page has the renderer's tones", async () => {
+  const { page, faults, close } = await open();
+  await complete(page);
+  const cameras = await page.evaluate(async () => (await (await fetch("api/stores/0")).json()).cameras);
+  for (const { name, from_m: from, at_m: at } of cameras.filter(({ ortho_height_m: above }) => above === 0)) {
+    const [x, y, z] = at.map((value, k) => value - from[k]);
+    await goTo(page, `#mode=fly&eye=${from.join(",")}&look=${Math.atan2(y, x)},${Math.atan2(z, Math.hypot(x, y))}`);
+    await settled(page);
+    const file = join(folder, `${name}.png`);
+    const { fov, aspect } = await page.evaluate(() => window.marketgen.stage.camera);
+    const size = `${2 * Math.round(180 * aspect)}x360`;
+    execFileSync(program, ["render", store, "--from", from.join(","), "--at", at.join(","), "--fov-deg", String(fov), "--size", size, "--quiet", "-o", file]);
+    await take(page, `tones-${name}`);
+    const [shown, drawn] = [await meanOfPage(page), await meanOfFile(file)];
+    for (const c of [0, 1, 2]) assert.ok(Math.abs(shown[c] - drawn[c]) < 0.06 * 255, `${name}: the page has ${shown}, the renderer ${drawn}`);
+  }
+  assert.deepEqual(faults, []);
+  await close();
+});
 
 test("two clicks measure what lies between them", async () => {
   const { page, faults, close } = await open();

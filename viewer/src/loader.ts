@@ -6,6 +6,7 @@ import { Goods } from "./stage/goods";
 import { readGoods } from "./stage/goods_table";
 import { Overlays } from "./stage/overlays";
 import { Room } from "./stage/room";
+import { setFilm } from "./stage/shading";
 import type { Stage } from "./stage/stage";
 
 export interface Watch {
@@ -27,6 +28,7 @@ async function watchServer(client: Client, watch: Watch, until: () => boolean): 
 
 export function loadGoods(client: Client, stage: Stage, summary: Summary, watch: Watch, without: ReadonlySet<number> = new Set()): Promise<Goods> {
   return client.packed<unknown>("/goods.bin").then((packed) => {
+    setFilm(stage.shared, packed.f32("film", 1));
     const table = readGoods(packed, summary.skus, without);
     const goods = new Goods(table, summary.skus, stage.shared, () => stage.redraw(), stage.redrawSoon);
     stage.goods = goods;

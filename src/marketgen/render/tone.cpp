@@ -4,33 +4,43 @@
 #include <bit>
 #include <cmath>
 
+#include "geometry/srgb.h"
 #include "render/shading_math.h"
 
 namespace marketgen::render::raytrace {
 namespace {
 
-// AgX by T. Sobotka in B. Wrensch's polynomial form: inset, log2 range, sigmoid, outset.
-constexpr float low_stop = -12.47393F, high_stop = 4.026069F;
+constexpr float mid_gain = 1.08F;  // of what lies between toe and shoulder
+// Blacks lose more than half of their light, greys little.
+constexpr float toe_low = 0.012F, toe_high = 0.03F;
+constexpr float shoulder_from = 0.5F;  // of the screen's light
+constexpr float clipped_from = 12;     // times white: the screen's white
 
-float sigmoid(float x) {
-  const float x2 = x * x, x4 = x2 * x2;
-  return 15.5F * x4 * x2 - 40.14F * x4 * x + 31.96F * x4 - 6.868F * x2 * x + 0.4298F * x2 +
-         0.1191F * x - 0.00232F;
+// Extended Reinhard over what is left of the screen's light: its slope goes on from the middle's.
+float shoulder(float light) {
+  constexpr float left = 1 - shoulder_from;
+  constexpr float farthest = (mid_gain * clipped_from - shoulder_from) / left;
+  const float over = (light - shoulder_from) / left;
+  return shoulder_from + left * over * (1 + over / (farthest * farthest)) / (1 + over);
 }
-
-float curve(float linear) {
-  const float stops = std::log2(std::max(linear, 1e-8F));
-  return std::max(0.0F,
-                  sigmoid(std::clamp((stops - low_stop) / (high_stop - low_stop), 0.0F, 1.0F)));
-}
-
-// A look on top: AgX alone is flat, made for grading.
-constexpr float look_contrast = 1.35F, look_saturation = 1.18F, look_gain = 1.10F;
-// Interreflection lifts a furnished room above its lamps' own lux; this puts white paper at nine
-// tenths of the screen's white.
-constexpr float base_exposure = 0.78F;
 
 }  // namespace
+
+float film_curve(float exposed) {
+  const float meant = mid_gain * std::max(exposed, 0.0F);
+  const float light = meant * (meant + toe_low) / (meant + toe_high);
+  const float compressed = light < shoulder_from ? light : shoulder(light);
+  return static_cast<float>(srgb_encoded(static_cast<double>(std::min(compressed, 1.0F))));
+}
+
+FilmTable film_table() {
+  FilmTable table{};
+  for (std::size_t i = 0; i < table.values.size(); ++i) {
+    const float steps = static_cast<float>(i) / FilmTable::steps_per_stop;
+    table.values[i] = film_curve(std::exp2(FilmTable::first_stop + steps));
+  }
+  return table;
+}
 
 ToneCurve::ToneCurve() {
   for (std::size_t i = 0; i < table_.size(); ++i) {
@@ -38,7 +48,7 @@ ToneCurve::ToneCurve() {
     const auto step = static_cast<int>(i);
     const float mantissa = 1 + (static_cast<float>(step % steps_per_stop) + 0.5F) / steps_per_stop;
     const float linear = std::ldexp(mantissa, lowest_stop + step / steps_per_stop);
-    table_[i] = std::pow(curve(linear), look_contrast) * look_gain;
+    table_[i] = film_curve(linear);
   }
 }
 
@@ -53,20 +63,8 @@ Float8 ToneCurve::at(Float8 linear) const {
 }
 
 ToneCurve::Pixels ToneCurve::shown(const Vec8& exposed) const {
-  const Vec8 c = exposed * Float8(base_exposure);
-  const Float8 x = at(0.842479062F * c.x + 0.0784335999F * c.y + 0.0792237451F * c.z);
-  const Float8 y = at(0.0423282422F * c.x + 0.878468636F * c.y + 0.0791661274F * c.z);
-  const Float8 z = at(0.0423756549F * c.x + 0.0784336F * c.y + 0.879142973F * c.z);
-  const Float8 grey = 0.2126F * x + 0.7152F * y + 0.0722F * z;
-  const Float8 dx = grey + (x - grey) * look_saturation;
-  const Float8 dy = grey + (y - grey) * look_saturation;
-  const Float8 dz = grey + (z - grey) * look_saturation;
-  const auto byte = [](Float8 value) {
-    return to_int(clamp(value, Float8(0), Float8(1)) * 255 + 0.5F);
-  };
-  const Int8 r = byte(1.19687900F * dx - 0.0980208811F * dy - 0.0990297441F * dz);
-  const Int8 g = byte(-0.0528968518F * dx + 1.15190313F * dy - 0.0989611768F * dz);
-  const Int8 b = byte(-0.0529716355F * dx - 0.0980434501F * dy + 1.15107367F * dz);
+  const auto byte = [this](Float8 channel) { return to_int(at(channel) * 255 + 0.5F); };
+  const Int8 r = byte(exposed.x), g = byte(exposed.y), b = byte(exposed.z);
   // Four bytes a pixel to three: twelve in each half of the register.
   const __m256i order = _mm256_setr_epi8(0,
                                          1,

@@ -1,6 +1,12 @@
-// From radiance to what a screen shows: exposure, the AgX film curve, sRGB bytes.
+// From radiance to what a screen shows: exposure, the film curve, sRGB bytes.
+//
+// The curve takes each channel by itself, so that print keeps its colour: a label in the light that
+// the picture is exposed for comes out nearly as its file has it. It has a soft toe, is straight
+// through the middle (18 % grey at 117 of 255) and bends from there (paper of 80 % at 219, a sheet
+// in twice the light at 242) to 12 times white.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "geometry/image.h"
@@ -9,11 +15,23 @@
 
 namespace marketgen::render::raytrace {
 
-// `radiance` times exposure: 1 is a white sheet under the store's own light.
+// What a screen gets for one channel, sRGB-encoded 0..1. `exposed` is radiance times exposure: 1 is
+// a white sheet in the light that the picture is exposed for.
+float film_curve(float exposed);
+
+// The curve for programs that draw elsewhere: its values at steps of a quarter of a stop from
+// 2^first_stop on, straight between them within a byte's step.
+struct FilmTable {
+  static constexpr int first_stop = -13, steps_per_stop = 4;
+  std::array<float, std::size_t{17 * steps_per_stop + 1}> values;
+};
+FilmTable film_table();
+
+// Not finite: black.
 Rgb8 display_color(Vec3f exposed);
 
-// The same for eight pixels: the film curve as a table over the logarithm of its input, within a
-// third of a byte's step.
+// The same for eight pixels: the curve as a table over the logarithm of its input, within a third
+// of a byte's step.
 class ToneCurve {
  public:
   ToneCurve();

@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "base/parallel.h"
 #include "render/shading_math.h"
+#include "render/tone.h"
 #include "scene/placements.h"
 #include "server/goods_rows.h"
 #include "server/view_files.h"
@@ -39,6 +41,8 @@ ViewFile goods_table(const scene::Scene& scene) {
   PackedSections sections;
   rows.pack(sections, "");
   sections.note("products", scene.products.size());
+  const render::raytrace::FilmTable film = render::raytrace::film_table();
+  sections.add("film", 1, std::span<const float>(film.values));
   return {"goods.bin", "application/octet-stream", sections.file()};
 }
 

@@ -1,8 +1,10 @@
 // Light with known answers: a lamp over a floor, textures, tone; path_test.cpp has furnaces.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "assets/print/color.h"
 #include "render/light/light_grid.h"
 #include "render/shading_math.h"
 #include "render/stage/texture.h"
@@ -61,6 +63,39 @@ TEST(Tone, GreysStayGreyAndRise) {
   }
   EXPECT_EQ(before, 255);
   EXPECT_EQ(display_color({std::nanf(""), 0, 0}).r, display_color({0, 0, 0}).r);
+}
+
+TEST(Tone, PaperIsLightGreysAreNaturalAndLampsAreWhite) {
+  const auto byte = [](float exposed) { return 255 * film_curve(exposed); };
+  EXPECT_NEAR(byte(0.8F), 219, 3);   // white paper
+  EXPECT_NEAR(byte(0.18F), 118, 5);  // a grey card: 118 in sRGB
+  EXPECT_LT(byte(0.004F), 12);
+  EXPECT_LT(byte(2), 250);  // twice as bright as a white sheet: still told from a lamp
+  EXPECT_NEAR(byte(12), 255, 0.1);
+  EXPECT_EQ(byte(-1), 0);
+}
+
+TEST(Tone, PrintKeepsItsColour) {
+  for (const auto& [r, g, b] : {std::array{204, 30, 40}, {20, 140, 60}, {20, 70, 170}}) {
+    const auto light = [](int code) {
+      return assets::linear_from_srgb(static_cast<std::uint8_t>(code));
+    };
+    const Rgb8 shown = display_color({light(r), light(g), light(b)});
+    EXPECT_NEAR(shown.r, r, 14);
+    EXPECT_NEAR(shown.g, g, 14);
+    EXPECT_NEAR(shown.b, b, 14);
+  }
+}
+
+TEST(Tone, FilmTableIsTheCurveBetweenItsStepsToo) {
+  const FilmTable table = film_table();
+  for (float stops = -11; stops < 3.9F; stops += 0.061F) {
+    const float at = (stops - FilmTable::first_stop) * FilmTable::steps_per_stop;
+    const auto low = static_cast<std::size_t>(at);
+    const float between =
+        std::lerp(table.values[low], table.values[low + 1], at - static_cast<float>(low));
+    EXPECT_NEAR(255 * between, 255 * film_curve(std::exp2(stops)), 1) << stops;
+  }
 }
 
 TEST(Tone, BlackBodiesGoFromRedToBlue) {

@@ -52,6 +52,18 @@ TEST(Surroundings, WithoutTheStreetOnlyTheEvenLight) {
   EXPECT_EQ(outside.radiance({0, 0, 1}).y, 2);
 }
 
+TEST(Surroundings, TheStreetIsOutOfFocusAllRound) {
+  constexpr int steps = 3600;
+  for (const float rise : {-0.05F, 0.0F, 0.1F}) {
+    const auto seen = [&](int i) {
+      const float turn = two_pi * static_cast<float>(i) / steps;
+      return luminance(street(1).radiance(normalized(Vec3f{std::cos(turn), std::sin(turn), rise})));
+    };
+    for (int i = 0; i < steps; ++i)  // a tenth of a degree on, next to nothing has changed
+      EXPECT_LT(std::fabs(seen(i + 1) - seen(i)), 0.4F * street(1).white) << i;
+  }
+}
+
 TEST(Surroundings, EveryDirectionHasFiniteLight) {
   for (const float daylight : {0.0F, 1.0F}) {
     for (const Vec3f direction :

@@ -1,26 +1,22 @@
-// How light becomes colour: base colour times stored light, then the renderer's tone curve. Colours stay sRGB-encoded all the way.
+// How light becomes colour: base colour times stored light, then the renderer's film curve. Colours stay sRGB-encoded all the way.
 //
-// The curve is render/tone.cpp's; its sigmoid, contrast and gain are one polynomial over the stops here, within 0.6 of a byte's step.
-// It is taken at the vertices, for three greys of the texture (0.3, 0.6 and 0.95 of white) in the light that is there. The points of
-// the picture take the cubic through these, and the curve's saturation of 1.1 as a whole: 3.5 bytes RMS from the exact curve over
-// random colours and light, at a tenth of its cost a point, which is what WebGL without a GPU is slow at.
+// The curve comes from the server with the goods (render/tone.h: FilmTable). It is taken at the vertices, for three greys of the
+// texture (0.3, 0.6 and 0.95 of white) in the light that is there; the points of the picture take the cubic through these: 2.5 bytes RMS
+// from the exact curve over random colours and light, at a tenth of its cost a point, which is what WebGL without a GPU is slow at.
 import { DoubleSide, GLSL3, RawShaderMaterial, type IUniform, type Texture } from "three";
+import { PackedError } from "../store/packed";
 
 const atVertex = /* glsl */ `
-vec3 curveOf(vec3 stops) {
-  vec3 s = clamp((stops + 12.47393) / 16.499999, 0.0, 1.0);
-  vec3 p = vec3(22.5367677);
-  p = p * s - 50.4821160;
-  p = p * s + 25.7974081;
-  p = p * s + 8.54532424;
-  p = p * s - 6.58272356;
-  p = p * s + 1.35656810;
-  p = p * s - 0.0722485920;
-  return max(p * s + 0.00111551660, vec3(0.0));
+uniform float uFilm[FILM_VALUES];
+float filmAt(float stops) {
+  float at = clamp((stops - FIRST_STOP) * STEPS_PER_STOP, 0.0, float(FILM_VALUES) - 1.001);
+  int low = int(at);
+  return mix(uFilm[low], uFilm[low + 1], at - float(low));
 }
 // The cubic's coefficients (of x, x^2, x^3) in light so bright.
 vec3 responseIn(float light) {
-  vec3 seen = curveOf(log2(max(light, 1e-6)) + vec3(-4.12661804, -2.00663831, -0.52768284));
+  float stops = log2(max(light, 1e-6));
+  vec3 seen = vec3(filmAt(stops - 3.77124), filmAt(stops - 1.65042), filmAt(stops - 0.16811));
   return mat3(9.74358974, -26.4957265, 17.09401709,
              -4.52380952, 19.84126984, -15.87301587,
               0.83285136, -4.1642568, 4.626952) * seen;
@@ -37,9 +33,7 @@ const atPoint = /* glsl */ `
 // With other goods searched for, what was not found steps back.
 vec3 shown(vec3 encoded, vec3 response, float dim) {
   vec3 c = encoded * (response.x + encoded * (response.y + encoded * response.z));
-  float g = dot(c, vec3(0.2126, 0.7152, 0.0722));
-  c = g + (c - g) * 1.1;
-  if (dim > 0.0) c = mix(c, vec3(g * 0.55 + 0.22), dim);
+  if (dim > 0.0) c = mix(c, vec3(dot(c, vec3(0.2126, 0.7152, 0.0722)) * 0.55 + 0.22), dim);
   return c;
 }
 `;
@@ -50,8 +44,22 @@ precision highp int;
 precision highp sampler2DArray;
 `;
 
+// Of the server's section "film": the film curve, sRGB-encoded, at quarters of a stop from 2^-13 on; 1 is a white sheet in the light
+// that the store is exposed for.
+const film = { values: 69, firstStop: -13, stepsPerStop: 4 };
+
 export interface Shared {
   readonly uDim: IUniform<number>;
+  readonly uFilm: IUniform<Float32Array>;
+}
+
+export function newShared(): Shared {
+  return { uDim: { value: 0 }, uFilm: { value: new Float32Array(film.values) } };
+}
+
+export function setFilm(shared: Shared, curve: Float32Array): void {
+  if (curve.length !== film.values) throw new PackedError(`a film curve of ${curve.length} values`);
+  shared.uFilm.value = curve;
 }
 
 export function material(vertex: string, fragment: string, uniforms: Record<string, IUniform>, defines: Record<string, string>): RawShaderMaterial {
@@ -60,7 +68,7 @@ export function material(vertex: string, fragment: string, uniforms: Record<stri
     vertexShader: head + atVertex + vertex,
     fragmentShader: head + atPoint + fragment,
     uniforms,
-    defines,
+    defines: { ...defines, FILM_VALUES: `${film.values}`, FIRST_STOP: film.firstStop.toFixed(1), STEPS_PER_STOP: film.stepsPerStop.toFixed(1) },
   });
 }
 

@@ -17,7 +17,7 @@ import type { Goods, Limits } from "./goods";
 import type { Overlays } from "./overlays";
 import { pick, type Picked, type Ray } from "./pick";
 import type { Room } from "./room";
-import type { Shared } from "./shading";
+import { newShared, type Shared } from "./shading";
 import { Sight } from "./sight";
 
 ColorManagement.enabled = false; // the shaders write what the screen shows
@@ -55,7 +55,7 @@ function newCanvasContext(canvas: HTMLCanvasElement): { gl: WebGL2RenderingConte
 export class Stage {
   readonly camera = new PerspectiveCamera(55, 1, 0.03, 200);
   readonly scene = new Scene();
-  readonly shared: Shared = { uDim: { value: 0 } };
+  readonly shared: Shared = newShared();
   readonly renderer: WebGLRenderer;
   readonly software: boolean;
   readonly figures: Figures = { frames: 0, calls: 0, triangles: 0 };

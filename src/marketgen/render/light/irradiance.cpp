@@ -243,6 +243,23 @@ IrradianceField::TwoSided IrradianceField::at(const Place& place,
           gathered(light_.without_panels, corners, mirror)};
 }
 
+float IrradianceField::goods_median() const {
+  std::vector<float> light;
+  for (std::size_t i = 0; i < shelves_.size(); ++i) {
+    const Shelf& shelf = shelves_[i];
+    const Vec3f outward = shelf.world_from_shelf.turn({0, -1, 0});
+    for (int c = 0; c < shelf.columns; ++c) {
+      const float along = (static_cast<float>(c) + 0.5F) / static_cast<float>(shelf.columns) - 0.5F;
+      const Vec3f front = shelf.world_from_shelf({shelf.size.x * along, 0, shelf.size.z / 2});
+      light.push_back(luminance(at({front, -1, static_cast<std::int32_t>(i)}, outward)));
+    }
+  }
+  if (light.empty()) return 0;
+  const auto middle = light.begin() + static_cast<std::ptrdiff_t>(light.size() / 2);
+  std::nth_element(light.begin(), middle, light.end());
+  return *middle;
+}
+
 float IrradianceField::tilt(const Place& place, Vec3f facing, Vec3f tilted) const {
   const Corners corners = corners_at(place, Float4(facing));
   const float flat = luminance(gathered(light_.probes, corners, Float4(facing)).xyz());

@@ -73,6 +73,9 @@ class IrradianceField {
   // Mean irradiance on level surfaces just above the free floor: what a light meter carried through
   // the shop reads.
   float floor_mean() const { return light_.floor_mean; }
+  // Irradiance on what stands at the front edges of shelves and faces the aisle: the median over
+  // their length, half way up. 0 without shelves.
+  float goods_median() const;
 
  private:
   static constexpr int depth_rows = 4, height_rows = 3;

@@ -166,6 +166,40 @@ void shoot(const World& world, Vec3f position, Hollows hollows, ProbeRays& resul
                  (hollows == Hollows::lit || static_cast<float>(near) <= max_near * rays_per_probe);
 }
 
+// Of the first `count` probes: `sign` times what comes straight from lamps is added.
+void add_direct(std::vector<AmbientCube>& probes,
+                const std::vector<ProbeRays>& rays,
+                std::size_t count,
+                float sign) {
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      probes[i].faces[a] += rays[i].direct.faces[a] * (sign * probes[i].validity);
+  }
+}
+
+// What things send back is known from few rays, in the same directions at every point: it stains
+// ceilings. But it varies slowly, and the points around know it as well; what comes straight from
+// lamps stays as it is. Of the room's `count` probes.
+template <class MeanAround>
+void smooth_sent_back(std::vector<AmbientCube>& probes,
+                      const std::vector<ProbeRays>& rays,
+                      std::size_t count,
+                      const MeanAround& mean_around) {
+  constexpr int passes = 2;
+  add_direct(probes, rays, count, -1);
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<AmbientCube> before(probes.begin(),
+                                          probes.begin() + static_cast<std::ptrdiff_t>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      const AmbientCube mean = mean_around(before, i);
+      if (probes[i].validity <= 0 || mean.validity <= 0) continue;
+      for (std::size_t a = 0; a < axes.size(); ++a)
+        probes[i].faces[a] = (probes[i].faces[a] + mean.faces[a]) * 0.5F;
+    }
+  }
+  add_direct(probes, rays, count, 1);
+}
+
 bool is_outside(const PolygonMm& outline, Vec3f point) {
   return !contains(outline, floor_mm(point));
 }
@@ -210,6 +244,9 @@ void IrradianceField::bake(const World& world, const LightGrid& lights, const Po
         },
         32);
   }
+  smooth_sent_back(probes_, rays, room_count, [&](const auto& room, std::size_t i) {
+    return mean_around(room, static_cast<int>(i));
+  });
   light_.mean = mean_of_room();
   light_.floor_mean = mean_of_floor();
   std::vector<AmbientCube> rest = probes_;

@@ -1,25 +1,17 @@
 #include "render/light/lit_world.h"
 
-#include <cmath>
 #include <utility>
 
 #include "render/shading_math.h"
 #include "render/stage/build_world.h"
 
 namespace marketgen::render::raytrace {
-namespace {
-
-constexpr float meter_share = 0.75F;
-
-}  // namespace
-
 LitWorld::LitWorld(std::unique_ptr<World> built, const scene::Scene& scene, bool keep_light)
     : world(std::move(built)), lights(*world), field(*world, lights, scene, keep_light) {
-  // Exposed by the light meter, but not all the way: a dim shop should look dimmer than a bright
-  // one.
-  const float metered = field.floor_mean();
-  const float meant = pi / world->exposure;  // irradiance that the look asks for
-  if (metered > 0) world->exposure *= std::pow(meant / metered, meter_share);
+  // As a camera is set once for a shop, by what it is to show: goods, from the aisle.
+  const float goods = field.goods_median();
+  const float metered = goods > 0 ? goods : field.floor_mean();
+  if (metered > 0) world->exposure = pi / metered;
 }
 
 Result<std::unique_ptr<LitWorld>> light_world(const scene::Scene& scene,

@@ -24,7 +24,9 @@ struct LitWorld {
 };
 
 // Builds the world, bakes its light (or takes it from the disk: options.keep_light) and sets
-// World::exposure by it. Errors: as build_world.
+// World::exposure by it: a white sheet in the light on the goods (IrradianceField::goods_median())
+// is 1, or on the floor of a store without shelves. All cameras of a store have the same exposure.
+// Errors: as build_world.
 Result<std::unique_ptr<LitWorld>> light_world(const scene::Scene& scene,
                                               const std::vector<Exhibit>& exhibits,
                                               Progress& progress,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <system_error>
 #include <utility>
@@ -98,9 +99,13 @@ struct OidnImages {
   std::vector<float> color, albedo, normal, output;
 };
 
-OidnImages images_of(const PathFilm& film, const PictureGuides& guides, float exposure) {
+// `light` of the film, exposed.
+OidnImages images_of(const PathFilm& film,
+                     const PictureGuides& guides,
+                     const ColorPlanes& light,
+                     float exposure) {
   const auto share = [](float x) { return std::clamp(x, 0.0F, 1.0F); };
-  return {packed_pixels(film.count(), [&](std::size_t i) { return film.radiance(i) * exposure; }),
+  return {packed_pixels(film.count(), [&](std::size_t i) { return light.at(i) * exposure; }),
           packed_pixels(film.count(),
                         [&](std::size_t i) {
                           const Vec3f paint = film.paint.at(i);
@@ -167,14 +172,18 @@ Result<ColorPlanes> neural_denoise(const fs::path& library,
                                    const PictureGuides& guides,
                                    float exposure) {
   MARKETGEN_TRY(const OidnApi api, load(library));
-  OidnImages images = images_of(film, guides, exposure);
-  if (const auto failed = run_filter(api, film, images)) return denoiser_error(library, *failed);
-  ColorPlanes radiance(film.count());
-  for (std::size_t i = 0; i < film.count(); ++i) {
-    radiance.set(
-        i,
-        Vec3f{images.output[3 * i], images.output[3 * i + 1], images.output[3 * i + 2]} / exposure);
+  std::array<OidnImages, 2> layers{images_of(film, guides, film.irradiance, exposure),
+                                   images_of(film, guides, film.gloss, exposure)};
+  for (OidnImages& layer : layers) {
+    if (const auto failed = run_filter(api, film, layer)) return denoiser_error(library, *failed);
   }
+  const auto smooth = [&](std::size_t layer, std::size_t i) {
+    const std::vector<float>& light = layers[layer].output;
+    return Vec3f{light[3 * i], light[3 * i + 1], light[3 * i + 2]} / exposure;
+  };
+  ColorPlanes radiance(film.count());
+  for (std::size_t i = 0; i < film.count(); ++i)
+    radiance.set(i, film.albedo.at(i) * smooth(0, i) + smooth(1, i) + film.glow.at(i));
   return radiance;
 }
 

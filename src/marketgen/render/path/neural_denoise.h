@@ -15,9 +15,11 @@ namespace marketgen::render::raytrace {
 // Nothing when there is none.
 std::optional<std::filesystem::path> neural_denoiser_library();
 
-// The film's radiance without noise. `exposure` times radiance is what is denoised, so that its
-// level suits the network. Errors: usage.unavailable when the library cannot be loaded, lacks a
-// function or fails. Pixels are not promised to be the same on another processor.
+// The film's radiance without noise: what surfaces get of light and what they mirror are denoised
+// each by itself, so that neither print nor lamps are touched. `exposure` times the light is what
+// the network gets, so that its level suits it. Errors: usage.unavailable when the library cannot
+// be loaded, lacks a function or fails. Pixels are not promised to be the same on another
+// processor.
 Result<ColorPlanes> neural_denoise(const std::filesystem::path& library,
                                    const PathFilm& film,
                                    const PictureGuides& guides,

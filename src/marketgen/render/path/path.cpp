@@ -116,17 +116,24 @@ class PathTracer {
     throughput_ *= Vec3f{std::exp(-depth.x), std::exp(-depth.y), std::exp(-depth.z)};
   }
 
+  static float share_below(float most, Vec3f light) {
+    const float top = largest(light);
+    return top > most ? most / top : 1;
+  }
+
   void add(Vec3f light, Lobe lobe) {
     if (bounces_ > 0 || bent_) {
       const float most = firefly_ * ((glint_  ? brightest_glint
                                       : bent_ ? brightest_through_pack
                                               : brightest_indirect) /
                                      brightest_indirect);
-      const float top = largest(light);
-      if (top > most) light = light * (most / top);
+      light = light * share_below(most, light);
     }
     if (!is_finite(light)) return;
-    if (lobe == Lobe::none) light_.glow += light;
+    if (lobe == Lobe::none) {
+      light_.glow += light;
+      light_.beyond += light * (1 - share_below(settings_.brightest_shown, light));
+    }
     if (lobe == Lobe::diffuse) light_.diffuse += light;
     if (lobe == Lobe::gloss) light_.gloss += light;
   }

@@ -7,6 +7,7 @@
 // come out up to a few per cent darker where shelves shade one another.
 #pragma once
 #include <cstdint>
+#include <limits>
 
 #include "render/cameras/view.h"
 #include "render/light/irradiance.h"
@@ -25,6 +26,8 @@ struct PathScene {
 struct PathSettings {
   unsigned mask = mask_opaque;      // of what the eye sees; later rays meet everything
   bool end_in_stored_light = true;  // otherwise paths run until little light is left
+  // Radiance above which a screen shows no more of a lamp.
+  float brightest_shown = std::numeric_limits<float>::infinity();
 };
 
 // Light along one path, split for the filter: radiance = diffuse + gloss + glow.
@@ -34,6 +37,7 @@ struct PathLight {
   Vec3f diffuse;  // light that it sent diffusely
   Vec3f gloss;    // mirrored light, by it or by what lies before it
   Vec3f glow;     // light of lamps and the sky that the eye sees without a mirror: free of noise
+  Vec3f beyond;   // what of the glow is over PathSettings::brightest_shown
 };
 
 // Path `number` of pixel (x, y); the same numbers always give the same path. `first` is the first

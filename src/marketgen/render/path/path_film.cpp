@@ -28,6 +28,7 @@ void PathSums::add(const PathLight& path) {
   light.diffuse += path.diffuse;
   light.gloss += path.gloss;
   light.glow += path.glow;
+  light.beyond += path.beyond;
   const float lit = luminance(over_albedo(path.diffuse, path.albedo));
   irradiance += lit;
   irradiance2 += lit * lit;
@@ -44,6 +45,7 @@ PathFilm::PathFilm(int w, int h, const std::vector<PathSums>& sums, int paths)
       irradiance(sums.size()),
       gloss(sums.size()),
       glow(sums.size()),
+      beyond(sums.size()),
       irradiance_variance(sums.size()),
       gloss_variance(sums.size()) {
   const auto n = static_cast<float>(paths);
@@ -56,6 +58,7 @@ PathFilm::PathFilm(int w, int h, const std::vector<PathSums>& sums, int paths)
     gloss.set(i, s.light.gloss / n);
     // What is too dark to divide by is kept as it is.
     glow.set(i, s.light.glow / n + diffuse - color * irradiance.at(i));
+    beyond.set(i, s.light.beyond / n);
     irradiance_variance[i] = variance_of_mean(s.irradiance, s.irradiance2, n);
     gloss_variance[i] = variance_of_mean(s.gloss, s.gloss2, n);
   }

@@ -48,6 +48,7 @@ struct PathFilm {
   ColorPlanes albedo, paint;  // see PathLight
   ColorPlanes irradiance;     // over pi, on the first rough surface
   ColorPlanes gloss, glow;
+  ColorPlanes beyond;                              // of glow, see PathLight
   FloatPlane irradiance_variance, gloss_variance;  // of the means' luminance
   PathFilm(int w, int h, const std::vector<PathSums>& sums, int paths);
   std::size_t count() const { return irradiance_variance.size(); }

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "io/program.h"
 #include "render/path/denoise.h"
+#include "render/path/lens.h"
 #include "render/path/neural_denoise.h"
 #include "render/tone.h"
 
@@ -18,6 +20,9 @@ namespace {
 constexpr int eye_block = 4;       // pixels a side that share a packet of eye rays
 constexpr int path_tile = 16;      // pixels a side that one thread works on
 constexpr int paths_per_pass = 4;  // between looks at the clock
+// Times white: pixels on a lamp's edge are a mean of what a screen shows, so that the edge is
+// smooth.
+constexpr float brightest_shown_of_white = 4;
 
 struct TileRange {
   int x0, y0, x1, y1;
@@ -166,7 +171,7 @@ Result<std::optional<std::filesystem::path>> library_for(Denoiser denoiser) {
 }
 
 // The film's radiance, its noise taken out by the library if there is one, or as asked for.
-Result<ColorPlanes> without_noise(PathFilm film,
+Result<ColorPlanes> without_noise(PathFilm& film,
                                   const PictureGuides& guides,
                                   Denoiser denoiser,
                                   const std::optional<std::filesystem::path>& library,
@@ -176,17 +181,35 @@ Result<ColorPlanes> without_noise(PathFilm film,
   return radiance_of(film);
 }
 
+// What arrives on the film behind the lens.
+ColorPlanes through_lens(ColorPlanes radiance, const ColorPlanes& beyond, const View& view) {
+  for (std::size_t i = 0; i < radiance.axis[0].size(); ++i)
+    radiance.set(i, radiance.at(i) - beyond.at(i));
+  ColorPlanes light = with_glare(std::move(radiance), beyond, view.width());
+  const auto across = static_cast<std::size_t>(view.width());
+  for (std::size_t i = 0; i < light.axis[0].size(); ++i) {
+    const Ray ray =
+        view.ray(static_cast<float>(i % across) + 0.5F, static_cast<float>(i / across) + 0.5F);
+    light.set(i, light.at(i) * arriving_share(view.depth_of(ray, 1)));
+  }
+  return light;
+}
+
 // The colour of a frame, exposed and tone mapped, and its radiance.
-Frame frame_of(const ColorPlanes& radiance, const View& view, Vec3f exposure) {
+Frame frame_of(const ColorPlanes& radiance,
+               const ColorPlanes& beyond,
+               const View& view,
+               Vec3f exposure) {
   Frame frame;
   frame.color = Image(view.width(), view.height());
   const std::size_t count = radiance.axis[0].size();
   frame.radiance.resize(3 * count);
+  const ColorPlanes arriving = through_lens(radiance, beyond, view);
   parallel_for(
       count,
       [&](std::size_t i) {
         const Vec3f light = radiance.at(i);
-        const Rgb8 color = display_color(light * exposure);
+        const Rgb8 color = display_color(arriving.at(i) * exposure);
         const std::array<std::uint8_t, 3> bytes{color.r, color.g, color.b};
         const std::array<float, 3> parts{light.x, light.y, light.z};
         for (std::size_t k = 0; k < 3; ++k) {
@@ -217,19 +240,20 @@ Result<Frame> path_picture(const PathScene& scene,
                            const RenderOptions& options,
                            Progress& progress) {
   const PathEffort effort = path_effort(options.quality);
+  const float exposure =
+      scene.world.exposure * std::exp2(static_cast<float>(options.exposure_stops));
   const PathSettings settings{options.hide_ceiling ? mask_solid : mask_opaque,
-                              effort.end_in_stored_light};
+                              effort.end_in_stored_light,
+                              brightest_shown_of_white / exposure};
   MARKETGEN_TRY(const auto library, library_for(options.denoiser));
   PathPicture picture(scene, view, settings);
   MARKETGEN_CHECK(
       picture.run(options.samples > 0 ? options.samples : effort.paths, options.time_s, progress));
-  const float exposure =
-      scene.world.exposure * std::exp2(static_cast<float>(options.exposure_stops));
-  MARKETGEN_TRY(
-      const ColorPlanes radiance,
-      without_noise(picture.film(), picture.guides(), options.denoiser, library, exposure));
+  PathFilm film = picture.film();
+  MARKETGEN_TRY(const ColorPlanes radiance,
+                without_noise(film, picture.guides(), options.denoiser, library, exposure));
   MARKETGEN_CHECK(check_interrupt());
-  return frame_of(radiance, view, options.light * exposure);
+  return frame_of(radiance, film.beyond, view, options.light * exposure);
 }
 
 }  // namespace marketgen::render::raytrace

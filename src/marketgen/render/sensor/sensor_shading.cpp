@@ -361,19 +361,20 @@ class TileShader {
       });
     }
     note_blocked();
-    darken([](float open) { return darkest_contact + (1 - darkest_contact) * open; });
+    darken(Window::narrow,
+           [](float open) { return darkest_contact + (1 - darkest_contact) * open; });
   }
 
   // Openness of the pixels near a blocked one, by what their windows say.
   template <class Remaining>
-  void darken(const Remaining& remaining) {
+  void darken(Window window, const Remaining& remaining) {
     if (!blocked_.any()) return;
     const TileWindows windows(tile_);
     for (std::size_t g = 0; g < sensor_tile_groups; ++g) {
       for_lanes(tile_.lit(g) & ~tile_.walled(g), [&](std::size_t k) {
         const std::size_t i = g * lane_count + k;
-        if (!blocked_.near(i)) return;
-        const float open = windows.open_share(i, sampled_, blocked_);
+        if (!blocked_.near(i, window)) return;
+        const float open = windows.open_share(i, sampled_, blocked_, window);
         tile_.openness[g].set(k, tile_.openness[g][k] * remaining(open));
       });
     }
@@ -389,15 +390,18 @@ class TileShader {
       return made;
     }();
     const float far = nearest_contact_m + contact_reach_m * std::fmod(u * 5.37F + v, 1.0F);
+    return over(i, directions[number], far);
+  }
+
+  // From a pixel's face; `direction` has z along its normal.
+  Ray over(std::size_t i, Vec3f direction, float reach_m) const {
     const Surface8& s = tile_.surface[i / lane_count];
-    return {lane(s.position, i % lane_count),
-            TangentFrame(lane(s.normal, i % lane_count)).to_world(directions[number]),
-            0,
-            far};
+    const TangentFrame frame(lane(s.normal, i % lane_count));
+    return {lane(s.position, i % lane_count), frame.to_world(direction), 0, reach_m};
   }
 
   // Actors are not in the stored light: what they keep away from the surfaces around them is found
-  // by longer rays that meet nothing else.
+  // by longer rays that meet nothing else. Few directions would leave a ghost of the actor each.
   void shade_under_actors() {
     const World& world = lighting_.world;
     if (!world.actors.bvh) return;
@@ -415,13 +419,13 @@ class TileShader {
                                                 .bits();
       sampled_.set_group(g, asked);
       for_lanes(asked, [&](std::size_t k) {
-        Ray ray = contact_ray(g * lane_count + k);
-        ray.far = actor_reach_m;
-        if (queue_.add(g * lane_count + k, ray)) note_blocked_by_actors();
+        const std::size_t i = g * lane_count + k;
+        const auto [u, v] = wide_numbers(i);
+        if (queue_.add(i, over(i, cosine_direction(u, v), actor_reach_m))) note_blocked_by_actors();
       });
     }
     note_blocked_by_actors();
-    darken([](float open) { return 1 - actor_darkness * (1 - open); });
+    darken(Window::wide, [](float open) { return 1 - actor_darkness * (1 - open); });
   }
 
   void note_blocked_by_actors() {

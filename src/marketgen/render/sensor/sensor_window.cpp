@@ -25,8 +25,10 @@ TileWindows::TileWindows(const SensorTile& tile) {
 
 float TileWindows::open_share(std::size_t i,
                               const TilePixels& sampled,
-                              const TilePixels& blocked) const {
-  const WindowCorner corner(i);
+                              const TilePixels& blocked,
+                              Window window) const {
+  const WindowCorner corner(i, window);
+  const int side = static_cast<int>(window);
   const auto along = [&](const std::array<Numbers, 3>& of, std::size_t q) {
     __m128 sum = _mm_setzero_ps();
     for (std::size_t c = 0; c < 3; ++c)
@@ -37,17 +39,18 @@ float TileWindows::open_share(std::size_t i,
                      position_[2][i] * normal_[2][i];
   const __m128 plane = _mm_set1_ps(window_plane_m + window_plane_per_m * depth_[i]);
   int count = 0, open = 0;
-  for (int row = corner.row; row < corner.row + 4; ++row) {
-    const unsigned asked = sampled.four(row, corner.column);
+  for (int part = 0; part < side * side / 4; ++part) {  // four pixels of a row
+    const int row = corner.row + part % side, column = corner.column + part / side * 4;
+    const unsigned asked = sampled.four(row, column);
     if (asked == 0) continue;
-    const std::size_t q = SensorTile::number_of(corner.column, row);
+    const std::size_t q = SensorTile::number_of(column, row);
     const __m128 off =
         _mm_andnot_ps(_mm_set1_ps(-0.0F), _mm_sub_ps(along(position_, q), _mm_set1_ps(here)));
     const __m128 alike = _mm_and_ps(_mm_cmpge_ps(along(normal_, q), _mm_set1_ps(window_facing)),
                                     _mm_cmple_ps(off, plane));
     const unsigned counted = asked & static_cast<unsigned>(_mm_movemask_ps(alike));
     count += std::popcount(counted);
-    open += std::popcount(counted & ~blocked.four(row, corner.column));
+    open += std::popcount(counted & ~blocked.four(row, column));
   }
   return count > 0 ? static_cast<float>(open) / static_cast<float>(count) : 1;
 }

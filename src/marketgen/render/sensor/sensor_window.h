@@ -51,12 +51,32 @@ inline std::size_t number_in_block(std::size_t i) {
   return static_cast<std::size_t>(SensorTile::row_of(i) % 4 * 4 + SensorTile::column_of(i) % 4);
 }
 
-// The 4 x 4 pixels around one, moved into the tile where they would stand over its edge.
+// Pixels a side. A wide window has four numbers for each of a narrow one's: see wide_numbers().
+enum class Window { narrow = 4, wide = 8 };
+
+// The same for each pixel of an 8 x 8 block: the pair of its place in a 4 x 4 block, aside by what
+// is different in each of the four.
+inline std::array<float, 2> wide_numbers(std::size_t i) {
+  constexpr std::array<float, 4> first_aside{-1.5F / 64, 0.5F / 64, 1.5F / 64, -0.5F / 64},
+      second_aside{0.5F / 64, 1.5F / 64, -0.5F / 64, -1.5F / 64};
+  const auto quarter = static_cast<std::size_t>(SensorTile::row_of(i) / 4 % 2 * 2 +
+                                                SensorTile::column_of(i) / 4 % 2);
+  const std::size_t number = number_in_block(i);
+  return {first_numbers[number] + first_aside[quarter],
+          second_numbers[number] + second_aside[quarter]};
+}
+
+// The pixels around one, moved into the tile where they would stand over its edge.
 struct WindowCorner {
   int column = 0, row = 0;
-  explicit WindowCorner(std::size_t i)
-      : column(std::clamp(SensorTile::column_of(i) - 2, 0, sensor_tile_side - 4)),
-        row(std::clamp(SensorTile::row_of(i) - 2, 0, sensor_tile_side - 4)) {}
+  explicit WindowCorner(std::size_t i, Window window = Window::narrow)
+      : column(inside(SensorTile::column_of(i), static_cast<int>(window))),
+        row(inside(SensorTile::row_of(i), static_cast<int>(window))) {}
+
+ private:
+  static int inside(int place, int side) {
+    return std::clamp(place - side / 2, 0, sensor_tile_side - side);
+  }
 };
 
 // A set of a tile's pixels.
@@ -80,12 +100,13 @@ class TilePixels {
     return static_cast<unsigned>(rows_[static_cast<std::size_t>(row)]) >> column & 15U;
   }
   // Whether one of the window around a pixel is in it.
-  bool near(std::size_t i) const {
-    const WindowCorner corner(i);
+  bool near(std::size_t i, Window window) const {
+    const WindowCorner corner(i, window);
+    const int side = static_cast<int>(window);
     unsigned rows = 0;
-    for (int row = corner.row; row < corner.row + 4; ++row)
-      rows |= four(row, corner.column);
-    return rows != 0;
+    for (int row = corner.row; row < corner.row + side; ++row)
+      rows |= static_cast<unsigned>(rows_[static_cast<std::size_t>(row)]) >> corner.column;
+    return (rows & ((1U << side) - 1)) != 0;
   }
 
  private:
@@ -99,7 +120,10 @@ class TileWindows {
   explicit TileWindows(const SensorTile& tile);
 
   // Share of a pixel's window that is not blocked, of what was sampled there; 1 where nothing was.
-  float open_share(std::size_t i, const TilePixels& sampled, const TilePixels& blocked) const;
+  float open_share(std::size_t i,
+                   const TilePixels& sampled,
+                   const TilePixels& blocked,
+                   Window window = Window::narrow) const;
 
  private:
   using Numbers = std::array<float, sensor_tile_pixels>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "render/shading_math.h"
 
@@ -164,11 +165,85 @@ StreetSpot street_spot(Vec3f direction) {
   return ground(eye_height_m / -slope);
 }
 
+// The street as a lens has it that is focused on the shop: out of focus. By turn and by height over
+// the horizon, up to 45 degrees; what is steeper looks as it does there.
+class Panorama {
+ public:
+  Panorama() : spots_(std::size_t{across} * down) {
+    for (int row = 0; row < down; ++row) {
+      for (int column = 0; column < across; ++column)
+        spots_[place(column, row)] = street_spot(direction_of(column, row));
+    }
+    blur(1, 0, blur_rad * across / two_pi);
+    blur(0, 1, blur_rad * down / span_rad);
+  }
+
+  StreetSpot at(Vec3f direction) const {
+    const float turn = std::atan2(direction.y, direction.x) / two_pi + 0.5F;
+    const float rise = std::atan2(direction.z, std::hypot(direction.x, direction.y));
+    const float x = turn * across - 0.5F, y = (rise / span_rad + 0.5F) * down - 0.5F;
+    const float column = std::floor(x), row = std::floor(std::clamp(y, 0.0F, float{down - 2}));
+    const float right = x - column, up = std::clamp(y - row, 0.0F, 1.0F);
+    const auto mixed = [&](int k) {
+      const int j = static_cast<int>(row) + k;
+      return mix(spots_[place(static_cast<int>(column), j)],
+                 spots_[place(static_cast<int>(column) + 1, j)],
+                 right);
+    };
+    return mix(mixed(0), mixed(1), up);
+  }
+
+ private:
+  static constexpr int across = 1024, down = 160;
+  static constexpr float span_rad = pi / 2;
+  static constexpr float blur_rad = 0.011F;  // standard deviation: 18 cm of a house front
+
+  static StreetSpot mix(const StreetSpot& a, const StreetSpot& b, float share) {
+    return {raytrace::mix(a.day, b.day, share), raytrace::mix(a.night, b.night, share)};
+  }
+  static std::size_t place(int column, int row) {
+    return static_cast<std::size_t>(std::clamp(row, 0, down - 1)) * across +
+           static_cast<std::size_t>((column + across) % across);
+  }
+  static Vec3f direction_of(int column, int row) {
+    const float turn = ((static_cast<float>(column) + 0.5F) / across - 0.5F) * two_pi;
+    const float rise = ((static_cast<float>(row) + 0.5F) / down - 0.5F) * span_rad;
+    return {std::cos(turn) * std::cos(rise), std::sin(turn) * std::cos(rise), std::sin(rise)};
+  }
+
+  // By a Gaussian of so many places along (step_x, step_y).
+  void blur(int step_x, int step_y, float spread) {
+    const std::vector<StreetSpot> sharp = spots_;
+    const int reach = static_cast<int>(std::ceil(3 * spread));
+    for (int row = 0; row < down; ++row) {
+      for (int column = 0; column < across; ++column) {
+        StreetSpot sum{};
+        float weights = 0;
+        for (int k = -reach; k <= reach; ++k) {
+          const float far = static_cast<float>(k) / spread, weight = std::exp(-0.5F * far * far);
+          const StreetSpot& spot = sharp[place(column + k * step_x, row + k * step_y)];
+          sum.day += spot.day * weight;
+          sum.night += spot.night * weight;
+          weights += weight;
+        }
+        spots_[place(column, row)] = {sum.day / weights, sum.night / weights};
+      }
+    }
+  }
+
+  std::vector<StreetSpot> spots_;
+};
+
+const Panorama& panorama() {
+  static const Panorama street;
+  return street;
+}
+
 }  // namespace
 
 Vec3f Surroundings::radiance(Vec3f direction) const {
   if (white <= 0) return even;
-  const StreetSpot spot = street_spot(direction);
+  const StreetSpot spot = panorama().at(direction);
   return even + (spot.day * day_tint * daylight + spot.night * (1 - daylight)) * white;
 }
 

@@ -1,9 +1,9 @@
 // What lies outside the shop's doors and windows: a street of houses under an overcast sky, or the
 // same street at night.
 //
-// Infinitely far away, as an environment map that is computed instead of stored: the walls'
-// openings are small, so nobody sees that it does not shift. Deterministic, read by any number of
-// threads.
+// Infinitely far away, as an environment map that is drawn once and blurred, for lenses are focused
+// on the shop: the walls' openings are small, so nobody sees that it does not shift. Deterministic,
+// read by any number of threads.
 #pragma once
 #include "geometry/vector.h"
 
