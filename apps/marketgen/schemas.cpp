@@ -9,6 +9,7 @@
 #include "environments/told_task.h"
 #include "episodes/aisle/aisle_station.h"
 #include "episodes/checkout/checkout_station.h"
+#include "episodes/drive_log.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
 #include "episodes/motion.h"
@@ -70,6 +71,7 @@ std::vector<Document> documents() {
        type_of<episodes::EpisodeHeader>()},
       {"market-task-1", "What of an episode a policy may know", type_of<environments::ToldTask>()},
       {"market-result-1", "What became of an episode", type_of<episodes::EpisodeResult>()},
+      {"market-drive-1", "What a person drove", type_of<episodes::DriveLog>()},
       {"market-run-1",
        "Which episodes a folder of results is of",
        type_of<evaluation::RunRecord>()},

@@ -74,8 +74,18 @@ Run add_view(CLI::App& app) {
                    "folder in which stores are kept that are made in the browser")
       ->type_name("FOLDER")
       ->capture_default_str();
+  command
+      ->add_option("--episodes",
+                   flags->serve.episodes,
+                   "episodes that are driven in the browser; without it they are drawn")
+      ->type_name("EPISODES");
+  command
+      ->add_option(
+          "--drives", flags->serve.drives, "folder in which logs of what was driven are kept")
+      ->type_name("FOLDER")
+      ->capture_default_str();
   command->add_flag(
-      "--read-only", flags->serve.read_only, "stores are shown; none is made or edited");
+      "--read-only", flags->serve.read_only, "stores are shown; none is made, edited or driven");
   command->add_flag(
       "--embed",
       flags->serve.embed,

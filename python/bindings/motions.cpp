@@ -1,8 +1,10 @@
-// Recorded motion for marketgen/motion.py: texts and numbers as Python has them, arrays as bytes.
+// Recorded motion for marketgen/motion.py, and logs of drives for marketgen/recording: texts and
+// numbers as Python has them, arrays as bytes.
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "binding.h"
+#include "episodes/drive_log.h"
 #include "episodes/motion.h"
 
 namespace marketgen::python {
@@ -75,10 +77,29 @@ nb::dict read_motion(const std::string& file) {
   return made;
 }
 
+// What a person drove. "episodes": an episodes file with that one, as text.
+nb::dict read_drive(const std::string& file) {
+  const episodes::DriveFile drive =
+      value_or_raise(without_interpreter([&] { return episodes::read_drive(file); }));
+  const episodes::EpisodeSpec& spec = drive.episode.episodes.front();
+  nb::dict made;
+  made["episode"] = spec.id;
+  made["episodes"] = episodes::write_episodes(drive.episode);
+  made["control_mode"] = drive.log.control_mode;
+  made["realism"] = drive.log.realism;
+  made["action_names"] = drive.log.action_names;
+  made["actions"] = bytes_of(drive.log.actions);
+  made["over"] = drive.log.over;
+  made["success"] = drive.log.success;
+  made["state_hash"] = drive.log.state_hash;
+  return made;
+}
+
 }  // namespace
 
 void add_motions(nb::module_& module) {
   module.def("read_motion", &read_motion);
+  module.def("read_drive", &read_drive);
 }
 
 }  // namespace marketgen::python

@@ -23,7 +23,7 @@ from .motion import read_motion
 from .photos import read_photo
 from .pictures import Camera, Frame, Renderer, camera_from_dict, camera_to_dict, render_batch
 from .rankings import leaderboard, merge, tables
-from .recording import Recording, record, replay_check
+from .recording import Recording, record, record_drives, replay_check
 from .store import Store, generate, open_store
 from .views import View
 
@@ -63,6 +63,7 @@ __all__ = [
     "read_motion",
     "read_photo",
     "record",
+    "record_drives",
     "render_batch",
     "replay_check",
     "tables",

@@ -3,6 +3,7 @@
     python -m marketgen.record tasks.jsonl -o unloading --policy oracle --success-only
     python -m marketgen.record pool/checkout -o numbers --cameras none --count 20
     python -m marketgen.record tasks.jsonl --check unloading
+    python -m marketgen.record --teleop drives/*.drive.jsonl.gz -o driven
 
 Ends as the program's commands do; 1: a dataset that does not replay.
 """
@@ -15,7 +16,7 @@ import sys
 from . import arguments
 from .command_line import Told, callable_module, ended
 from .errors import Error
-from .recording import Recording, record, replay_check
+from .recording import Recording, record, record_drives, replay_check
 from .recording.video import CODECS
 
 
@@ -33,16 +34,17 @@ def _parser() -> argparse.ArgumentParser:
         epilog="example: python -m marketgen.record tasks.jsonl -o unloading --policy oracle --success-only",
     )
     add = parser.add_argument
-    add("episodes", metavar="EPISODES", help="a file of `marketgen episodes`, or a set that comes with the program: pool/checkout")
+    add("episodes", metavar="EPISODES", nargs="?", help="a file of `marketgen episodes`, or a set that comes with the program: pool/checkout")
     out = parser.add_mutually_exclusive_group(required=True)
     out.add_argument("-o", "--output", metavar="DATASET", help="the folder to make; until it is done DATASET.unfinished")
     out.add_argument("--check", metavar="DATASET", help="instead: execute the actions of a dataset and compare the states")
-    add("--policy", default="oracle", help="oracle, classical, ... FILE.py:NAME or python:MODULE:NAME (default: %(default)s)")
+    add("--teleop", metavar="LOG", nargs="+", help="instead of EPISODES: logs of what was driven in `marketgen view`")
+    add("--policy", help="oracle, classical, ... FILE.py:NAME or python:MODULE:NAME (default: oracle)")
     add("--cameras", metavar="NAMES", help="scene_camera,wrist_camera; none: numbers alone (default: all that the robot has)")
     add("--size", default="256x256", help="of the pictures (default: %(default)s)")
     add("--quality", default="fast", choices=("fast", "balanced", "best"), help="of the pictures (default: %(default)s)")
-    add("--control-mode", default="pd_joint_pos", metavar="MODE", help="what an action is (default: %(default)s)")
-    add("--realism", default="ideal", help="ideal, standard, hard or a file (default: %(default)s)")
+    add("--control-mode", metavar="MODE", help="what an action is (default: pd_joint_pos)")
+    add("--realism", help="ideal, standard, hard or a file (default: ideal)")
     add("--codec", default="h264", choices=tuple(CODECS), help="of the videos (default: %(default)s)")
     add("--success-only", action="store_true", help="leave out episodes that did not reach all their goals")
     add("--count", type=int, default=0, metavar="N", help="stop when so many are in the dataset (default: all)")
@@ -53,29 +55,38 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _record(given: argparse.Namespace) -> int:
-    made = record(
-        given.episodes,
-        given.output,
-        given.policy,
-        cameras=None if given.cameras is None else arguments.camera_names(given.cameras),
-        size=_size(given.size),
-        quality=given.quality,
-        control_mode=given.control_mode,
-        realism=given.realism,
-        codec=given.codec,
-        success_only=given.success_only,
-        count=given.count,
-        shard=given.shard,
-        resume=given.resume,
-        progress=None if given.quiet else Told(),
-    )
+    options = {
+        "cameras": None if given.cameras is None else arguments.camera_names(given.cameras),
+        "size": _size(given.size),
+        "quality": given.quality,
+        "codec": given.codec,
+        "success_only": given.success_only,
+        "count": given.count,
+        "shard": given.shard,
+        "resume": given.resume,
+        "progress": None if given.quiet else Told(),
+    }
+    acted = {name: getattr(given, name) for name in ("policy", "control_mode", "realism") if getattr(given, name) is not None}
+    if given.teleop is None:
+        made = record(_episodes(given), given.output, **acted, **options)
+    elif acted or given.episodes is not None:
+        told = "EPISODES" if given.episodes is not None else f"--{next(iter(acted)).replace('_', '-')}"
+        raise Error("usage.bad_flag", told, "logs of --teleop have that in them: leave it out")
+    else:
+        made = record_drives(given.teleop, given.output, **options)
     print(summary_of(made))
     return 0
 
 
+def _episodes(given: argparse.Namespace) -> str:
+    if given.episodes is None:
+        raise Error("usage.bad_flag", "EPISODES", "name a file of episodes, or a set that comes with the program: pool/checkout")
+    return given.episodes
+
+
 def _check(given: argparse.Namespace) -> int:
-    realism = given.realism if given.realism.endswith(".json") else None
-    frames = replay_check(given.check, given.episodes, realism=realism, progress=None if given.quiet else Told())
+    realism = given.realism if given.realism and given.realism.endswith(".json") else None
+    frames = replay_check(given.check, _episodes(given), realism=realism, progress=None if given.quiet else Told())
     print(f"{given.check}: the actions of {frames:,} frames lead to the same states, bit for bit")
     return 0
 

@@ -42,14 +42,19 @@ class RawClient {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
   }
-  // One answer; `has_body` is false for HEAD.
-  RawAnswer answer(bool has_body = true) {
+  // The head of an answer.
+  RawAnswer head() {
     std::size_t end = 0;
     while ((end = kept_.find("\r\n\r\n")) == std::string::npos) {
       if (!more()) return {};
     }
     RawAnswer answer = head_of(kept_.substr(0, end));
     kept_.erase(0, end + 4);
+    return answer;
+  }
+  // One answer; `has_body` is false for HEAD.
+  RawAnswer answer(bool has_body = true) {
+    RawAnswer answer = head();
     const std::string length = answer.headers["content-length"];
     const std::size_t wanted = has_body && !length.empty() ? std::stoul(length) : 0;
     while (kept_.size() < wanted && more()) {
@@ -57,6 +62,13 @@ class RawClient {
     answer.body = kept_.substr(0, wanted);
     kept_.erase(0, wanted);
     return answer;
+  }
+  // What has come, so many bytes at most; none: the server has closed, or is silent.
+  std::string read(std::size_t bytes) {
+    if (kept_.empty()) more();
+    const std::string piece = kept_.substr(0, bytes);
+    kept_.erase(0, piece.size());
+    return piece;
   }
   // Reads a little, for clients that are slow.
   std::size_t sip(std::size_t bytes) const {

@@ -1,6 +1,8 @@
 // Starts the page: the summary first, then the picture, then everything else as it comes.
 import { App } from "./app";
 import { loadGoods, loadRest } from "./loader";
+import { readDrivePlace } from "./drive/addresses";
+import { offerDriving, startDriving } from "./drive/start";
 import { EditClient } from "./edit/client";
 import { makeLink, readMakePlace } from "./make/addresses";
 import { startMaking } from "./make/start_page";
@@ -24,6 +26,11 @@ async function start(): Promise<void> {
   if (replay) {
     document.body.append(status.progress, status.note, status.fault);
     return startReplay(replay, speech, status).catch((error: unknown) => status.stop(error));
+  }
+  const driving = readDrivePlace(location.search);
+  if (driving) {
+    document.body.append(status.progress, status.note, status.fault);
+    return startDriving(driving, speech, status).catch((error: unknown) => status.stop(error));
   }
   const making = readMakePlace(location.search);
   if (making) {
@@ -56,6 +63,7 @@ async function start(): Promise<void> {
       shown: (what: string) => (times[what] = performance.now()),
     };
     offerEpisodes({ store, token: address.get("token") }, speech, document.querySelector(".search header")).catch((error: unknown) => status.say(status.textOf(error)));
+    if (summary.may_drive) offerDriving({ store, token: address.get("token") }, speech, document.querySelector(".search header"));
     const goods = await loadGoods(client, stage, summary, watch);
     app.restore();
     await loadRest(client, stage, goods, summary, watch);

@@ -16,6 +16,7 @@ from ..errors import Error
 from ..policies import ProgramPolicy
 from ..policy_process import PolicyFailed, PolicyHere, PolicySource, policy_of_text
 from ..stages import Stages
+from .drives import DrivePlayer, Drives
 from .features import ACTION, DONE, FRAME, REWARD, STATE, SUCCESS, TIME, Numbers
 from .statistics import PictureCounts
 from .video import Encoder
@@ -74,6 +75,9 @@ class Player:
         except (TypeError, ValueError):
             raise Error("episode.bad_action", "policy", "what it answered is no array of numbers") from None
 
+    def end(self) -> None:
+        """The episode is over."""
+
     def _ask(self, method: str, *arguments: Any) -> Any:
         assert self._in_python is not None
         try:
@@ -82,9 +86,9 @@ class Player:
             raise Error(fault.code, "policy", fault.message) from fault
 
 
-def player_of(policy: Any) -> str | PolicyHere:
-    """What Player takes, of what record() was given: a name, FILE.py:NAME, python:MODULE:NAME, a function, a class, an object with act()."""
-    if isinstance(policy, str) and ":" not in policy:
+def player_of(policy: Any) -> str | PolicyHere | Drives:
+    """What Player takes, or logs of drives, of what record() was given: a name, FILE.py:NAME, python:MODULE:NAME, a function, a class, an object with act()."""
+    if isinstance(policy, Drives) or (isinstance(policy, str) and ":" not in policy):
         return policy
     found = policy_of_text(policy) if isinstance(policy, str) else policy
     if not (isinstance(found, PolicySource) or callable(getattr(found, "act", None)) or callable(found)):
@@ -109,7 +113,7 @@ class _Reel:
 def act_out(
     env: Any,
     episode: str,
-    player: Player,
+    player: Player | DrivePlayer,
     kinds: dict[str, Numbers],
     new_encoder: Callable[[], Encoder],
     watch: Stopwatch,
@@ -142,7 +146,7 @@ def act_out(
 def _run(
     env: Any,
     episode: str,
-    player: Player,
+    player: Player | DrivePlayer,
     rows: dict[str, list[Any]],
     reels: dict[str, _Reel],
     watch: Stopwatch,
@@ -164,6 +168,7 @@ def _run(
             rows[REWARD].append(reward)
             rows[DONE].append(over)
             rows[SUCCESS].append(False)
+        player.end()
     return info
 
 

@@ -21,6 +21,7 @@ from ..errors import Error
 from .acting import FPS, Player, Stopwatch, act_out, player_of
 from .card import write_card
 from .dataset import About, counted_in, settings_in, write_dataset
+from .drives import Drives, write_episodes_file
 from .features import acted
 from .outputs import alone_in, writing
 from .parts import Part, Unfinished
@@ -133,6 +134,20 @@ def record(
         },
     )
     return run.whole(resume=arguments.a_truth("resume", resume))
+
+
+def record_drives(logs: Sequence[PathLike], folder: PathLike, **options: Any) -> Recording:
+    """What people drove in the page of `marketgen view`, as a dataset of record().
+
+    logs     files of it (`drives/*.drive.jsonl.gz`), each of another episode; a log that breaks off ends with a stop
+    options  as of record(), but for policy, control_mode and realism, which are the logs'
+
+    FOLDER.episodes.jsonl gets the episodes of all logs: what replay_check() of the dataset needs. Raises Error
+    episode.not_repeated where a log's actions do not lead to its state; those of record().
+    """
+    drives = Drives(logs)
+    path = write_episodes_file(drives, arguments.a_path("folder", folder))
+    return record(path, folder, drives, control_mode=drives.control_mode, realism=drives.realism, **options)
 
 
 def _texts(name: str, values: Any) -> list[str]:
@@ -289,7 +304,7 @@ class _Stage:
         place = place_of(documents_of([text for _, text in self.episodes]), run.path)
         stages = stages_of(run.path, place, run.size, run.options)
         self.env = stages.environment(place["track"], place["station"])
-        self.player = Player(run.policy, self.env, stages)
+        self.player = run.policy.player(self.env) if isinstance(run.policy, Drives) else Player(run.policy, self.env, stages)
         self.kinds = acted(self.env.robot_names, self.env.action_names)
         self.about = About(place["robot"], self.kinds, tuple(self.env.cameras), run.codec, run.size)
         self.new_encoder = functools.partial(Encoder, run.codec, run.size, FPS)

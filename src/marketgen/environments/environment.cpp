@@ -143,7 +143,7 @@ double Environment::reward() const {
 }
 
 void Environment::observe(std::span<float> into) const {
-  const RobotSeen seen{world().observe(), actions_->tool_poses(world().sensed_state())};
+  const RobotSeen seen{world().observe(), tool_poses()};
   std::vector<double> numbers;
   numbers.reserve(size_);
   add_robot_numbers(world().robot(), seen, numbers);

@@ -71,6 +71,8 @@ class Environment {
   // Of the tools at the last step since reset() or restore(); none before there was one, and in
   // modes of joints.
   const std::vector<ToolCut>& tool_cuts() const { return cuts_; }
+  // Of each tool in the frame of the robot's base, as the robot reads its joints.
+  std::vector<Pose> tool_poses() const { return actions_->tool_poses(world().sensed_state()); }
   // The robot makes a protective stop and takes no command yet.
   bool robot_stopped() const { return run_ && world().observe().stopped; }
   // The result as evaluate() keeps it; an episode that still runs is ended and judged as it stands.

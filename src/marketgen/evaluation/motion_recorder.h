@@ -18,6 +18,8 @@ class MotionRecorder : public environments::EpisodeWatcher {
  public:
   Result<void> begin(const episodes::TrackWorld& world) override;
   Result<void> step() override;
+  // So far; of which episode it is, and its events, stand in packed() alone.
+  const episodes::Motion& motion() const { return motion_; }
   // The motion so far, as that of `result`, of the episode with that hash. Precondition: it began.
   std::string packed(const episodes::EpisodeResult& result, const std::string& episode_hash);
 

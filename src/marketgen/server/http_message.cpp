@@ -63,7 +63,7 @@ HttpReply error_reply(int status, const Error& error) {
 
 int status_of(const Error& error) {
   if (error.code == "server.not_found") return 404;
-  if (error.code == "server.edit_taken") return 409;
+  if (error.code == "server.edit_taken" || error.code == "server.drive_taken") return 409;
   constexpr std::array<std::string_view, 3> of_the_request{"server.", "input.", "json."};
   const bool bad = std::ranges::any_of(
       of_the_request, [&](std::string_view module) { return error.code.starts_with(module); });

@@ -42,8 +42,8 @@ std::shared_ptr<const HttpBody> made_body(std::string type, std::string bytes);
 HttpReply json_reply(const std::string& json);
 // {"error": {"code", "where", "message"}}
 HttpReply error_reply(int status, const Error& error);
-// The status that belongs to an error's code: 404 server.not_found, 409 server.edit_taken, 400 for
-// other server.*, input.* and json.* codes, 500 for everything else.
+// The status that belongs to an error's code: 404 server.not_found, 409 server.edit_taken and
+// server.drive_taken, 400 for other server.*, input.* and json.* codes, 500 for everything else.
 int status_of(const Error& error);
 
 // "%20" and '+' as blanks. Nothing when a '%' is not followed by two hex digits, or for a NUL.

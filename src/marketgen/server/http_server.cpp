@@ -21,13 +21,16 @@
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/string_body.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
 
 #include "base/text.h"
 #include "io/gzip.h"
+#include "server/web_socket_session.h"
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
+namespace websocket = boost::beast::websocket;
 using boost::system::error_code;
 
 namespace marketgen::server {
@@ -187,6 +190,7 @@ Outgoing outgoing(const HttpAsk& ask, HttpReply reply, const Terms& terms) {
 // Sockets are served on a few threads that never wait; answers are made on others, which may.
 struct HttpServer::State {
   HttpHandler handler;
+  SocketOpener opener;
   HttpServerOptions options;
   std::unique_ptr<RequestGuard> guard;
   int port = 0;
@@ -247,6 +251,7 @@ class Session : public std::enable_shared_from_this<Session<State>> {
 
   // A body is read where one is taken; what is refused by its head is answered without it.
   void on_head(error_code failed) {
+    if (!failed && state_.opener && websocket::is_upgrade(parser_->get())) return upgrade();
     if (failed || !state_.takes_body(parser_->get())) return on_read(failed);
     if (state_.is_too_long(parser_->get(), parser_->content_length().value_or(0)))
       return on_read(http::make_error_code(http::error::body_limit));
@@ -256,6 +261,29 @@ class Session : public std::enable_shared_from_this<Session<State>> {
                      [self = this->shared_from_this()](error_code broken, std::size_t) {
                        self->on_read(broken);
                      });
+  }
+
+  // What is refused is answered as other requests are.
+  void upgrade() {
+    const Request& request = parser_->get();
+    Result<HttpAsk> ask = ask_of(request);
+    std::optional<HttpReply> refused;
+    std::unique_ptr<SocketPeer> peer;
+    if (!ask.ok()) {
+      refused = error_reply(400, ask.error());
+    } else if (!(refused = state_.guard->refusal(*ask))) {
+      if (Result<std::unique_ptr<SocketPeer>> opened = state_.opener(*ask); opened.ok())
+        peer = std::move(opened).value();
+      else
+        refused = error_reply(status_of(opened.error()), opened.error());
+    }
+    if (peer != nullptr) {
+      stream_.expires_never();
+      return carry_web_socket(
+          stream_.release_socket(), request, std::move(peer), state_.connections);
+    }
+    out_ = outgoing(unread(), *std::move(refused), {true, state_.options.embed});
+    write(out_.head, true);
   }
 
   void on_read(error_code failed) {
@@ -374,10 +402,12 @@ std::string HttpServer::address() const {
 }
 
 Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpServerOptions& options,
-                                                      HttpHandler handler) {
+                                                      HttpHandler handler,
+                                                      SocketOpener opener) {
   constexpr int carriers = 2;
   auto state = std::make_unique<State>(options);
   state->handler = std::move(handler);
+  state->opener = std::move(opener);
   MARKETGEN_CHECK(state->listen());
   GuardRules rules = options.limits;
   rules.host = in_brackets(options.host);

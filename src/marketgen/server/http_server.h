@@ -10,6 +10,7 @@
 
 #include "base/result.h"
 #include "server/request_guard.h"
+#include "server/web_socket.h"
 
 namespace marketgen::server {
 
@@ -32,9 +33,11 @@ using HttpHandler = std::function<HttpReply(const HttpAsk&)>;
 class HttpServer {
  public:
   // Answers until it is destroyed, which ends all connections. `handler` is called from many
-  // threads. Errors: server.cannot_listen.
+  // threads. `opener` is asked when a client that the guard lets pass wants a websocket; without
+  // one that is a request like others. Errors: server.cannot_listen.
   static Result<std::unique_ptr<HttpServer>> start(const HttpServerOptions& options,
-                                                   HttpHandler handler);
+                                                   HttpHandler handler,
+                                                   SocketOpener opener = {});
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
   ~HttpServer();

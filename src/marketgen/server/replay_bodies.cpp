@@ -70,6 +70,13 @@ Result<ReplayBodies> ReplayBodies::of(const episodes::RecordedPlace& place) {
   return bodies;
 }
 
+ViewFile ReplayBodies::file() const {
+  PackedSections sections;
+  mesh_.pack(sections);
+  sections.add("range", 2, std::span<const std::uint32_t>(ranges_));
+  return {"robot.bin", "application/octet-stream", sections.file()};
+}
+
 std::vector<Pose> ReplayBodies::poses(const robots::Robot& robot,
                                       std::span<const double> state,
                                       const Pose& store_from_robot) const {

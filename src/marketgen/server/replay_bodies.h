@@ -7,6 +7,7 @@
 
 #include "episodes/recorded_place.h"
 #include "geometry/pose.h"
+#include "server/view_files.h"
 #include "server/view_mesh.h"
 
 namespace marketgen::server {
@@ -19,9 +20,8 @@ class ReplayBodies {
 
   std::size_t robot_bodies() const { return links_.size(); }
   const std::vector<std::string>& names() const { return names_; }
-  const ViewMesh& mesh() const { return mesh_; }
-  // First index and their count, a body.
-  const std::vector<std::uint32_t>& ranges() const { return ranges_; }
+
+  ViewFile file() const;  // robot.bin
 
   // store_from_body of the robot's, one each. Precondition: a value a degree of freedom.
   std::vector<Pose> poses(const robots::Robot& robot,
@@ -33,7 +33,7 @@ class ReplayBodies {
   std::vector<std::size_t> links_;  // whose frame is the body's
   std::vector<std::string> names_;
   ViewMesh mesh_;
-  std::vector<std::uint32_t> ranges_;
+  std::vector<std::uint32_t> ranges_;  // first index and their count, a body
 };
 
 }  // namespace marketgen::server

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "episodes/track_entry.h"
 #include "evaluation/motion_recorder.h"
 #include "io/file.h"
+#include "server/pose_packer.h"
 
 namespace marketgen::server {
 namespace {
@@ -75,25 +75,6 @@ Pose pose_of(std::span<const double> numbers) {
   return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5], numbers[6]}};
 }
 
-// Positions as f32, rotations x, y, z, w as 32,767ths.
-class PosePacker {
- public:
-  void add(const Pose& pose) {
-    for (const double value : {pose.position.x, pose.position.y, pose.position.z})
-      position_.push_back(static_cast<float>(value));
-    const auto turned = packed_rotation(pose.rotation);
-    rotation_.insert(rotation_.end(), turned.begin(), turned.end());
-  }
-  void pack(PackedSections& sections) const {
-    sections.add("position", 3, std::span<const float>(position_));
-    sections.add("rotation", 4, std::span<const std::int16_t>(rotation_));
-  }
-
- private:
-  std::vector<float> position_;
-  std::vector<std::int16_t> rotation_;
-};
-
 }  // namespace
 
 Result<std::shared_ptr<ReplayEpisode>> ReplayEpisode::open(
@@ -116,12 +97,14 @@ Result<std::shared_ptr<ReplayEpisode>> ReplayEpisode::open(
                 episodes::entry_of(track).place_of(data, opened->motion_, scene, catalog));
   MARKETGEN_CHECK(check_robot(opened->motion_, opened->place_.robot, file));
   MARKETGEN_TRY(opened->bodies_, ReplayBodies::of(opened->place_));
-  MARKETGEN_CHECK(opened->find_products(catalog));
+  MARKETGEN_CHECK(opened->find_things(result, catalog));
   opened->summarise(runs, run, episode);
   return opened;
 }
 
-Result<void> ReplayEpisode::find_products(const catalog::Catalog& catalog) {
+Result<void> ReplayEpisode::find_things(const episodes::EpisodeResult& result,
+                                        const catalog::Catalog& catalog) {
+  things_ = ReplayThings(store_, catalog);
   for (const episodes::ThingMotion& thing : motion_.things) {
     if (thing.kind == episodes::ThingKind::product && thing.number >= place_.scene->products.size())
       return Error{"results.changed",
@@ -129,20 +112,9 @@ Result<void> ReplayEpisode::find_products(const catalog::Catalog& catalog) {
                    fmt::format("its motion moves product {}, its place has {}",
                                thing.number,
                                place_.scene->products.size())};
-    if (thing.kind == episodes::ThingKind::basket || meshes_.contains(thing.sku)) continue;
-    const auto row_in = [&](const std::vector<catalog::Product>& rows) {
-      return std::ranges::find(rows, thing.sku, &catalog::Product::sku);
-    };
-    auto row = row_in(store_->scene.catalog);
-    if (row == store_->scene.catalog.end()) row = row_in(catalog.products);
-    if (row == catalog.products.end())
-      return Error{"catalog.unknown_sku",
-                   thing.sku,
-                   fmt::format("lies in {} and is neither in the store nor in the catalogue: show "
-                               "the results with the version that made them",
-                               motion_.episode)};
-    meshes_[thing.sku] = products_.size();
-    products_.push_back(*row);
+    const bool is_goal = std::ranges::find(result.goals, thing.sku, &episodes::GoalOutcome::sku) !=
+                         result.goals.end();
+    MARKETGEN_CHECK(things_.add(thing, is_goal, motion_.episode));
   }
   for (const episodes::JointMotion& joint : motion_.joints)
     if (joint.joint >= place_.scene->joints.size())
@@ -167,24 +139,13 @@ void ReplayEpisode::summarise(const ReplayRuns& runs, std::size_t run, std::size
   summary_.bodies = bodies_.names();
   summary_.events = motion_.events;
   summary_.side_effects = result.side_effects;
+  summary_.things = things_.rows();
   add_goals(result);
-  add_things(result);
-}
-
-// In English and Chinese; the SKU itself where no row has it.
-std::pair<std::string, std::string> ReplayEpisode::names_of_sku(const std::string& sku) const {
-  for (const std::vector<catalog::Product>* rows :
-       std::initializer_list<const std::vector<catalog::Product>*>{&products_,
-                                                                   &store_->scene.catalog}) {
-    const auto row = std::ranges::find(*rows, sku, &catalog::Product::sku);
-    if (row != rows->end()) return {row->name, row->name_zh};
-  }
-  return {sku, sku};
 }
 
 void ReplayEpisode::add_goals(const episodes::EpisodeResult& result) {
   for (const episodes::GoalOutcome& goal : result.goals) {
-    const auto [name, name_zh] = names_of_sku(goal.sku);
+    const auto [name, name_zh] = things_.names_of_sku(goal.sku);
     const bool rests = goal.reached > 0 && goal.rested_s > 0;
     summary_.goals.push_back({goal.sku,
                               name,
@@ -195,33 +156,10 @@ void ReplayEpisode::add_goals(const episodes::EpisodeResult& result) {
   }
 }
 
-void ReplayEpisode::add_things(const episodes::EpisodeResult& result) {
-  for (const episodes::ThingMotion& thing : motion_.things) {
-    const auto [name, name_zh] = names_of_sku(thing.sku);
-    const auto mesh = meshes_.find(thing.sku);
-    summary_.things.push_back(
-        {thing.kind,
-         thing.number,
-         thing.sku,
-         name,
-         name_zh,
-         mesh == meshes_.end() ? -1 : static_cast<std::int32_t>(mesh->second),
-         std::ranges::find(result.goals, thing.sku, &episodes::GoalOutcome::sku) !=
-             result.goals.end()});
-  }
-}
-
 std::vector<double> ReplayEpisode::state(std::size_t step) const {
   const auto from =
       motion_.states.begin() + static_cast<std::ptrdiff_t>(step * motion_.dofs.size());
   return {from, from + static_cast<std::ptrdiff_t>(motion_.dofs.size())};
-}
-
-ViewFile ReplayEpisode::robot() const {
-  PackedSections sections;
-  bodies_.mesh().pack(sections);
-  sections.add("range", 2, std::span<const std::uint32_t>(bodies_.ranges()));
-  return {"robot.bin", binary_type, sections.file()};
 }
 
 ViewFile ReplayEpisode::poses(std::uint32_t first, std::uint32_t count) const {
@@ -273,14 +211,15 @@ ViewFile ReplayEpisode::things() const {
 Result<std::unique_ptr<episodes::RecordedView>> ReplayEpisode::open_view() const {
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(motion_.track));
   MARKETGEN_TRY(const fs::path data, io::data_folder());
-  return episodes::entry_of(track).open_recorded(data, motion_, place_, products_);
+  return episodes::entry_of(track).open_recorded(data, motion_, place_, things_.products());
 }
 
 Result<ViewBuild::Body> ReplayEpisode::shape(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   if (shapes_.empty()) {
-    MARKETGEN_TRY(std::vector<ViewFile> files,
-                  product_meshes(products_, store_->scene.materials, assets::Detail::middle));
+    MARKETGEN_TRY(
+        std::vector<ViewFile> files,
+        product_meshes(things_.products(), store_->scene.materials, assets::Detail::middle));
     for (ViewFile& file : files)
       shapes_[file.name] = make_body(file.type, std::move(file.bytes));
   }

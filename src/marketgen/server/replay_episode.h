@@ -6,7 +6,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/fields.h"
@@ -18,6 +17,7 @@
 #include "episodes/recorded_view.h"
 #include "server/replay_bodies.h"
 #include "server/replay_runs.h"
+#include "server/replay_things.h"
 #include "server/view_build.h"
 #include "server/view_files.h"
 #include "store/store.h"
@@ -35,22 +35,6 @@ struct ReplayGoal {
       field("count", &ReplayGoal::count, "how many were asked for"),
       field("reached", &ReplayGoal::reached, "how many were in place when it was judged"),
       field("since_s", &ReplayGoal::since_s, "since when they lay there still; -1: none does"));
-};
-
-struct ReplayThing {
-  episodes::ThingKind kind = episodes::ThingKind::item;
-  std::uint32_t number = 0;
-  std::string sku, name, name_zh;
-  std::int32_t mesh = -1;
-  bool is_goal = false;
-  static constexpr auto fields = field_list(
-      field("kind", &ReplayThing::kind, "item, product or basket"),
-      field("number", &ReplayThing::number, "of the item, or row of the place's product"),
-      field("sku", &ReplayThing::sku, "product; none of a basket"),
-      field("name", &ReplayThing::name, "of the product"),
-      field("name_zh", &ReplayThing::name_zh, "in Chinese"),
-      field("mesh", &ReplayThing::mesh, "row of meshes.bin; -1: a body of robot.bin"),
-      field("goal", &ReplayThing::is_goal, "it is asked for"));
 };
 
 struct ReplaySummary {
@@ -98,7 +82,7 @@ class ReplayEpisode {
   const ReplaySummary& summary() const { return summary_; }
 
   // Thread-safe, all of them.
-  ViewFile robot() const;
+  ViewFile robot() const { return bodies_.file(); }
   // Steps from `first` on, as many as there are up to `count`. Precondition: first < steps.
   ViewFile poses(std::uint32_t first, std::uint32_t count) const;
   ViewFile things() const;
@@ -111,19 +95,16 @@ class ReplayEpisode {
 
  private:
   ReplayEpisode() = default;
-  Result<void> find_products(const catalog::Catalog& catalog);
+  Result<void> find_things(const episodes::EpisodeResult& result, const catalog::Catalog& catalog);
   void summarise(const ReplayRuns& runs, std::size_t run, std::size_t episode);
   void add_goals(const episodes::EpisodeResult& result);
-  void add_things(const episodes::EpisodeResult& result);
-  std::pair<std::string, std::string> names_of_sku(const std::string& sku) const;
   std::vector<double> state(std::size_t step) const;
 
   std::shared_ptr<const store::Store> store_;
   episodes::Motion motion_;
   episodes::RecordedPlace place_;
   ReplayBodies bodies_;
-  std::vector<catalog::Product> products_;     // distinct, of the things
-  std::map<std::string, std::size_t> meshes_;  // by SKU: row of products_
+  ReplayThings things_;
   ReplaySummary summary_;
   std::mutex mutex_;
   std::map<std::string, ViewBuild::Body> shapes_;

@@ -3,17 +3,15 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "io/jpeg.h"
 #include "io/json.h"
 #include "server/answering.h"
+#include "server/camera_ask.h"
 
 namespace marketgen::server {
 namespace {
 
 constexpr std::size_t kept_open = 8;  // episodes; what is read of one is some megabytes
-constexpr std::uint64_t usual_picture_px = 480, min_picture_px = 64, max_picture_px = 1280;
 constexpr std::uint64_t usual_steps = 1200, max_steps = 12000;  // of motion.bin
 
 // A place has all that a page wants of a store, but for a folder.
@@ -110,28 +108,16 @@ Result<HttpReply> Replays::poses(const ReplayEpisode& episode, const HttpAsk& as
 
 Result<HttpReply> Replays::picture(const std::shared_ptr<ReplayEpisode>& episode,
                                    const HttpAsk& ask) {
-  const std::vector<std::string>& cameras = episode->summary().cameras;
-  const auto given = ask.query.find("camera");
-  const std::string& camera = given == ask.query.end() ? cameras.front() : given->second;
-  if (std::ranges::find(cameras, camera) == cameras.end())
-    return Error{"server.bad_request",
-                 "camera",
-                 fmt::format("\"{}\" is none of: {}", camera, fmt::join(cameras, ", "))};
+  MARKETGEN_TRY(const CameraAsk asked, camera_ask(ask, episode->summary().cameras));
   const std::uint64_t last = episode->motion().steps() - 1;
   MARKETGEN_TRY(const std::uint64_t step, number_in(ask, "step", last, 0, last));
-  MARKETGEN_TRY(const std::uint64_t width,
-                number_in(ask, "width", usual_picture_px, min_picture_px, max_picture_px));
-  const int columns = static_cast<int>(width), lines = columns * 3 / 4;
   const std::scoped_lock lock(taking_);
   if (taken_of_ != episode || taker_ == nullptr) {
     taker_.reset();
     taken_of_ = episode;
     MARKETGEN_TRY(taker_, episode->open_view());
   }
-  MARKETGEN_TRY(const Image image,
-                taker_->picture(camera, static_cast<std::size_t>(step), columns, lines));
-  MARKETGEN_TRY(std::string bytes, io::encode_jpeg(image));
-  return reply_with({"camera.jpg", "image/jpeg", std::move(bytes)});
+  return camera_reply(*taker_, static_cast<std::size_t>(step), asked);
 }
 
 int Replays::number_of(std::size_t store, const episodes::RecordedPlace& place) {

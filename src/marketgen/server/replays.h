@@ -32,6 +32,9 @@ class Replays {
                            const HttpAsk& ask,
                            const std::vector<std::string>& words);
 
+  // The place below /places of a store, which is added where it is new; -1: the store itself.
+  // Precondition: the store is one of those it was opened with.
+  int number_of(std::size_t store, const episodes::RecordedPlace& place);
   // A place of the store, as a store of its own; known once one of its episodes was asked for.
   // Null: there is none of that number.
   std::shared_ptr<const store::Store> place(std::size_t store, std::uint64_t number);
@@ -56,7 +59,6 @@ class Replays {
   Result<HttpReply> summary(std::size_t store, const ReplayEpisode& episode);
   Result<HttpReply> picture(const std::shared_ptr<ReplayEpisode>& episode, const HttpAsk& ask);
   static Result<HttpReply> poses(const ReplayEpisode& episode, const HttpAsk& ask);
-  int number_of(std::size_t store, const episodes::RecordedPlace& place);
 
   ReplayRuns runs_;
   std::vector<std::shared_ptr<const store::Store>> stores_;

@@ -30,8 +30,9 @@ bool RequestGuard::is_write(const HttpAsk& ask) const {
   if (ask.method != "POST" || !rules_.may_write) return false;
   const std::vector<std::string> parts = parts_of(ask.path);
   const bool edits = parts.size() == 5 && parts[1] == "stores" && parts[3] == "edit";
+  const bool drives = parts.size() == 5 && parts[1] == "stores" && parts[3] == "drive";
   const bool makes = parts.size() == 3 && parts[1] == "make";
-  return (edits || makes) && parts[0] == "api";
+  return (edits || drives || makes) && parts[0] == "api";
 }
 
 // Who has the token may come by whatever name this machine has in his network: no other page has
@@ -77,8 +78,8 @@ std::optional<HttpReply> RequestGuard::refusal_of_head(const HttpAsk& ask) const
   if (ask.method != "GET" && ask.method != "HEAD" && !writes)
     return refused(405,
                    ask.method,
-                   "only GET and HEAD are answered here, and POST below /api/stores/N/edit/ and "
-                   "/api/make/ where the server may edit");
+                   "only GET and HEAD are answered here, and POST below /api/stores/N/edit/, "
+                   "/api/stores/N/drive/ and /api/make/ where the server may edit");
   if (writes && !ask.header("content-type").starts_with("application/json"))
     return refused(403, "Content-Type", "what is posted is application/json");
   if (!is_own_host(ask.header("host")))

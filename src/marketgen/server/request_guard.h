@@ -18,7 +18,7 @@ struct GuardRules {
   std::string token;  // empty: none is needed
   double requests_per_s = 500;
   double burst = 3000;     // requests at once: a page asks for many labels when it opens
-  bool may_write = false;  // POST below /api/stores/N/edit/ and /api/make/
+  bool may_write = false;  // POST below /api/stores/N/edit/, /api/stores/N/drive/ and /api/make/
   double writes_per_s = 20, write_burst = 60;  // of the requests, those that post
 };
 

@@ -42,18 +42,25 @@ Result<void> check_host(const ServeOptions& options) {
   return {};
 }
 
-Result<void> check_make_in(const std::string& folder) {
+Result<void> check_is_folder(const std::string& flag, const std::string& folder) {
   std::error_code failed;
   if (!std::filesystem::exists(folder, failed) || std::filesystem::is_directory(folder, failed))
     return {};
-  return Error{
-      "usage.bad_flag", "--make-in", "\"" + folder + "\" is a file: name a folder, new or not"};
+  return Error{"usage.bad_flag", flag, "\"" + folder + "\" is a file: name a folder, new or not"};
+}
+
+Result<void> check_folders(const ServeOptions& options) {
+  MARKETGEN_CHECK(check_is_folder("--make-in", options.make_in));
+  return check_is_folder("--drives", options.drives);
 }
 
 }  // namespace
 
-// The server goes first: its threads ask the viewer.
+// The server goes first: its threads ask the viewer. Before it, who sends through it.
 struct ViewServer::Parts {
+  ~Parts() {
+    if (viewer) viewer->stop_driving();
+  }
   std::unique_ptr<Viewer> viewer;
   std::unique_ptr<HttpServer> server;
 };
@@ -65,15 +72,18 @@ ViewServer::~ViewServer() = default;
 Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& options,
                                                       store::OpenedStores stores) {
   MARKETGEN_CHECK(check_host(options));
-  MARKETGEN_CHECK(check_make_in(options.make_in));
+  MARKETGEN_CHECK(check_folders(options));
   MARKETGEN_TRY(const std::filesystem::path page, page_folder());
   const bool may_edit = !options.read_only && !options.embed;
   auto parts = std::make_unique<Parts>();
-  MARKETGEN_TRY(
-      parts->viewer,
-      Viewer::open(std::move(stores),
-                   page,
-                   {.may_edit = may_edit, .make_in = options.make_in, .results = options.results}));
+  MARKETGEN_TRY(parts->viewer,
+                Viewer::open(std::move(stores),
+                             page,
+                             {.may_edit = may_edit,
+                              .make_in = options.make_in,
+                              .results = options.results,
+                              .episodes = options.episodes,
+                              .drives = options.drives}));
   HttpServerOptions http;
   http.host = options.host;
   http.port = options.port;
@@ -81,9 +91,10 @@ Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& option
   http.embed = options.embed;
   http.limits.may_write = may_edit;
   MARKETGEN_TRY(parts->server,
-                HttpServer::start(http, [&viewer = *parts->viewer](const HttpAsk& ask) {
-                  return viewer.answer(ask);
-                }));
+                HttpServer::start(
+                    http,
+                    [&viewer = *parts->viewer](const HttpAsk& ask) { return viewer.answer(ask); },
+                    [&viewer = *parts->viewer](const HttpAsk& ask) { return viewer.socket(ask); }));
   std::string address =
       parts->server->address() + (options.token.empty() ? "" : "?token=" + options.token);
   return std::unique_ptr<ViewServer>(new ViewServer(std::move(parts), std::move(address)));
@@ -94,7 +105,7 @@ Result<void> serve(const ServeOptions& options,
                    catalog::Catalog rows,
                    const std::function<void(const std::string&)>& opened) {
   MARKETGEN_CHECK(check_host(options));
-  MARKETGEN_CHECK(check_make_in(options.make_in));
+  MARKETGEN_CHECK(check_folders(options));
   if (const auto page = page_folder(); !page.ok()) return page.error();  // before any work
   MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(folders, std::move(rows)));
   MARKETGEN_TRY(const std::unique_ptr<ViewServer> server,

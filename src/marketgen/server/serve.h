@@ -13,10 +13,12 @@ namespace marketgen::server {
 
 struct ServeOptions {
   std::vector<std::string> results;  // folders of evaluations in the stores
+  std::string episodes;              // file of those that are driven; empty: they are drawn
+  std::string drives = "drives";     // where logs of drives are kept
   std::string host = "127.0.0.1";
   int port = 0;               // 0: any free one
   std::string token;          // needed for a host other than loopback
-  bool read_only = false;     // nothing is edited or made
+  bool read_only = false;     // nothing is edited, made or driven
   std::string make_in = ".";  // where stores are kept that a page has made
   bool embed = false;  // pages of this machine, as a notebook's, may show it in a frame; no edits
 };

@@ -133,13 +133,14 @@ StoreSummary summary_of(int number,
                         const store::Store& store,
                         const GraspFacts& grasps,
                         const std::vector<catalog::FrictionRow>& frictions,
-                        bool may_edit) {
+                        const PageRights& rights) {
   const scene::Scene& scene = store.scene;
   const plan::Shell& shell = scene.layout.shell;
   const render::raytrace::Room room = render::raytrace::room_of(shell);
   StoreSummary summary;
   summary.store = number;
-  summary.may_edit = may_edit;
+  summary.may_edit = rights.edit;
+  summary.may_drive = rights.drive;
   summary.name = store.manifest.name;
   summary.folder = folder_name(store);
   summary.seed = store.manifest.seed;

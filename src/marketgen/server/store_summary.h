@@ -125,7 +125,7 @@ struct ViewSku {
 
 struct StoreSummary {
   int store = 0;
-  bool may_edit = false;
+  bool may_edit = false, may_drive = false;
   std::string name, folder;
   std::uint64_t seed = 0;
   std::string profile, scene_hash, look_hash, prompt;
@@ -145,6 +145,7 @@ struct StoreSummary {
   static constexpr auto fields =
       field_list(field("store", &StoreSummary::store, "its number in addresses"),
                  field("may_edit", &StoreSummary::may_edit, "the server takes edits"),
+                 field("may_drive", &StoreSummary::may_drive, "robots are driven in it"),
                  field("name", &StoreSummary::name, "its name"),
                  field("folder", &StoreSummary::folder, "last part of its folder's path"),
                  field("seed", &StoreSummary::seed, "seed it was made with"),
@@ -173,10 +174,14 @@ std::vector<ViewSku> skus_of(const scene::Scene& scene,
                              const GraspFacts& grasps,
                              const std::vector<catalog::FrictionRow>& frictions);
 StoreLine line_of(int number, const store::Store& store);
+// What a page may do with a store.
+struct PageRights {
+  bool edit = false, drive = false;
+};
 StoreSummary summary_of(int number,
                         const store::Store& store,
                         const GraspFacts& grasps,
                         const std::vector<catalog::FrictionRow>& frictions,
-                        bool may_edit);
+                        const PageRights& rights);
 
 }  // namespace marketgen::server

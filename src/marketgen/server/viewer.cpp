@@ -15,6 +15,7 @@
 #include "io/json.h"
 #include "io/png.h"
 #include "server/answering.h"
+#include "server/drive.h"
 #include "server/editor.h"
 #include "server/page_files.h"
 #include "server/store_summary.h"
@@ -32,6 +33,13 @@ Result<HttpReply> png_reply(const Result<Image>& image) {
   if (!image.ok()) return image.error();
   MARKETGEN_TRY(std::string bytes, io::encode_png(*image));
   return reply_with({"", "image/png", std::move(bytes)});
+}
+
+Error no_drive(const HttpAsk& ask) {
+  return {"server.refused",
+          ask.path,
+          "robots are not driven here: name the store's folder, and start `marketgen view` without "
+          "--read-only"};
 }
 
 // Among those who draw.
@@ -55,7 +63,8 @@ struct Viewer::Opened {
   std::once_flag begun;
   std::unique_ptr<ViewBuild> build;
   std::unique_ptr<Editor> editor;
-  bool is_place = false;  // of an episode, and no store
+  std::unique_ptr<Drive> drive;  // of stores that were there from the start
+  bool is_place = false;         // of an episode, and no store
 };
 
 // Begins it where nobody has asked yet: stores that an edit has saved may never be looked at.
@@ -82,8 +91,10 @@ Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
   MARKETGEN_TRY(viewer->search_, StoreSearch::open(viewer->catalog_));
   MARKETGEN_TRY(viewer->grasps_, read_grasp_facts());
   MARKETGEN_TRY(viewer->replays_, Replays::open(options.results, opened, viewer->catalog_));
+  viewer->given_ = opened.size();
   for (std::shared_ptr<const store::Store>& store : opened)
     viewer->add(std::move(store));
+  if (options.may_edit) MARKETGEN_CHECK(viewer->offer_drives());
   for (const std::unique_ptr<Opened>& store : viewer->stores_)
     viewer->build_of(*store);
   if (options.may_edit)
@@ -98,24 +109,58 @@ Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
 
 std::unique_ptr<Viewer::Opened> Viewer::made(int number,
                                              std::shared_ptr<const store::Store> store,
-                                             bool may_edit) {
+                                             const PageRights& rights) {
   auto opened = std::make_unique<Opened>();
   opened->number = number;
   opened->summary = json_reply(
-      io::write_json_line(summary_of(number, *store, grasps_, rows_->frictions, may_edit)));
+      io::write_json_line(summary_of(number, *store, grasps_, rows_->frictions, rights)));
   ViewFile goods = goods_table(store->scene);
   opened->goods = {.body = make_body(goods.type, std::move(goods.bytes))};
   opened->store = std::move(store);
   return opened;
 }
 
+std::shared_ptr<const catalog::Catalog> Viewer::rows_of(const store::Store& store) const {
+  const auto& own = store.manifest.own;
+  return own ? std::make_shared<const catalog::Catalog>(catalog::with_own_products(*rows_, *own))
+             : rows_;
+}
+
+// Each store has a drive of its own: robots of several may be driven at once.
+Result<void> Viewer::offer_drives() {
+  std::shared_ptr<environments::EpisodeGround> file;
+  bool is_of_one = options_.episodes.empty();
+  if (!is_of_one) {
+    MARKETGEN_TRY(file, environments::EpisodeGround::of_file(options_.episodes));
+  }
+  for (const std::unique_ptr<Opened>& opened : stores_) {
+    const auto place = [this, number = static_cast<std::size_t>(opened->number)](
+                           const episodes::RecordedPlace& where) {
+      return replays_->number_of(number, where);
+    };
+    opened->drive = std::make_unique<Drive>(DriveGround{
+        opened->store, rows_of(*opened->store), &catalog_, file, options_.drives, place});
+    is_of_one = is_of_one || opened->drive->offers_episodes();
+    if (file != nullptr) file->arena().offer(opened->store);
+  }
+  if (is_of_one) return {};
+  return Error{"episode.other_store",
+               options_.episodes,
+               "none of its episodes is of a store that is shown: name that store's folder, or "
+               "leave --episodes out"};
+}
+
+void Viewer::stop_driving() {
+  for (const std::unique_ptr<Opened>& opened : stores_)
+    if (opened->drive) opened->drive->stop();
+}
+
 int Viewer::add(std::shared_ptr<const store::Store> store) {
   const std::unique_lock lock(listing_);
-  auto opened = made(static_cast<int>(stores_.size()), std::move(store), options_.may_edit);
-  const auto& own = opened->store->manifest.own;
-  const auto rows =
-      own ? std::make_shared<const catalog::Catalog>(catalog::with_own_products(*rows_, *own))
-          : rows_;
+  const bool drives = options_.may_edit && stores_.size() < given_;
+  auto opened =
+      made(static_cast<int>(stores_.size()), std::move(store), {options_.may_edit, drives});
+  const auto rows = rows_of(*opened->store);
   if (options_.may_edit)
     opened->editor = std::make_unique<Editor>(
         opened->store, rows, grasps_, [this, rows](const std::filesystem::path& folder) {
@@ -165,6 +210,7 @@ Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Word
   if (words.empty()) return store.summary;
   const std::string& what = words[0];
   if (what == "edit") return of_edit(store, ask, Words(words.begin() + 1, words.end()));
+  if (what == "drive") return of_drive(store, ask, Words(words.begin() + 1, words.end()));
   if (what == "runs" || what == "places") return of_replay(store, ask, words);
   if (words.size() == 1 && what != "search") {
     if (what == "goods.bin") return store.goods;
@@ -224,6 +270,22 @@ Result<HttpReply> Viewer::of_edit(Opened& store, const HttpAsk& ask, const Words
   return of_scene(now ? now->store.scene : store.store->scene, ask, words);
 }
 
+Result<HttpReply> Viewer::of_drive(Opened& store, const HttpAsk& ask, const Words& words) {
+  if (!store.drive) return no_drive(ask);
+  if (ask.method != "POST") return store.drive->get(ask, words);
+  return words == Words{"begin"} ? store.drive->begin(ask) : no_address(ask);
+}
+
+Result<std::unique_ptr<SocketPeer>> Viewer::socket(const HttpAsk& ask) {
+  const Words words = parts_of(ask.path);
+  if (words.size() != 5 || words[0] != "api" || words[1] != "stores" || words[3] != "drive" ||
+      words[4] != "socket")
+    return no_address(ask);
+  MARKETGEN_TRY(Opened* const store, opened(ask, words[2]));
+  if (!store->drive) return no_drive(ask);
+  return store->drive->peer();
+}
+
 Result<HttpReply> Viewer::of_replay(Opened& store, const HttpAsk& ask, const Words& words) {
   if (store.is_place) return no_address(ask);
   const auto number = static_cast<std::size_t>(store.number);
@@ -238,7 +300,7 @@ Result<HttpReply> Viewer::of_replay(Opened& store, const HttpAsk& ask, const Wor
     const std::scoped_lock lock(opening_);
     std::unique_ptr<Opened>& kept = places_[row];
     if (kept == nullptr) {
-      kept = made(store.number, std::move(place), false);
+      kept = made(store.number, std::move(place), {});
       kept->is_place = true;
     }
     opened_place = kept.get();

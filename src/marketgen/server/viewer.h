@@ -19,20 +19,24 @@
 #include "server/replays.h"
 #include "server/store_search.h"
 #include "server/view_build.h"
+#include "server/web_socket.h"
 #include "store/open_stores.h"
 
 namespace marketgen::server {
 
 struct ViewerOptions {
-  bool may_edit = true;                   // and make
-  std::filesystem::path make_in = ".";    // where stores are kept that a page has made
-  std::vector<std::string> results = {};  // folders of evaluations in the stores
+  bool may_edit = true;                     // and make, and drive
+  std::filesystem::path make_in = ".";      // where stores are kept that a page has made
+  std::vector<std::string> results = {};    // folders of evaluations in the stores
+  std::string episodes = {};                // file of those that are driven; empty: they are drawn
+  std::filesystem::path drives = "drives";  // where logs of drives are kept
 };
 
 class Viewer {
  public:
-  // Begins to build what the page draws. Errors: those of StoreSearch::open, read_grasp_facts() and
-  // Replays::open.
+  // Begins to build what the page draws. Errors: those of StoreSearch::open, read_grasp_facts(),
+  // Replays::open and EpisodeGround::of_file; episode.other_store, none of the stores has an
+  // episode of the file.
   static Result<std::unique_ptr<Viewer>> open(store::OpenedStores stores,
                                               std::filesystem::path page,
                                               const ViewerOptions& options = {});
@@ -40,6 +44,10 @@ class Viewer {
 
   // Thread-safe.
   HttpReply answer(const HttpAsk& ask);
+  // Of /api/stores/N/drive/socket. Errors: server.not_found, server.refused. Thread-safe.
+  Result<std::unique_ptr<SocketPeer>> socket(const HttpAsk& ask);
+  // Before who carries the sockets goes.
+  void stop_driving();
 
  private:
   struct Opened;
@@ -48,7 +56,7 @@ class Viewer {
 
   std::unique_ptr<Opened> made(int number,
                                std::shared_ptr<const store::Store> store,
-                               bool may_edit);
+                               const PageRights& rights);
   Result<HttpReply> reply_to(const HttpAsk& ask);
   HttpReply list() const;
   Result<Opened*> opened(const HttpAsk& ask, const std::string& number) const;
@@ -57,6 +65,10 @@ class Viewer {
   Result<HttpReply> of_scene(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_make(const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_edit(Opened& store, const HttpAsk& ask, const Words& words);
+  Result<HttpReply> of_drive(Opened& store, const HttpAsk& ask, const Words& words);
+  Result<void> offer_drives();
+  // With its own products.
+  std::shared_ptr<const catalog::Catalog> rows_of(const store::Store& store) const;
   Result<HttpReply> of_replay(Opened& store, const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_sku(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
   Result<HttpReply> search(const scene::Scene& scene, const HttpAsk& ask);
@@ -79,6 +91,7 @@ class Viewer {
   std::unique_ptr<Replays> replays_;
   mutable std::shared_mutex listing_;  // of stores_, which grows when an edit is saved
   std::vector<std::unique_ptr<Opened>> stores_;
+  std::size_t given_ = 0;  // of these, the first ones, that it was opened with
   std::mutex opening_;
   std::map<std::uint32_t, std::unique_ptr<Opened>> places_;  // by number, once they are asked for
   std::unique_ptr<Maker> maker_;  // goes first: what it keeps is added to stores_

@@ -1,6 +1,6 @@
 // A picture of one of the station's cameras beside the replay, as the core's renderer takes it.
 import { element, words as asWords } from "../ui/dom";
-import type { ReplayClient } from "./replay_client";
+import type { Client } from "../store/client";
 import { replayTexts, type ReplayKey } from "./strings";
 import { timeText, type ReplayWords } from "./words";
 
@@ -19,7 +19,7 @@ export class CameraPanel {
 
   constructor(
     private readonly words: ReplayWords,
-    private readonly client: ReplayClient,
+    private readonly client: Client,
     private readonly stepSeconds: number,
     cameras: readonly string[],
     close: () => void,

@@ -1,21 +1,29 @@
-// One episode on the stage: brings everything to where it was at a step.
+// One episode on the stage, recorded or running: brings everything to where it is at a step.
 import type { Stage } from "../stage/stage";
 import type { RoomLight } from "./actor_light";
 import { Actors, matrixOf, type Actor } from "./actors";
-import type { MotionHead, Replay } from "./contract";
+import type { Client } from "../store/client";
+import type { Packed } from "../store/packed";
+import type { MotionHead, Replay, ReplayThing } from "./contract";
 import type { ReplayClient } from "./replay_client";
-import { BodyTracks, ThingTracks } from "./tracks";
+import { BodyTracks, ThingTracks, type BodyPlaces, type ThingPlaces } from "./tracks";
 
 const aboveFrame = 0.3; // metres: frames are at the foot of things
 const lightAgain = 0.5; // metres from where the light on something was taken last
 type Point = readonly [number, number, number];
+
+// What stands on the stage.
+export interface Cast {
+  readonly bodies: readonly string[];
+  readonly things: readonly ReplayThing[];
+}
 
 interface Lit {
   readonly actor: Actor;
   litAt: Point | undefined;
 }
 
-export class Player {
+export class Player<Shown extends Cast = Replay> {
   readonly robotBodies: number;
   private readonly things: (Lit | undefined)[]; // by thing; undefined: it has not come
   private readonly robot: Lit;
@@ -23,12 +31,12 @@ export class Player {
 
   private constructor(
     private readonly stage: Stage,
-    readonly replay: Replay,
+    readonly replay: Shown,
     private readonly actors: Actors,
-    private readonly bodies: BodyTracks,
-    private readonly tracks: ThingTracks,
+    private readonly bodies: BodyPlaces,
+    private readonly tracks: ThingPlaces,
   ) {
-    this.robotBodies = replay.bodies.length - (replay.things.some(({ kind }) => kind === "basket") ? 1 : 0);
+    this.robotBodies = bodiesOfRobot(replay);
     this.robot = { actor: actors.bodies[0]!, litAt: undefined };
     this.things = replay.things.map(({ kind }) => (kind === "basket" ? { actor: actors.bodies.at(-1)!, litAt: undefined } : undefined));
     stage.scene.add(actors.group);
@@ -37,22 +45,27 @@ export class Player {
   // With the robot and the first steps; goods come with addGoods().
   static async create(client: ReplayClient, stage: Stage, replay: Replay, failed: (error: unknown) => void): Promise<Player> {
     const [robot, things] = await Promise.all([client.packed<unknown>("/robot.bin"), client.packed<unknown>("/things.bin")]);
-    const bodies = replay.bodies.length - (replay.things.some(({ kind }) => kind === "basket") ? 1 : 0);
-    const load = (first: number, count: number): Promise<import("../store/packed").Packed<MotionHead>> => client.packed(`/motion.bin?from=${first}&steps=${count}`);
+    const load = (first: number, count: number): Promise<Packed<MotionHead>> => client.packed(`/motion.bin?from=${first}&steps=${count}`);
     let player: Player | undefined;
     const came = (error?: unknown): void => {
       if (error !== undefined) failed(error);
       if (player) player.shown = undefined;
       stage.redraw();
     };
-    const tracks = new BodyTracks(bodies, replay.steps, load, came);
+    const tracks = new BodyTracks(bodiesOfRobot(replay), replay.steps, load, came);
     tracks.want(0);
     player = new Player(stage, replay, new Actors(robot, stage.shared), tracks, new ThingTracks(things));
     return player;
   }
 
-  async addGoods(client: ReplayClient): Promise<void> {
-    const wanted = this.replay.things.flatMap(({ mesh }, thing) => (mesh >= 0 ? [{ thing, mesh }] : []));
+  // One that runs; its goods come with addGoods(), as many times as there are more.
+  static live<Shown extends Cast>(robot: Packed<unknown>, stage: Stage, cast: Shown, bodies: BodyPlaces, things: ThingPlaces): Player<Shown> {
+    return new Player(stage, cast, new Actors(robot, stage.shared), bodies, things);
+  }
+
+  // `things`: those from the `first` on; `client` has their shapes from the row `firstMesh` on.
+  async addGoods(client: Client, things: readonly ReplayThing[] = this.replay.things, first = 0, firstMesh = 0): Promise<void> {
+    const wanted = things.flatMap(({ mesh }, thing) => (mesh >= 0 ? [{ thing: first + thing, mesh: mesh - firstMesh }] : []));
     const made = await this.actors.addGoods(client, this.stage.renderer, this.stage.limits, wanted.map(({ mesh }) => mesh));
     made.forEach((actor, i) => (this.things[wanted[i]!.thing] = { actor, litAt: undefined }));
     this.shown = undefined;
@@ -64,12 +77,12 @@ export class Player {
   }
 
   // What the goods of the store leave out: they are drawn as they move.
-  static movedRows(replays: readonly Replay[]): Set<number> {
+  static movedRows(replays: readonly Pick<Cast, "things">[]): Set<number> {
     return new Set(replays.flatMap(({ things }) => things.filter(({ kind }) => kind === "product").map(({ number }) => number)));
   }
 
   // Of two episodes in one store: what the other one moves stands here where it stood at first.
-  standStill(other: Player): void {
+  standStill(other: Player<Cast>): void {
     const own = Player.movedRows([this.replay]);
     other.replay.things.forEach(({ kind, number }, i) => {
       const actor = other.things[i]?.actor;
@@ -141,16 +154,20 @@ export class Player {
   // Joints that only the other of two episodes moves are at rest here.
   restingJoints: readonly number[] = [];
   get joints(): readonly number[] {
-    return [...this.tracks.joints];
+    return Array.from(this.tracks.joints);
   }
 
   private moveJoints(step: number): void {
     const { room } = this.stage;
     if (!room) return;
     for (const joint of this.restingJoints) if (room.moving.positions[joint] !== 0) room.move(joint, 0);
-    this.tracks.joints.forEach((joint, row) => {
+    this.joints.forEach((joint, row) => {
       const to = this.tracks.jointAt(row, step);
       if (room.moving.positions[joint] !== to) room.move(joint, to);
     });
   }
+}
+
+function bodiesOfRobot({ bodies, things }: Cast): number {
+  return bodies.length - (things.some(({ kind }) => kind === "basket") ? 1 : 0);
 }

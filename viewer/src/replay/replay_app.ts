@@ -3,7 +3,6 @@ import { reduced, roomOf } from "../app";
 import { topFov, Navigator } from "../camera/navigator";
 import { modes, type Mode } from "../camera/modes";
 import { lookingAt, type Pose } from "../camera/pose";
-import { add, distance, scale, sub, type Vec3 } from "../camera/vector";
 import type { Summary } from "../store/contract";
 import { screensOf, Sight } from "../stage/sight";
 import type { Stage } from "../stage/stage";
@@ -21,6 +20,7 @@ import { Player } from "./player";
 import { PlayerBar } from "./player_bar";
 import type { ReplayClient } from "./replay_client";
 import { ReplayHelp } from "./replay_help";
+import { aisleView, counterView, RobotEye } from "./robot_eye";
 import type { ReplayWords } from "./words";
 
 const longestFrame = 2; // seconds: after a longer pause (a tab in the background) a replay goes on from where it was
@@ -28,15 +28,11 @@ const usualFov = 55;
 const barEvery = 100; // milliseconds between two times that the bar tells while playing
 const relitAtOnce = 8;
 
-// Where one looks from at first, seen from the robot: ahead, to its left, up; and what at.
-const counterView = { from: [1.75, -0.75, 1.05], at: [0.5, 0.05, 0.12] } as const;
 const halfAway = 1.35; // times as far off where each has but half of the picture
-const aisleView = { from: [-1.9, 1.1, 2.6], at: [0.35, 0, 0.75] } as const;
 
 export class ReplayApp {
   readonly navigator: Navigator;
   readonly clock: Clock;
-  following = true;
   waiting = false;
   private readonly bar: PlayerBar;
   private readonly infos: readonly InfoPanel[];
@@ -48,13 +44,12 @@ export class ReplayApp {
   private lastTold = 0;
   private shownPose: Pose | undefined;
   private shownStep = -1;
-  private robotWas: Vec3 | undefined;
-  private placed = false; // the eye was brought before the robot
+  private readonly eye: RobotEye;
 
   constructor(
     private readonly stage: Stage,
     summary: Summary,
-    private readonly replay: Replay,
+    replay: Replay,
     readonly players: readonly Player[],
     private readonly words: ReplayWords,
     private readonly status: Status,
@@ -69,6 +64,7 @@ export class ReplayApp {
     const [left, right] = players;
     if (left && right) stage.halves = (half) => [left, right].forEach((player, i) => player.reveal(i === half));
     this.navigator = new Navigator(roomOf(summary), "orbit", lookingAt([0, 0, 2], [1, 1, 1]), 2);
+    this.eye = new RobotEye(this.navigator, replay.place < 0 ? aisleView : counterView, players.length > 1 ? halfAway : 1);
     const theme = new Theme((background) => stage.setBackground(background));
     const { speech } = words;
     const seek = (step: number): void => this.seek(step);
@@ -96,7 +92,7 @@ export class ReplayApp {
     this.lastFrame = now;
     this.play(this.waiting ? 0 : seconds, now);
     this.camera.want(this.clock.step, this.clock.playing);
-    this.follow();
+    if (this.shownStep >= 0) this.eye.follow(this.players[0]!);
     this.navigator.step(this.navigator.flying ? seconds : Math.min(seconds, 0.1), this.hands.held(this.navigator.mode));
     const moved = this.navigator.pose !== this.shownPose;
     if (moved) this.stage.setPose((this.shownPose = this.navigator.pose));
@@ -124,7 +120,7 @@ export class ReplayApp {
   }
 
   private tell(): void {
-    this.bar.show(this.following, this.camera.isOpen);
+    this.bar.show(this.eye.following, this.camera.isOpen);
     for (const info of this.infos) info.show(this.clock.seconds);
   }
 
@@ -150,9 +146,7 @@ export class ReplayApp {
   }
 
   private toggleFollow(): void {
-    this.following = !this.following;
-    this.robotWas = undefined;
-    if (this.following && this.navigator.mode !== "top") this.lookAtRobot(reduced());
+    this.eye.toggle(this.players[0]!, reduced());
     this.tell();
   }
 
@@ -160,31 +154,6 @@ export class ReplayApp {
     this.camera.open(!this.camera.isOpen);
     if (!this.camera.isOpen) this.stage.canvas.focus({ preventScroll: true });
     this.tell();
-  }
-
-  // The eye keeps its place beside the robot.
-  private follow(): void {
-    const player = this.players[0]!;
-    if (this.shownStep < 0) return;
-    const at = player.robotAt;
-    if (!this.placed) this.lookAtRobot(true);
-    const was = this.robotWas ?? at;
-    this.robotWas = at;
-    if (!this.following || this.navigator.flying || this.navigator.mode === "top" || distance(was, at) < 1e-4) return;
-    const { pose } = this.navigator;
-    this.navigator.pose = { ...pose, eye: add(pose.eye, [at[0] - was[0], at[1] - was[1], 0]) };
-  }
-
-  // Before it, as at the beginning.
-  private lookAtRobot(atOnce: boolean): void {
-    this.placed = true;
-    const player = this.players[0]!;
-    const { from, at } = this.replay.place < 0 ? aisleView : counterView;
-    const [fx, fy] = player.heading;
-    const seen = ([ahead, left, up]: Vec3): Vec3 => add(player.robotAt, [fx * ahead - fy * left, fy * ahead + fx * left, up]);
-    const target = seen(at);
-    const eye = add(target, scale(sub(seen(from), target), this.players.length > 1 ? halfAway : 1));
-    this.navigator.goTo(lookingAt(eye, target), distance(eye, target), atOnce);
   }
 
   private enter(mode: Mode): void {

@@ -11,12 +11,27 @@ export interface Place {
 
 export const pieceSteps = 1200; // steps that are loaded at a time
 
-interface Rows {
+// Where bodies are at a step.
+export interface BodyPlaces {
+  // Asks for what is there at a step and soon after, unless it is there.
+  want(step: number): void;
+  // Undefined: it has not come yet.
+  at(step: number, body: number): Place | undefined;
+}
+
+// Where all else is.
+export interface ThingPlaces {
+  readonly joints: ArrayLike<number>; // rows of the place's joints
+  at(thing: number, step: number): Place;
+  jointAt(row: number, step: number): number; // of the joint in that row of `joints`
+}
+
+export interface Rows {
   readonly position: Float32Array;
   readonly rotation: Int16Array;
 }
 
-function placeAt({ position, rotation }: Rows, row: number): Place {
+export function placeAt({ position, rotation }: Rows, row: number): Place {
   const [p, r] = [row * 3, row * 4];
   return {
     position: [position[p]!, position[p + 1]!, position[p + 2]!],
@@ -37,7 +52,7 @@ export function between(a: Place, b: Place, share: number): Place {
   };
 }
 
-export class BodyTracks {
+export class BodyTracks implements BodyPlaces {
   private readonly pieces = new Map<number, Rows | "asked">();
 
   // `load`: steps from `first` on, as many as there are up to `count`.
@@ -48,7 +63,6 @@ export class BodyTracks {
     private readonly came: (error?: unknown) => void,
   ) {}
 
-  // Asks for what is there at a step and soon after, unless it is there.
   want(step: number): void {
     const piece = Math.floor(step / pieceSteps);
     for (const wanted of [piece, piece + 1]) {
@@ -58,7 +72,6 @@ export class BodyTracks {
     }
   }
 
-  // Undefined: it has not come yet.
   at(step: number, body: number): Place | undefined {
     const low = Math.floor(step);
     const before = this.exactly(low, body);
@@ -96,7 +109,7 @@ export function rowAt(steps: Uint32Array, first: number, count: number, step: nu
   return low - 1;
 }
 
-export class ThingTracks {
+export class ThingTracks implements ThingPlaces {
   private readonly range: Uint32Array;
   private readonly step: Uint32Array;
   private readonly rows: Rows;
@@ -129,7 +142,6 @@ export class ThingTracks {
     return share > 0 ? between(now, placeAt(this.rows, first + row + 1), share) : now;
   }
 
-  // Of the joint in that row of `joints`.
   jointAt(row: number, step: number): number {
     const [first, count] = [this.jointRange[row * 2]!, this.jointRange[row * 2 + 1]!];
     return this.jointPosition[first + Math.max(rowAt(this.jointStep, first, count, step), 0)]!;

@@ -23,7 +23,7 @@ export class ReplayWords {
     return since_s >= 0 ? this.say("inPlaceSince", { time: timeText(since_s) }) : this.say("reachedSome", { reached, count });
   }
 
-  event(event: ReplayEvent, replay: Replay): string {
+  event(event: ReplayEvent, replay: Pick<Replay, "things">): string {
     const name = event.sku ? nameOf(event.sku, replay, this.speech.language) : this.say(event.target as ReplayKey);
     return this.say(event.kind, { name, force: this.speech.number(event.force_n, event.force_n < 10 ? 1 : 0) });
   }
@@ -44,7 +44,7 @@ export class ReplayWords {
     ];
   }
 
-  nameOfGoal(goal: ReplayGoal): string {
+  nameOfGoal(goal: Pick<ReplayGoal, "name" | "name_zh" | "count">): string {
     const name = this.speech.language === "zh" && goal.name_zh ? goal.name_zh : goal.name;
     return goal.count > 1 ? `${goal.count} × ${name}` : name;
   }
@@ -68,7 +68,7 @@ export function timeText(seconds: number): string {
   return `${minutes}:${(rest / 100).toFixed(2).padStart(5, "0")}`;
 }
 
-function nameOf(sku: string, replay: Replay, language: Language): string {
+function nameOf(sku: string, replay: Pick<Replay, "things">, language: Language): string {
   const thing = replay.things.find((each) => each.sku === sku);
   if (!thing) return sku;
   return language === "zh" && thing.name_zh ? thing.name_zh : thing.name;

@@ -36,6 +36,7 @@ const labelsWithin = 2.6; // metres
 const meshesWithin = 14;
 const kept = 1.5; // times as many triangles as may be shown stay built
 const buildMilliseconds = 8; // a frame
+const hidden = -1000; // metres
 
 export class Goods {
   readonly group = new Group();
@@ -118,6 +119,19 @@ export class Goods {
     this.materials = [packMaterial(this.shared, uniforms, false), packMaterial(this.shared, uniforms, true)];
     this.far = far;
     for (const shown of this.shown) shown.triangles = this.trianglesOf(shown.cell, far);
+    this.changed();
+  }
+
+  // A product that moves from now on, and is drawn otherwise: it is hidden below the floor.
+  leaveOut(row: number): void {
+    this.table.position[row * 3 + 2] = hidden;
+    this.standIns.hide(this.table.order.indexOf(row));
+    for (const shown of this.shown) {
+      if (!shown.built || !this.table.order.subarray(shown.cell.first, shown.cell.end).includes(row)) continue;
+      this.group.remove(...shown.built.meshes);
+      shown.built.dispose();
+      shown.built = undefined;
+    }
     this.changed();
   }
 

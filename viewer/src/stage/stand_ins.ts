@@ -181,6 +181,14 @@ export class StandIns {
     for (const name of ["position", "across", "uv"]) this.draws[0].mesh.geometry.getAttribute(name).needsUpdate = true;
   }
 
+  // The pack at that place of the table's order; -1: none.
+  hide(pack: number): void {
+    if (pack < 0) return;
+    this.position.fill(0, pack * corners * 3, (pack + 1) * corners * 3);
+    this.across.fill(0, pack * corners, (pack + 1) * corners);
+    for (const name of ["position", "across"]) this.draws[0].mesh.geometry.getAttribute(name).needsUpdate = true;
+  }
+
   // Colours of the products instead of what they wear; undefined: as they are again.
   paint(colors: Uint8Array | undefined): void {
     this.painted = colors;

@@ -4,6 +4,7 @@ type Triple = readonly [number, number, number];
 export interface Summary {
   readonly store: number;
   readonly may_edit: boolean;
+  readonly may_drive: boolean;
   readonly name: string;
   readonly folder: string;
   readonly scene_hash: string;

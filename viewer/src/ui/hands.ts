@@ -53,6 +53,11 @@ export class Hands {
     };
   }
 
+  // By their codes: "KeyW".
+  get keysDown(): ReadonlySet<string> {
+    return this.down;
+  }
+
   get busy(): boolean {
     return this.down.size > 0 || this.fingers.size > 0;
   }

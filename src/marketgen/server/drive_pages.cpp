@@ -1,0 +1,86 @@
+#include "server/drive_pages.h"
+
+#include <utility>
+
+#include "io/json.h"
+
+namespace marketgen::server {
+
+int DrivePages::join() {
+  const std::scoped_lock lock(mutex_);
+  return next_++;
+}
+
+void DrivePages::greet(int page, std::weak_ptr<SocketSender> sender) {
+  const std::scoped_lock lock(mutex_);
+  pages_[page] = std::move(sender);
+  if (driver_ < 0) driver_ = page;
+  say_who_drives();
+  if (const auto one = pages_[page].lock(); one && latest_ && !ended_) one->latest(latest_);
+}
+
+void DrivePages::leave(int page) {
+  const std::scoped_lock lock(mutex_);
+  pages_.erase(page);
+  if (driver_ != page) return;
+  driver_ = -1;
+  say_who_drives();
+}
+
+void DrivePages::take(int page) {
+  const std::scoped_lock lock(mutex_);
+  if (driver_ < 0 && pages_.contains(page)) driver_ = page;
+  say_who_drives();
+}
+
+bool DrivePages::drives(int page) const {
+  const std::scoped_lock lock(mutex_);
+  return driver_ == page;
+}
+
+bool DrivePages::taken() const {
+  const std::scoped_lock lock(mutex_);
+  return driver_ >= 0;
+}
+
+void DrivePages::send(int page, const std::string& text) const {
+  const auto found = pages_.find(page);
+  if (found == pages_.end() || ended_) return;
+  if (const auto sender = found->second.lock()) sender->text(text);
+}
+
+void DrivePages::say_who_drives() const {
+  for (const auto& [page, sender] : pages_)
+    send(page, io::write_json_line(DriveNote{"you", page == driver_, driver_ >= 0, {}, {}, {}}));
+}
+
+void DrivePages::tell(int page, const DriveNote& note) const {
+  const std::scoped_lock lock(mutex_);
+  send(page, io::write_json_line(note));
+}
+
+void DrivePages::tell_driver(const DriveNote& note) const {
+  const std::scoped_lock lock(mutex_);
+  send(driver_, io::write_json_line(note));
+}
+
+void DrivePages::tell_all(const DriveNote& note) const {
+  const std::scoped_lock lock(mutex_);
+  for (const auto& [page, sender] : pages_)
+    send(page, io::write_json_line(note));
+}
+
+void DrivePages::show(std::shared_ptr<const std::string> latest) {
+  const std::scoped_lock lock(mutex_);
+  latest_ = std::move(latest);
+  if (ended_ || latest_ == nullptr) return;
+  for (const auto& [page, weak] : pages_)
+    if (const auto sender = weak.lock()) sender->latest(latest_);
+}
+
+void DrivePages::end() {
+  const std::scoped_lock lock(mutex_);
+  ended_ = true;
+}
+
+}  // namespace marketgen::server

@@ -1,0 +1,141 @@
+// A robot is driven by a person's keys in Chromium; what was driven is kept, and leads to the same state.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { gunzipSync } from "node:zlib";
+import { launch, openPage, program, serve, take } from "./served.mjs";
+
+const patience = 240_000; // milliseconds for a world to be built and shown, on a busy machine
+const python = process.env.MARKETGEN_PYTHON ?? join(import.meta.dirname, "../../.venv/bin/python");
+const package_ = process.env.MARKETGEN_PYTHON_PACKAGE ?? join(import.meta.dirname, "../../build/release/python");
+
+let folder, server, address, browser;
+
+const run = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "marketgen-drive-"));
+  run("generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", "shop");
+  run("episodes", "shop", "--track", "aisle", "--count", "1", "--seed", "1", "-o", "aisle.jsonl");
+  ({ server, address } = await serve([join(folder, "shop"), "--episodes", join(folder, "aisle.jsonl"), "--drives", join(folder, "drives")]));
+  browser = await launch();
+});
+
+after(async () => {
+  await browser?.close();
+  server?.kill("SIGINT");
+  if (folder) rmSync(folder, { recursive: true, force: true });
+});
+
+const driving = async (options) => {
+  const opened = await openPage(browser, `${address}?store=0&drive=`, options);
+  await opened.page.waitForFunction(() => window.drive?.times.complete !== undefined && window.drive.app.last !== undefined, null, { timeout: patience });
+  return opened;
+};
+const step = (page) => page.evaluate(() => window.drive.app.last.step);
+const until = (page, holds, value) => page.waitForFunction(holds, value, { timeout: patience });
+
+test("the store's page leads to the choice, and the choice to the robot, by keyboard alone", async () => {
+  const { page, faults, close } = await openPage(browser, address);
+  await page.locator("a.to-drive").waitFor({ timeout: patience });
+  await page.locator("a.to-drive").focus();
+  await page.keyboard.press("Enter");
+  await page.locator(".drive-choose button.main").waitFor({ timeout: patience });
+  await take(page, "drive-choose");
+  assert.match(await page.locator(".drive-choose option").first().textContent(), /aisle/i);
+  await page.locator(".drive-choose button.main").focus();
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => window.drive?.times.complete !== undefined && window.drive.app.last !== undefined, null, { timeout: patience });
+  assert.equal(await step(page), 0, "time waits for the driver");
+  await take(page, "drive-first");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("keys drive the base and move the arm, the gripper closes, and the log leads to the same state", async () => {
+  const { page, faults, close } = await driving();
+  const at = () => page.evaluate(() => window.drive.app.player.robotAt.slice(0, 2));
+  const from = await at();
+  await page.keyboard.down("w");
+  await until(page, () => window.drive.app.last.step >= 25);
+  await page.keyboard.up("w");
+  await until(page, () => window.drive.app.last.step >= 35);
+  const to = await at();
+  assert.ok(Math.hypot(to[0] - from[0], to[1] - from[1]) > 0.15, `the base went from ${from} to ${to}`);
+  const hand = () => page.evaluate(() => window.drive.app.player.bodyAt(window.drive.app.player.replay.bodies.findIndex((name) => name.startsWith("left_") && name.includes("7"))));
+  const low = await hand();
+  const before = await step(page);
+  await page.keyboard.down("u");
+  await until(page, (before) => window.drive.app.last.step >= before + 25, before);
+  await page.keyboard.up("u");
+  const high = await hand();
+  assert.ok(high[2] - low[2] > 0.03, `the hand rose from ${low[2]} to ${high[2]} m`);
+  await page.keyboard.press(" ");
+  await until(page, () => window.drive.app.last.openings[0] === -1);
+  await page.keyboard.press("x");
+  assert.equal(await page.evaluate(() => window.drive.app.controls.arm), 1);
+  await page.keyboard.press("c");
+  await until(page, () => window.drive.app.camera.picture !== undefined);
+  await take(page, "drive-under-way");
+  await page.keyboard.press("p");
+  await until(page, () => !window.drive.app.last.runs);
+  const paused = await step(page);
+  await page.waitForTimeout(300);
+  assert.equal(await step(page), paused);
+  await page.keyboard.press("p");
+  await until(page, () => window.drive.app.last.runs);
+  await page.keyboard.press("End");
+  await until(page, () => window.drive.app.last.verdict !== undefined);
+  assert.equal(await page.locator(".driving .outcome").textContent().then((text) => text.includes("of 1")), true);
+  await page.keyboard.press("v");
+  await until(page, () => window.drive.app.savedFile !== "");
+  await take(page, "drive-done");
+  const file = await page.evaluate(() => window.drive.app.savedFile);
+  const [log] = gunzipSync(readFileSync(file)).toString().split("\n").map((line) => line && JSON.parse(line));
+  assert.equal(log.schema, "market-drive/1");
+  assert.equal(log.over, true);
+  assert.equal(log.actions.length / log.action_names.length, await step(page));
+  assert.deepEqual(faults, []);
+  await close();
+
+  // The demonstration that is made of it is read back, and its actions lead to its states.
+  const environment = { ...process.env, PYTHONPATH: package_ };
+  const record = (...words) => execFileSync(python, ["-m", "marketgen.record", ...words, "--quiet"], { cwd: folder, env: environment, stdio: ["ignore", "pipe", "inherit"] }).toString();
+  assert.match(record("--teleop", file, "-o", "driven", "--cameras", "none"), /1 episodes/);
+  assert.match(record("driven.episodes.jsonl", "--check", "driven"), /bit for bit/);
+});
+
+test("a page that goes leaves a robot that stands, and the next one takes over; meanwhile others look on", async () => {
+  const first = await driving();
+  await first.page.keyboard.press("Home");
+  await until(first.page, () => window.drive.app.last.step === 0);
+  const second = await driving();
+  assert.equal(await second.page.evaluate(() => window.drive.app.seat.drives), false);
+  await first.page.keyboard.down("w");
+  await until(second.page, () => window.drive.app.last.step >= 10);
+  await first.close();
+  await until(second.page, () => !window.drive.app.seat.taken);
+  await second.page.waitForTimeout(1500);
+  const left = await step(second.page);
+  await second.page.waitForTimeout(500);
+  assert.equal(await step(second.page), left, "time stands while nobody drives");
+  await second.page.locator(".drive-buttons button", { hasText: "Drive" }).click();
+  await until(second.page, () => window.drive.app.seat.drives);
+  await second.page.keyboard.down("s");
+  await until(second.page, (left) => window.drive.app.last.step > left, left);
+  assert.deepEqual(second.faults, []);
+  await second.close();
+});
+
+test("on a phone, in the dark and in Chinese everything has its place", async () => {
+  const { page, faults, close } = await driving({ viewport: { width: 390, height: 760 }, locale: "zh-CN", colorScheme: "dark", hasTouch: true, isMobile: true });
+  await take(page, "drive-phone");
+  assert.match(await page.locator(".driving h2").first().textContent(), /目标/);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(wide <= 390, `${wide} px wide`);
+  assert.deepEqual(faults, []);
+  await close();
+});
