@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "collect/scene_doors.h"
 #include "episodes/aisle/aisle_world.h"
 #include "motion/plan_drive.h"
 #include "scene/fixture_stage.h"
@@ -31,11 +30,7 @@ class BeforeACooler {
   Result<skills::DoorQuestion> question() const {
     collect::GoodsNow now(store_->scene);
     if (world_) now.set_joints(world_->joint_positions());
-    MARKETGEN_TRY(skills::DoorQuestion asked,
-                  collect::door_question(now, the_door, store_->robot, store_->driving));
-    asked.tool_row = "parallel-gripper";
-    asked.carried = store_->basket.walls;
-    return asked;
+    return store_->door_question(now, the_door);
   }
 
   const robots::Robot& robot() const { return store_->robot; }
