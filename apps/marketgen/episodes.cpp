@@ -16,6 +16,7 @@
 #include "environments/environment_entry.h"
 #include "episodes/episode_journal.h"
 #include "episodes/frozen_store.h"
+#include "episodes/track_entry.h"
 #include "io/file.h"
 #include "io/gzip.h"
 #include "io/json.h"
@@ -35,7 +36,7 @@ struct EpisodesFlags {
   std::string split = "planned", instructions = "words", unseen = "products,layouts,looks";
   std::vector<std::string> trained_on;
   int count = 10;
-  bool resume = false, frozen = false;
+  bool resume = false, frozen = false, doors = false;
 };
 
 struct StockedStore {
@@ -101,6 +102,7 @@ std::string draw_hash(const EpisodesFlags& flags,
   Hasher hasher;
   hasher.add(program_version).add(catalog.content_hash).add(flags.track).add(flags.tools);
   hasher.add(flags.split).add(flags.instructions);
+  if (flags.doors) hasher.add("doors");
   if (const auto unseen = rules.trained_on.row()) hasher.add(io::write_json(*unseen));
   hasher.add(std::to_string(flags.common.seed));
   for (const StockedStore& from : stores)
@@ -247,8 +249,23 @@ Result<std::vector<episodes::Unseen>> unseen_named(const std::string& list) {
   return unseen;
 }
 
+// Goals stand behind doors in aisles alone.
+Result<episodes::Doors> doors_of(const EpisodesFlags& flags) {
+  if (!flags.doors) return episodes::Doors::none;
+  MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
+  const auto fields = episodes::entry_of(track).own_fields();
+  if (std::ranges::find(fields, "doors") == fields.end())
+    return Error{"usage.bad_flag",
+                 "--doors",
+                 fmt::format("the track {} has no goals behind doors: leave it out, or name the "
+                             "track aisle",
+                             flags.track)};
+  return episodes::Doors::hinged;
+}
+
 Result<episodes::DrawRules> rules_of(const EpisodesFlags& flags) {
   episodes::DrawRules rules;
+  MARKETGEN_TRY(rules.doors, doors_of(flags));
   MARKETGEN_TRY(rules.split,
                 value_of_flag<episodes::Split>("--split", "there is no split", flags.split));
   MARKETGEN_TRY(rules.instructions,
@@ -388,6 +405,10 @@ void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
                   "too)")
       ->type_name(choice_of(names_of(episodes::Instructions{})))
       ->capture_default_str();
+  command.add_flag("--doors",
+                   flags.doors,
+                   "aisle: goals stand behind cooler and freezer doors, which the robot opens and "
+                   "shuts again; without it, behind none");
   CLI::Option* trained_on =
       command
           .add_option("--trained-on",

@@ -38,7 +38,7 @@ Result<skills::PickSurroundings> surroundings_of(const GoodsNow& goods,
                                                  Vec3 middle,
                                                  const std::vector<motion::BoxObstacle>& carried) {
   skills::PickSurroundings around;
-  around.way = around.line = fixture_obstacles(goods.scene(), middle, reach_m);
+  around.way = around.line = fixture_obstacles(goods, middle, reach_m);
   around.carried = carried;
   MARKETGEN_CHECK(add_product_obstacles(goods, middle, reach_m, {}, around.way));
   MARKETGEN_CHECK(
@@ -60,10 +60,12 @@ Result<skills::ShelfPickQuestion> pick_question(const GoodsNow& goods,
   question.world_from_base = options.world_from_base;
   MARKETGEN_TRY(question.around,
                 surroundings_of(goods, question.world_from_product.position, options.carried));
-  question.may_stand = [&scene, &robot, where = question.where](const Pose& world_from_base,
-                                                                const std::vector<double>& state) {
+  question.may_stand = [&scene, &robot, &options, where = question.where](
+                           const Pose& world_from_base,
+                           const std::vector<double>& state) -> Result<void> {
     const robots::PlacedRobot placed{where, robot, state, world_from_base};
-    return check_standing(scene, {&placed, 1});
+    MARKETGEN_CHECK(check_standing(scene, {&placed, 1}));
+    return options.may_stand ? options.may_stand(world_from_base, state) : Result<void>();
   };
   return question;
 }

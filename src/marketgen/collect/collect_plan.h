@@ -3,6 +3,7 @@
 // may use.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,10 @@ struct CollectOptions : skills::PickMotion {
   // Stands there and nowhere else.
   std::optional<Pose> world_from_base = {};
   double fingers_friction = 0.5;  // of the pads on the product
+  // An error where the robot, in that state, must not stand, beside what stands there in the store.
+  // Not asked when there is none.
+  std::function<Result<void>(const Pose& world_from_base, const std::vector<double>& state)>
+      may_stand = {};
 };
 
 struct CollectPlan : skills::PickWays {

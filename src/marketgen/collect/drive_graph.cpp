@@ -22,11 +22,13 @@ std::vector<RectMm> obstacles_below(const scene::Scene& scene, double height_m) 
 
 Result<navigation::VisibilityGraph> drive_graph(const scene::Scene& scene,
                                                 const motion::BaseEnvelope& envelope,
+                                                const std::vector<RectMm>& more,
                                                 double margin_m) {
   const double room_m = envelope.radius_m + margin_m;
-  return navigation::VisibilityGraph::make(plan::floor_of(scene.layout.shell),
-                                           obstacles_below(scene, envelope.height_m),
-                                           static_cast<int>(std::lround(room_m * 1e3)));
+  std::vector<RectMm> obstacles = obstacles_below(scene, envelope.height_m);
+  obstacles.insert(obstacles.end(), more.begin(), more.end());
+  return navigation::VisibilityGraph::make(
+      plan::floor_of(scene.layout.shell), obstacles, static_cast<int>(std::lround(room_m * 1e3)));
 }
 
 }  // namespace marketgen::collect

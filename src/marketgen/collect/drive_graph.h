@@ -3,14 +3,18 @@
 // Fixtures whose parts all hang over the robot are no obstacle; the others are their footprint.
 // Store frame.
 #pragma once
+#include <vector>
+
 #include "motion/plan_drive.h"
 #include "scene/scene.h"
 
 namespace marketgen::collect {
 
-// Made once for a store and an envelope. Errors: those of VisibilityGraph::make.
+// Made once for a store and an envelope. `more`: obstacles beside the store's. Errors: those of
+// VisibilityGraph::make.
 Result<navigation::VisibilityGraph> drive_graph(const scene::Scene& scene,
                                                 const motion::BaseEnvelope& envelope,
+                                                const std::vector<RectMm>& more = {},
                                                 double margin_m = 0.03);
 
 }  // namespace marketgen::collect

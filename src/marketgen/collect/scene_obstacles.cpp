@@ -6,6 +6,7 @@
 #include "motion/shape_obstacles.h"
 #include "physics/goods/contact_shape.h"
 #include "physics/world/shell_pieces.h"
+#include "scene/articulation.h"
 
 namespace marketgen::collect {
 namespace {
@@ -27,7 +28,14 @@ void add_if_near(const assets::ContactShape& shape,
 
 }  // namespace
 
-motion::Obstacles fixture_obstacles(const scene::Scene& scene, Vec3 middle, double within_m) {
+motion::Obstacles fixture_obstacles(const GoodsNow& store,
+                                    Vec3 middle,
+                                    double within_m,
+                                    std::optional<std::uint32_t> without) {
+  const scene::Scene& scene = store.scene();
+  const std::vector<Pose> motions = store.joints().empty()
+                                        ? std::vector<Pose>(scene.joints.size())
+                                        : scene::joint_motions(scene, store.joints());
   motion::Obstacles obstacles;
   obstacles.boxes.push_back({{{middle.x, middle.y, -floor_half_thickness_m}, {}},
                              {within_m, within_m, floor_half_thickness_m}});
@@ -35,9 +43,14 @@ motion::Obstacles fixture_obstacles(const scene::Scene& scene, Vec3 middle, doub
     add_if_near(
         {assets::CollisionShape::box, piece.pose, piece.half_size}, middle, within_m, obstacles);
   for (const scene::ScenePart& part : scene.parts) {
-    const assets::ContactShape shape =
-        scene::world_from_fixture(scene, part.fixture) * physics::contact_shape_of(part);
-    add_if_near(shape, middle, within_m, obstacles);
+    Pose moved = scene::world_from_fixture(scene, part.fixture);
+    if (part.joint >= 0) {
+      const auto joint = static_cast<std::uint32_t>(part.joint);
+      if (without == joint) continue;
+      if (store.joint(joint) != 0 || scene.joints[joint].parent >= 0)
+        moved = moved * motions[joint];
+    }
+    add_if_near(moved * physics::contact_shape_of(part), middle, within_m, obstacles);
   }
   return obstacles;
 }

@@ -1,6 +1,7 @@
 // What stands round a robot in a store, as an arm planner sees it.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "collect/goods_now.h"
@@ -8,9 +9,12 @@
 
 namespace marketgen::collect {
 
-// Shapes of the scene within `within_m` of `middle` (their boxes), store frame: fixtures, walls and
-// floor. Doors and drawers as in the scene.
-motion::Obstacles fixture_obstacles(const scene::Scene& scene, Vec3 middle, double within_m);
+// Shapes within `within_m` of `middle` (their boxes), store frame: fixtures, walls and floor. Doors
+// and drawers are where their joints are now. Without what hangs on the joint `without`.
+motion::Obstacles fixture_obstacles(const GoodsNow& store,
+                                    Vec3 middle,
+                                    double within_m,
+                                    std::optional<std::uint32_t> without = {});
 
 // The same for products, without the rows in `without`. Errors: assets.*.
 Result<void> add_product_obstacles(const GoodsNow& goods,

@@ -41,12 +41,23 @@ struct FloorPlaceRow {
                  field("heading_deg", &FloorPlaceRow::heading_deg, "from east", range(-360, 360)));
 };
 
+// The door before a goal: where the robot stands to open it, and to shut it.
+struct WitnessDoor {
+  std::string id;  // FIXTURE/JOINT
+  FloorPlaceRow opened_from, shut_from;
+  static constexpr auto fields =
+      field_list(field("id", &WitnessDoor::id, "fixture/joint", required()),
+                 field("opened_from", &WitnessDoor::opened_from, "where the robot opens it"),
+                 field("shut_from", &WitnessDoor::shut_from, "where it shuts it"));
+};
+
 // One way to fetch a goal that was found when the episode was drawn.
 struct WitnessPick {
   std::string sku, product, arm, strategy;
   std::vector<int> grasps;
   FloorPlaceRow base;
   double lift_m = 0, drive_m = 0;
+  std::optional<WitnessDoor> door = {};  // that is before it
   static constexpr auto fields =
       field_list(field("sku", &WitnessPick::sku, "of the goal", identifier()),
                  field("product", &WitnessPick::product, "item id"),
@@ -57,7 +68,8 @@ struct WitnessPick {
                        "candidates of the grasp study that held it as stocked, from 0"),
                  field("base", &WitnessPick::base, "where the robot stands"),
                  field("lift_m", &WitnessPick::lift_m, "height of its lift"),
-                 field("drive_m", &WitnessPick::drive_m, "way to there from the pick before"));
+                 field("drive_m", &WitnessPick::drive_m, "way to there from the pick before"),
+                 field("door", &WitnessPick::door, "that is opened first, and shut afterwards"));
 };
 
 // What became of one run in physics.

@@ -74,6 +74,7 @@ Result<void> check_fields(const EpisodeSpec& spec, const std::string& where) {
       {"categories", !spec.categories.empty()},
       {"station", spec.station.has_value()},
       {"lane", spec.lane.has_value()},
+      {"doors", spec.doors.has_value()},
       {"start", start.x_m != 0 || start.y_m != 0 || start.heading_deg != 0}};
   const auto own = entry_of(spec.track).own_fields();
   for (const auto& [field, is_there] : said)

@@ -10,6 +10,7 @@ struct DrawRules {
   Split split = Split::planned;
   Instructions instructions = Instructions::words;
   TrainingSet trained_on = {};  // no goal is of it
+  Doors doors = Doors::none;    // aisle: where goals stand
 };
 
 }  // namespace marketgen::episodes

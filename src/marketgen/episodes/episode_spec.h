@@ -52,6 +52,13 @@ constexpr std::array<std::string_view, 2> names_of(Instructions) {
   return {"ids", "words"};
 }
 
+// Where goals of In-Aisle Item Collection stand. none: before them is no door. hinged: behind doors
+// on upright hinges, which the agent opens and shuts again.
+enum class Doors { none, hinged };
+constexpr std::array<std::string_view, 2> names_of(Doors) {
+  return {"none", "hinged"};
+}
+
 // So many of this product, whichever of them.
 struct EpisodeGoal {
   std::string sku;
@@ -85,6 +92,7 @@ struct EpisodeSpec {
   std::string robot, tools;
   std::optional<std::string> station;  // the counter of Checkout Unloading when absent
   std::optional<std::string> lane;     // a room of its own when absent
+  std::optional<Doors> doors;          // none when absent
   std::uint64_t seed = 0;
   std::string instruction;
   Instructions instructions = Instructions::ids;
@@ -117,6 +125,9 @@ struct EpisodeSpec {
             &EpisodeSpec::lane,
             "checkout: the fixture of the store where it happens; a room of its own when absent",
             reference()),
+      field("doors",
+            &EpisodeSpec::doors,
+            "aisle: what goals stand behind, and is to be opened and shut again; none when absent"),
       field("seed", &EpisodeSpec::seed, "of what the policy draws"),
       field("instruction", &EpisodeSpec::instruction, "what the agent is told", required()),
       field("instructions", &EpisodeSpec::instructions, "how goals are told: by SKU or in words"),
@@ -134,6 +145,10 @@ struct EpisodeSpec {
       field("limit_s", &EpisodeSpec::limit_s, "simulated seconds", range(1, 3600)),
       field("certificate", &EpisodeSpec::certificate, "what is known to be possible"));
 };
+
+inline Doors doors_of(const EpisodeSpec& spec) {
+  return spec.doors.value_or(Doors::none);
+}
 
 struct EpisodeExclusion {
   std::string reason;

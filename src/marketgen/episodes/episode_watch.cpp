@@ -115,11 +115,38 @@ void EpisodeWatch::add_push(const physics::WorldContact& contact, Touches& seen)
   }
 }
 
+std::int32_t EpisodeWatch::joint_of(const physics::ContactSide& side) const {
+  return side.kind == physics::BodyKind::fixture && side.row < joints_.size() ? joints_[side.row]
+                                                                              : -1;
+}
+
+std::map<std::int32_t, EpisodeWatch::Fingers> EpisodeWatch::fingers_on_joints(
+    const physics::World& world) const {
+  std::map<std::int32_t, Fingers> on_joints;
+  if (joints_.empty()) return on_joints;
+  for (const physics::WorldContact& contact : world.contacts()) {
+    const std::int32_t joint = joint_of(contact.a);  // a fixture's kind is before an actor's
+    if (joint < 0 || contact.normal_n <= 0 || !is_robot(contact.b)) continue;
+    const GeomRole& role = roles_[contact.b.row];
+    if (role.part == Part::finger) on_joints[joint].insert({role.tool, role.finger});
+  }
+  return on_joints;
+}
+
+bool EpisodeWatch::holds_joint(const physics::WorldContact& contact,
+                               const std::map<std::int32_t, Fingers>& on_joints) const {
+  const auto fingers = on_joints.find(joint_of(contact.a));
+  if (fingers == on_joints.end() || !is_robot(contact.b)) return false;
+  const GeomRole& role = roles_[contact.b.row];
+  return role.part == Part::finger && fingers->second.contains({role.tool, 1 - role.finger});
+}
+
 EpisodeWatch::Touches EpisodeWatch::touches(const physics::World& world) const {
   Touches seen;
+  const std::map<std::int32_t, Fingers> on_joints = fingers_on_joints(world);
   for (const physics::WorldContact& contact : world.contacts()) {
     if (contact.normal_n <= 0) continue;
-    add_push(contact, seen);
+    if (!holds_joint(contact, on_joints)) add_push(contact, seen);
     for (const auto& [a, b] : {std::pair{contact.a, contact.b}, {contact.b, contact.a}}) {
       if (b.kind != physics::BodyKind::product) continue;
       const GeomRole role = a.kind == physics::BodyKind::actor ? roles_[a.row] : GeomRole{};

@@ -26,6 +26,10 @@ class EpisodeWatch {
                const robots::Robot& robot,
                const std::vector<std::uint32_t>& loose = {});
 
+  // Which joint each part of the scene hangs on, -1 for none: a door that is held by its bar, both
+  // fingers of a tool on it, is then held, and not pushed. Without it any touch is a push.
+  void know_joints(std::vector<std::int32_t> of_parts) { joints_ = std::move(of_parts); }
+
   // How things are after a step; store frame.
   struct Moment {
     Vec3 axle, base_velocity_m_s;  // of the robot's base, which turns about the axle
@@ -92,6 +96,13 @@ class EpisodeWatch {
     std::map<std::uint64_t, double> force_n;
     bool base_hit = false;
   };
+  using Fingers = std::set<std::pair<int, int>>;  // tool, finger
+  // By joint, the fingers on what hangs on it; and whether a contact is of a finger with what its
+  // tool holds so.
+  std::map<std::int32_t, Fingers> fingers_on_joints(const physics::World& world) const;
+  std::int32_t joint_of(const physics::ContactSide& side) const;
+  bool holds_joint(const physics::WorldContact& contact,
+                   const std::map<std::int32_t, Fingers>& on_joints) const;
   bool is_robot(const physics::ContactSide& side) const;
   std::uint64_t key_of(const physics::ContactSide& side) const;  // of what is pushed
   Touches touches(const physics::World& world) const;
@@ -108,7 +119,8 @@ class EpisodeWatch {
                        const Moment& moment);
   void follow_events(physics::World& world);
 
-  std::vector<GeomRole> roles_;  // by geom
+  std::vector<GeomRole> roles_;       // by geom
+  std::vector<std::int32_t> joints_;  // by part
   std::map<std::uint32_t, Item> items_;
   PushLedger pushes_;
   std::set<std::uint32_t> toppled_, dropped_, displaced_;

@@ -1,5 +1,7 @@
 // What a robot did beside its task.
 #pragma once
+#include <optional>
+
 #include "base/fields.h"
 
 namespace marketgen::episodes {
@@ -20,6 +22,7 @@ struct SideEffects {
   double basket_tilt_deg = 0;
   int base_collisions = 0;
   int protective_stops = 0;
+  std::optional<int> doors_open = {};  // of episodes with doors
 
   static constexpr auto fields = field_list(
       field("light_contacts", &SideEffects::light_contacts, "below 10 N"),
@@ -37,10 +40,14 @@ struct SideEffects {
             "times that the robot's base met something that stands"),
       field("protective_stops",
             &SideEffects::protective_stops,
-            "times that the robot stopped because something pressed on it"));
+            "times that the robot stopped because something pressed on it"),
+      field("doors_open",
+            &SideEffects::doors_open,
+            "of episodes with doors: how many stand open at the end"));
 };
 
-// No contact above 50 N, nothing driven into, toppled or dropped, and no item strayed. `displaced`
+// No contact above 50 N, nothing driven into, toppled or dropped, no item strayed and no door left
+// open. `displaced`
 // is not asked for: what lies in a heap sinks into the room of what is taken out.
 bool is_clean(const SideEffects& effects);
 

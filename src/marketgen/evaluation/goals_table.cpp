@@ -31,8 +31,12 @@ Result<std::vector<GoalVariant>> variants_in(const std::filesystem::path& data) 
   for (const episodes::Track track : episodes::all_tracks) {
     MARKETGEN_TRY(const episodes::TrackRobot row, episodes::entry_of(track).robot(data));
     if (row.tools.empty()) variants.push_back({track});
-    for (const std::string& tools : row.tools)
+    for (const std::string& tools : row.tools) {
       variants.push_back({track, tools});
+      const auto own = episodes::entry_of(track).own_fields();
+      if (std::ranges::find(own, "doors") != own.end())
+        variants.push_back({track, tools, episodes::Doors::hinged});
+    }
   }
   return variants;
 }
@@ -158,8 +162,9 @@ class GoalCount {
 };
 
 std::string called(const GoalVariant& variant) {
-  return variant.tools.empty() ? std::string(name_of(variant.track))
-                               : fmt::format("{} {}", name_of(variant.track), variant.tools);
+  std::string text(name_of(variant.track));
+  if (!variant.tools.empty()) text += " " + variant.tools;
+  return variant.doors ? text + " doors" : text;
 }
 
 std::string share_text(int number, int of) {
@@ -194,7 +199,9 @@ Result<GoalsTable> goals_table(const store::OpenedStores& opened,
   MARKETGEN_TRY(std::vector<GoalVariant> variants, variants_in(data));
   for (const GoalVariant& variant : variants) {
     const auto& entry = environments::environment_entry_of(variant.track);
-    MARKETGEN_TRY(const auto sampler, entry.sampler(arena, variant.tools));
+    episodes::DrawRules rules;
+    rules.doors = variant.doors.value_or(episodes::Doors::none);
+    MARKETGEN_TRY(const auto sampler, entry.sampler(arena, variant.tools, rules));
     const Result<void> added = until_interrupted([&] { return add_chances(offers, *sampler); });
     const NoForcedEnd keeping;  // what was studied until then
     MARKETGEN_CHECK(sampler->keep());

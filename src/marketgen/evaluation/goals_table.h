@@ -2,6 +2,7 @@
 // rest: market-goals/1.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,15 +14,17 @@
 
 namespace marketgen::evaluation {
 
-// A track with one of its robot's tool sets.
+// A track with one of its robot's tool sets, and where goals stand.
 struct GoalVariant {
   episodes::Track track = episodes::Track::checkout;
   std::string tools = {};
+  std::optional<episodes::Doors> doors = {};
   std::vector<episodes::EpisodeExclusion> left_out = {};
-  static constexpr auto fields =
-      field_list(field("track", &GoalVariant::track, "what kind of task"),
-                 field("tools", &GoalVariant::tools, "tool set; empty: there is one"),
-                 field("left_out", &GoalVariant::left_out, "products, by why not, most first"));
+  static constexpr auto fields = field_list(
+      field("track", &GoalVariant::track, "what kind of task"),
+      field("tools", &GoalVariant::tools, "tool set; empty: there is one"),
+      field("doors", &GoalVariant::doors, "what its goals stand behind; none when absent"),
+      field("left_out", &GoalVariant::left_out, "products, by why not, most first"));
 };
 
 // Products of a kind; a product that two stores offer counts twice.

@@ -46,7 +46,7 @@ std::optional<double> AisleOracle::way_to(std::uint32_t product) const {
   const auto place = world_->store().standing_place(product);
   if (!place) return std::nullopt;
   const Vec3 at = episodes::axle_of(robot_, world_->world_from_base());
-  const auto path = world_->store().ways.shortest_path(episodes::floor_point_mm(at), *place);
+  const auto path = ways().shortest_path(episodes::floor_point_mm(at), *place);
   return path.ok() ? std::optional(path->length_m) : std::nullopt;
 }
 
@@ -58,13 +58,15 @@ bool AisleOracle::was_moved(std::uint32_t product) const {
          rotate(now.rotation, {0, 0, 1}).z < min_upright;
 }
 
-// Items of all missing goals, nearest first; of a facing only the first one.
+// Items of all missing goals, nearest first; of a facing only the first one. While a door is open,
+// of those behind it.
 std::vector<AisleOracle::Fetch> AisleOracle::fetches(const std::vector<std::string>& skus) const {
   std::vector<Fetch> found;
   for (const std::string& sku : skus) {
     std::set<std::uint32_t> seen;
     for (const std::uint32_t row : world_->store().front_items(sku)) {
       if (refused_.contains(row) || was_moved(row)) continue;
+      if (memory_.open && !is_behind_open_door(row)) continue;
       if (!seen.insert(world_->store().scene.products[row].facing).second) continue;
       if (const auto way = way_to(row)) found.push_back({*way, row});
     }
@@ -80,14 +82,17 @@ Result<void> AisleOracle::choose() {
     return {};
   }
   const std::vector<std::string> skus = missing();
-  if (skus.empty() || now_.time_s + min_item_s > task_.limit_s) {
+  const bool late = now_.time_s + min_item_s + time_for_doors_s() > task_.limit_s;
+  const std::vector<Fetch> found = skus.empty() || late ? std::vector<Fetch>{} : fetches(skus);
+  if (memory_.open && found.empty()) return go_to_leaf();
+  if (skus.empty() || late) {
     for (const std::string& sku : skus)
       note(sku, episodes::FailureCode::timeout);
     memory_.done = true;
     return {};
   }
   std::map<std::string, std::size_t> looked_at;
-  for (const Fetch& fetch : fetches(skus)) {
+  for (const Fetch& fetch : found) {
     if (looked_at[sku_of(fetch.product)]++ >= search_.max_items_looked_at) continue;
     if (go_to(fetch.product)) return {};
     refused_.insert(fetch.product);
@@ -103,6 +108,7 @@ collect::GoodsNow AisleOracle::goods_now() const {
   collect::GoodsNow goods(world_->store().scene);
   for (const std::uint32_t row : world_->world().moved_products())
     goods.move(row, world_->world().product_pose(row));
+  if (world_->store().doors != episodes::Doors::none) goods.set_joints(world_->joint_positions());
   return goods;
 }
 
@@ -125,6 +131,19 @@ Result<collect::CollectOptions> AisleOracle::collect_options(std::uint32_t produ
   return options;
 }
 
+Result<motion::BaseFollower> AisleOracle::way_of(const Pose& world_from_base) const {
+  const Vec3 from = episodes::axle_of(robot_, world_->world_from_base()),
+             to = episodes::axle_of(robot_, world_from_base);
+  const Vec3 ahead = rotate(world_from_base.rotation, {1, 0, 0});
+  MARKETGEN_TRY(motion::DrivePlan plan,
+                motion::plan_drive(ways(),
+                                   robot_,
+                                   world_->store().driving,
+                                   {{from.x, from.y}, now_.base.heading},
+                                   {{to.x, to.y}, std::atan2(ahead.y, ahead.x)}));
+  return std::move(plan.follower);
+}
+
 void AisleOracle::note_plan(std::uint32_t product, const Error& error) {
   say("no way to it: " + to_string(error));
   note(sku_of(product),
@@ -134,8 +153,7 @@ void AisleOracle::note_plan(std::uint32_t product, const Error& error) {
 
 bool AisleOracle::go_to(std::uint32_t product) {
   const Seed seed = next_seed("place");
-  goods_ = goods_now();
-  const auto options = collect_options(product);
+  const auto options = options_from_afar(product);
   if (!options.ok()) {
     note_plan(product, options.error());
     return false;
@@ -145,19 +163,13 @@ bool AisleOracle::go_to(std::uint32_t product) {
     note_plan(product, plan.error());
     return false;
   }
-  const Vec3 from = episodes::axle_of(robot_, world_->world_from_base()),
-             to = episodes::axle_of(robot_, plan->world_from_base);
-  const Vec3 ahead = rotate(plan->world_from_base.rotation, {1, 0, 0});
-  auto drive = motion::plan_drive(world_->store().ways,
-                                  robot_,
-                                  world_->store().driving,
-                                  {{from.x, from.y}, now_.base.heading},
-                                  {{to.x, to.y}, std::atan2(ahead.y, ahead.x)});
+  if (const auto door = shut_door_before(product)) return go_to_door(*door, product);
+  auto drive = way_of(plan->world_from_base);
   if (!drive.ok()) {
     note(sku_of(product), episodes::FailureCode::no_path);
     return false;
   }
-  memory_.executor.drive(std::move(drive->follower));
+  memory_.executor.drive(std::move(*drive));
   memory_.plan = std::move(*plan);
   if (const auto raised = memory_.executor.raise(lift_height()); !raised.ok()) {
     note_plan(product, raised.error());

@@ -1,5 +1,5 @@
 // The oracle's decisions in the aisles: what to fetch next (aisle_choice.cpp), and how it is taken
-// off its shelf and let down into the basket (oracle_aisle.cpp).
+// off its shelf and let down into the basket (oracle_aisle.cpp); doors (aisle_doors.cpp).
 #pragma once
 #include <map>
 #include <memory>
@@ -30,7 +30,26 @@ class AisleOracle : public agent::Policy {
   std::string failure() const override;
 
  private:
-  enum class Phase { choose, arrived, pressed, out, away, dropped };
+  enum class Phase {
+    choose,
+    at_door,
+    opening,
+    arrived,
+    pressed,
+    out,
+    away,
+    dropped,
+    at_leaf,
+    shutting
+  };
+
+  // A door that it has opened, as it stood then, and the ways past it.
+  struct OpenedDoor {
+    std::uint32_t joint = 0;
+    skills::HingedDoor door;
+    double position_rad = 0;
+    std::shared_ptr<const navigation::VisibilityGraph> ways;
+  };
 
   // Of what it is doing.
   struct Memory {
@@ -43,6 +62,9 @@ class AisleOracle : public agent::Policy {
     std::map<std::uint32_t, std::vector<Vec3>> missed = {};  // where the tip was in vain, product
                                                              // frame
     std::map<std::uint32_t, int> unreached = {};             // times that it came in vain
+    std::uint32_t door = 0;                                  // that it goes to open
+    std::optional<OpenedDoor> open = {};
+    std::map<std::uint32_t, int> door_tries = {};  // since it was last opened or shut
     int moves = 0;
     bool done = false;
     bool held = false;                                           // when the tool had closed
@@ -73,6 +95,7 @@ class AisleOracle : public agent::Policy {
   Result<void> choose();
   collect::GoodsNow goods_now() const;
   Result<collect::CollectOptions> collect_options(std::uint32_t product);
+  Result<collect::CollectOptions> options_from_afar(std::uint32_t product);
   bool go_to(std::uint32_t product);
   Result<void> reach();
   Result<void> begin_taking();
@@ -88,12 +111,28 @@ class AisleOracle : public agent::Policy {
   Result<void> pull_out();
   Result<void> back_off();
 
+  // ---- Doors: aisle_doors.cpp ----
+  const navigation::VisibilityGraph& ways() const;  // past the door that is open
+  std::optional<std::uint32_t> shut_door_before(std::uint32_t product) const;
+  double time_for_doors_s() const;
+  bool is_behind_open_door(std::uint32_t product) const;
+  Result<OpenedDoor> opened_at(std::uint32_t joint, double position_rad) const;
+  Result<motion::BaseFollower> way_of(const Pose& world_from_base) const;
+  bool go_to_door(std::uint32_t joint, std::uint32_t product);
+  Result<void> open_door();
+  Result<void> check_opened();
+  void give_up_door();
+  Result<void> go_to_leaf();
+  Result<void> shut_door();
+  Result<void> check_shut();
+  Result<void> fold_arms();
+
   // ---- Into the basket ----
   std::vector<double> state_now() const;
   Result<motion::Obstacles> around() const;
   Result<std::vector<skills::CarriedItem>> inside() const;
   Pose base_from_tip() const;
-  Result<skills::StowQuestion> stow_question() const;
+  Result<skills::StowQuestion> stow_question(const std::string& group) const;
   Result<void> drop();
   Result<void> try_other_lift();
   Result<void> go_home();
@@ -114,6 +153,7 @@ class AisleOracle : public agent::Policy {
   Memory memory_;
   std::map<std::string, std::vector<motion::GraspCandidate>> grasps_;  // by SKU
   std::set<std::uint32_t> refused_;
+  std::set<std::uint32_t> refused_doors_;
 };
 
 }  // namespace marketgen::oracle

@@ -68,7 +68,14 @@ Result<void> AisleOracle::recover() {
   say("was stopped");
   switch (memory_.phase) {
     case Phase::choose:  // on its way to its stowed posture
-      return go_home();
+      return memory_.plan.group.empty() ? fold_arms() : go_home();
+    case Phase::at_door:
+    case Phase::at_leaf:
+      memory_.phase = Phase::choose;
+      return choose();
+    case Phase::opening:
+    case Phase::shutting:
+      return fold_arms();
     case Phase::arrived:
       memory_.phase = Phase::choose;
       return choose();
@@ -93,6 +100,14 @@ Result<void> AisleOracle::decide() {
   switch (memory_.phase) {
     case Phase::choose:
       return choose();
+    case Phase::at_door:
+      return open_door();
+    case Phase::opening:
+      return check_opened();
+    case Phase::at_leaf:
+      return shut_door();
+    case Phase::shutting:
+      return check_shut();
     case Phase::arrived:
       return reach();
     case Phase::pressed:
@@ -175,8 +190,7 @@ std::vector<double> AisleOracle::state_now() const {
 
 Result<motion::Obstacles> AisleOracle::around() const {
   const Vec3 middle = world_->world_from_base().position + Vec3{0, 0, 0.9};
-  motion::Obstacles obstacles =
-      collect::fixture_obstacles(world_->store().scene, middle, way_reach_m);
+  motion::Obstacles obstacles = collect::fixture_obstacles(goods_now(), middle, way_reach_m);
   std::vector<std::uint32_t> carried = world_->in_basket();
   carried.push_back(memory_.plan.product);
   MARKETGEN_CHECK(
@@ -202,11 +216,11 @@ Pose AisleOracle::base_from_tip() const {
   return robots::frame_pose(robot_, state_now(), frame);
 }
 
-Result<skills::StowQuestion> AisleOracle::stow_question() const {
-  const robots::JointGroup& arm = *robot_.find_group(memory_.plan.group);
+Result<skills::StowQuestion> AisleOracle::stow_question(const std::string& group) const {
+  const robots::JointGroup& arm = *robot_.find_group(group);
   skills::StowQuestion question{.state = state_now(),
                                 .world_from_base = world_->world_from_base(),
-                                .group = memory_.plan.group,
+                                .group = group,
                                 .around = {},
                                 .stow = robots::values_of(arm, world_->store().driving)};
   MARKETGEN_TRY(question.around, around());
@@ -220,7 +234,7 @@ Result<void> AisleOracle::drop() {
   MARKETGEN_TRY(const assets::ProductBody body,
                 skills::make_store_body(scene.catalog[scene.products[memory_.plan.product].sku]));
   skills::DropQuestion question;
-  MARKETGEN_TRY(static_cast<skills::StowQuestion&>(question), stow_question());
+  MARKETGEN_TRY(static_cast<skills::StowQuestion&>(question), stow_question(memory_.plan.group));
   question.tool = memory_.plan.tool;
   if (tool_.kind == robots::ToolKind::suction) question.acceleration = skills::cup_acceleration;
   question.held = &body;
@@ -249,7 +263,7 @@ Result<void> AisleOracle::try_other_lift() {
 // The arm to its stowed posture, empty.
 Result<void> AisleOracle::go_home() {
   memory_.phase = Phase::choose;
-  MARKETGEN_TRY(const skills::StowQuestion question, stow_question());
+  MARKETGEN_TRY(const skills::StowQuestion question, stow_question(memory_.plan.group));
   const Seed seed = next_seed("home");
   auto way = skills::plan_stow(robot_, world_->store().basket, question, seed);
   if (!way.ok()) {

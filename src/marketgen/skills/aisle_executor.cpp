@@ -1,5 +1,7 @@
 #include "skills/aisle_executor.h"
 
+#include "skills/door_moves.h"
+
 namespace marketgen::skills {
 namespace {
 
@@ -79,6 +81,17 @@ void AisleExecutor::let_down(DropPlan plan, agent::ToolCommand let_go) {
 void AisleExecutor::stow(motion::JointTrajectory way) {
   body_.play(arm(), std::move(way));
   body_.wait(calm_s);
+}
+
+void AisleExecutor::stow(const std::string& group, motion::JointTrajectory way) {
+  body_.play(robot_->find_group(group)->dofs, std::move(way));
+  body_.wait(calm_s);
+}
+
+Result<void> AisleExecutor::move_door(const DoorPlan& plan, double then_wait_s) {
+  MARKETGEN_CHECK(queue_door(body_, *robot_, plan));
+  body_.wait(then_wait_s);
+  return {};
 }
 
 }  // namespace marketgen::skills

@@ -9,6 +9,7 @@
 
 #include "agent/policy.h"
 #include "skills/body_executor.h"
+#include "skills/door_ways.h"
 #include "skills/drop_plan.h"
 #include "skills/pick_ways.h"
 
@@ -44,8 +45,11 @@ class AisleExecutor {
   void pull_out();                   // with the item
   Result<void> go_back();            // empty, the way that the arm came
   Result<void> back_off(double room_m);
-  void let_down(DropPlan plan, agent::ToolCommand let_go);  // into the basket; then home
-  void stow(motion::JointTrajectory way);                   // the empty arm
+  void let_down(DropPlan plan, agent::ToolCommand let_go);           // into the basket; then home
+  void stow(motion::JointTrajectory way);                            // the empty arm
+  void stow(const std::string& group, motion::JointTrajectory way);  // another arm
+  // Opens or shuts a door, as planned, from where the robot stands; then waits.
+  Result<void> move_door(const DoorPlan& plan, double then_wait_s);
 
  private:
   const std::vector<int>& arm() const { return robot_->find_group(taking_.group)->dofs; }

@@ -36,6 +36,11 @@ TEST(EpisodeResult, CleanBearsWhatPickingMovesAndNoMore) {
     EXPECT_FALSE(all_there(once).success_clean);
     EXPECT_TRUE(all_there(once).success_strict);
   }
+  episodes::SideEffects doors = usual;
+  doors.doors_open = 0;
+  EXPECT_TRUE(all_there(doors).success_clean);
+  doors.doors_open = 1;
+  EXPECT_FALSE(all_there(doors).success_clean);
 }
 
 }  // namespace

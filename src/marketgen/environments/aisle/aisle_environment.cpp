@@ -89,13 +89,15 @@ class AisleEnvironment : public Environment {
 
  protected:
   Result<episodes::TrackWorld*> begin(const episodes::EpisodeSpec& spec) override {
-    if (spec.scene_hash != scene_hash_) {
+    if (spec.scene_hash != scene_hash_ || doors_of(spec) != doors_) {
       Arena& arena = ground().arena();
-      MARKETGEN_TRY(auto store, shared_aisle_store(arena, spec.scene_hash, options().tools));
+      MARKETGEN_TRY(auto store,
+                    shared_aisle_store(arena, spec.scene_hash, options().tools, doors_of(spec)));
       MARKETGEN_TRY(view_, shared_aisle_view(arena, spec.scene_hash, options().tools));
       aisles_ =
           std::make_unique<episodes::AisleWorld>(std::move(store), ground().catalog().frictions);
       scene_hash_ = spec.scene_hash;
+      doors_ = doors_of(spec);
     }
     MARKETGEN_CHECK(aisles_->reset(spec, {}, options().realism));
     wanted_.clear();
@@ -170,6 +172,7 @@ class AisleEnvironment : public Environment {
 
   robots::Robot robot_;
   std::string scene_hash_;
+  episodes::Doors doors_ = episodes::Doors::none;
   std::unique_ptr<episodes::AisleWorld> aisles_;
   std::shared_ptr<SharedAisleView> view_;
   std::map<std::string, std::vector<std::uint32_t>> wanted_;  // rows of products by SKU

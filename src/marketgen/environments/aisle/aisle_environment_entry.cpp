@@ -52,7 +52,7 @@ class AisleSampling : public EpisodeSampler {
       : arena_(arena), tools_(std::move(tools)), book_(std::move(book)), rules_(std::move(rules)) {}
 
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
-    MARKETGEN_TRY(auto store, shared_aisle_store(arena_, origin.scene_hash, tools_));
+    MARKETGEN_TRY(auto store, shared_aisle_store(arena_, origin.scene_hash, tools_, rules_.doors));
     MARKETGEN_TRY(auto sampler, episodes::AisleSampler::make(store, book_, rules_));
     episodes::EpisodeProver in_physics;
     if (rules_.split == episodes::Split::certified)
@@ -76,7 +76,8 @@ class AisleEnvironmentEntry : public EnvironmentEntry {
       const episodes::EpisodeSpec& spec,
       const std::optional<episodes::Perturbation>& perturbation,
       const episodes::Realism& realism) const override {
-    MARKETGEN_TRY(auto store, shared_aisle_store(arena, spec.scene_hash, spec.tools));
+    MARKETGEN_TRY(auto store,
+                  shared_aisle_store(arena, spec.scene_hash, spec.tools, doors_of(spec)));
     auto world =
         std::make_unique<episodes::AisleWorld>(std::move(store), arena.catalog().frictions);
     MARKETGEN_CHECK(world->reset(spec, perturbation, realism));

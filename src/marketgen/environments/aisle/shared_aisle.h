@@ -11,10 +11,13 @@
 
 namespace marketgen::environments {
 
-// `tools`: a tool set of the station, the first when empty. Errors: those of Arena::scene and
-// open_aisle_store.
+// `tools`: a tool set of the station, the first when empty; `doors`: where goals stand. Errors:
+// those of Arena::scene and open_aisle_store.
 Result<std::shared_ptr<const episodes::AisleStore>> shared_aisle_store(
-    Arena& arena, const std::string& scene_hash, const std::string& tools = {});
+    Arena& arena,
+    const std::string& scene_hash,
+    const std::string& tools = {},
+    episodes::Doors doors = episodes::Doors::none);
 
 // One renderer of a store for all who stand in it: whoever has the lock shows its own world.
 struct SharedAisleView {

@@ -29,7 +29,9 @@ class RecordedAisle : public RecordedView {
 class AisleEntry : public TrackEntry {
  public:
   std::vector<std::string_view> cameras() const override { return {"head_camera"}; }
-  std::vector<std::string_view> own_fields() const override { return {"categories", "start"}; }
+  std::vector<std::string_view> own_fields() const override {
+    return {"categories", "doors", "start"};
+  }
 
   // What the store offers is not in the episode: AisleWorld::reset looks.
   Result<void> check_goals(const EpisodeSpec&, const std::string&) const override { return {}; }

@@ -120,16 +120,50 @@ bool AisleStore::carries_another(std::uint32_t row) const {
   return false;
 }
 
+ShelfRefusal AisleStore::door_refusal(std::uint32_t product) const {
+  const std::uint32_t shelf = scene.facings[scene.products[product].facing].shelf;
+  const bool shut_in = has_doors(scene, scene.shelves[shelf].fixture);
+  if (doors == Doors::none) return shut_in ? ShelfRefusal::behind_door : ShelfRefusal::none;
+  if (!shut_in) return ShelfRefusal::no_door;
+  return collect::door_before(scene, product) ? ShelfRefusal::none : ShelfRefusal::behind_door;
+}
+
 ShelfRefusal AisleStore::shelf_refusal(std::uint32_t product) const {
   const scene::SceneProduct& row = scene.products[product];
   const scene::SceneShelf& shelf = scene.shelves[scene.facings[row.facing].shelf];
   const double z = row.position_m[2];
   if ((row.flags & scene::product_front_row) == 0) return ShelfRefusal::behind_another;
   if (shelf.use != assets::ShelfUse::stand) return ShelfRefusal::unshelved;
-  if (has_doors(scene, shelf.fixture)) return ShelfRefusal::behind_door;
+  if (const ShelfRefusal door = door_refusal(product); door != ShelfRefusal::none) return door;
   if (z < station.shelf.lowest_m) return ShelfRefusal::too_low;
   if (z > station.shelf.highest_m) return ShelfRefusal::too_high;
   return carries_another(product) ? ShelfRefusal::under_another : ShelfRefusal::none;
+}
+
+Result<skills::DoorQuestion> AisleStore::door_question(const collect::GoodsNow& now,
+                                                       std::uint32_t joint) const {
+  MARKETGEN_TRY(skills::DoorQuestion question, collect::door_question(now, joint, robot, driving));
+  MARKETGEN_TRY(question.tool_row, collect::gripper_row(robot));
+  question.carried = basket.walls;
+  return question;
+}
+
+Result<navigation::VisibilityGraph> AisleStore::ways_past(const skills::HingedDoor& door,
+                                                          double position_rad) const {
+  MARKETGEN_TRY(const motion::BaseEnvelope envelope, motion::base_envelope(robot, driving));
+  return collect::drive_graph(scene, envelope, {collect::leaf_footprint(door, position_rad)});
+}
+
+Result<void> AisleStore::check_standing_past(const skills::HingedDoor& door,
+                                             double position_rad,
+                                             const navigation::VisibilityGraph& ways_past,
+                                             const Pose& world_from_base,
+                                             const std::vector<double>& state) const {
+  if (!ways_past.space().free(floor_point_mm(axle_of(robot, world_from_base))))
+    return Error{"motion.base_blocked", station.id, "no way leads there past the open door"};
+  if (!skills::is_clear_of_leaf(robot, state, world_from_base, door, position_rad))
+    return Error{"motion.base_blocked", station.id, "the robot would meet the open door"};
+  return {};
 }
 
 std::vector<std::uint32_t> AisleStore::items_of(const std::string& sku) const {
@@ -160,8 +194,10 @@ std::vector<PointMm> AisleStore::standing_places(const std::string& sku) const {
 
 Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem::path& data,
                                                            scene::Scene scene,
-                                                           const std::string& tools) {
+                                                           const std::string& tools,
+                                                           Doors doors) {
   auto store = std::make_shared<AisleStore>();
+  store->doors = doors;
   store->scene = std::move(scene);
   MARKETGEN_TRY(store->station, load_aisle_station(data, tools));
   MARKETGEN_TRY(store->robot, load_station_robot(data, store->station));

@@ -44,6 +44,13 @@ std::map<std::string, std::string> materials_of(const AisleStation& station,
   return materials;
 }
 
+std::vector<std::int32_t> joints_of_parts(const scene::Scene& scene) {
+  std::vector<std::int32_t> joints;
+  for (const scene::ScenePart& part : scene.parts)
+    joints.push_back(part.joint);
+  return joints;
+}
+
 robots::BasePlace start_of(const EpisodeSpec& spec) {
   return {spec.start.x_m, spec.start.y_m, spec.start.heading_deg * std::numbers::pi / 180};
 }
@@ -76,6 +83,12 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
                  spec.id,
                  fmt::format("the track has \"{}\", not \"{}\"", station.robot, spec.robot)};
   MARKETGEN_CHECK(check_carried(station.tool_sets, station.carries, spec.tools, spec.id));
+  if (doors_of(spec) != store_->doors)
+    return Error{"episode.bad_value",
+                 spec.id + "/doors",
+                 fmt::format("the store was opened for goals with doors {}, not {}",
+                             name_of(store_->doors),
+                             name_of(doors_of(spec)))};
   for (const EpisodeGoal& goal : spec.goals) {
     const auto reached = static_cast<int>(store_->front_items(goal.sku).size());
     if (reached > 0 && reached < goal.count)
@@ -120,6 +133,7 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
   commanded_ = commanded_dofs(robot);
   path_m_ = 0;
   watch_ = EpisodeWatch(*world_, robot);
+  if (store_->doors != Doors::none) watch_.know_joints(joints_of_parts(store_->scene));
   axle_ = axle_of(robot, world_from_base());
   start_senses(agent::base_place(world_from_base()), controller_.wheels().reckoned());
   steps_ = 0;
@@ -348,6 +362,14 @@ int AisleWorld::strayed() const {
   }));
 }
 
+int AisleWorld::doors_open() const {
+  int open = 0;
+  for (std::uint32_t joint = 0; joint < store_->scene.joints.size(); ++joint)
+    if (collect::hinged_door(store_->scene, joint) && world_->joint_position(joint) > max_shut_rad)
+      ++open;
+  return open;
+}
+
 // How far it went, and how far it would have had to go.
 void AisleWorld::add_lengths(EpisodeResult& result) const {
   const PointMm from = floor_point_mm({spec_.start.x_m, spec_.start.y_m, 0});
@@ -385,6 +407,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   result.side_effects = watch_.effects();
   result.side_effects.strayed = strayed();
   result.side_effects.protective_stops = controller_.stops();
+  if (spec_.doors) result.side_effects.doors_open = doors_open();
   add_outcome(outcome, result);
   result.steps = steps_;
   result.simulated_s = time_s();

@@ -16,6 +16,8 @@
 
 namespace marketgen::episodes {
 
+constexpr double max_shut_rad = 0.035;  // two degrees: a gasket's lips still touch
+
 class AisleWorld : public TrackWorld {
  public:
   AisleWorld(std::shared_ptr<const AisleStore> store, std::vector<catalog::FrictionRow> frictions)
@@ -68,6 +70,8 @@ class AisleWorld : public TrackWorld {
   double path_m() const { return path_m_; }
   // What lies outside the basket, farther from where it stood than a clean episode moves it.
   int strayed() const;
+  // Hinged doors that stand open by more than max_shut_rad.
+  int doors_open() const;
   // Another world of the same episode, at its beginning: restore() brings it where this one is. Its
   // robot's sensors and commands err by streams of their own.
   Result<std::shared_ptr<AisleWorld>> twin() const;

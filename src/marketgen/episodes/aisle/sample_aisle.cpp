@@ -30,6 +30,18 @@ bool is_about_the_item(const Error& error) {
          code == "robot.unreachable" || code == "collect.no_place" || code == "collect.no_drop";
 }
 
+// One hand pulls a door, another pushes it on.
+Result<void> check_opens_doors(const AisleStore& store) {
+  MARKETGEN_TRY(const std::string gripper, collect::gripper_row(store.robot));
+  MARKETGEN_TRY(const std::vector<skills::Hand> hands, skills::hands_with(store.robot, gripper));
+  if (hands.size() >= 2) return {};
+  return Error{"episode.impossible",
+               "aisle",
+               fmt::format("with the tools \"{}\" the robot has one {}, and opens doors with two",
+                           store.station.tools().id,
+                           gripper)};
+}
+
 Pose upright(const motion::FloorPlace& place) {
   return {{place.position.x, place.position.y, 0}, rotation_about({0, 0, 1}, place.heading)};
 }
@@ -46,9 +58,11 @@ struct AisleSampler::Witness {
 Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const AisleStore> store,
                                                          std::shared_ptr<GraspBook> book,
                                                          DrawRules rules) {
+  if (rules.doors != Doors::none) MARKETGEN_CHECK(check_opens_doors(*store));
   std::unique_ptr<AisleSampler> made(new AisleSampler);
   made->store_ = std::move(store);
   made->book_ = std::move(book);
+  made->doors_ = std::make_unique<DoorBook>(made->store_);
   made->rules_ = std::move(rules);
   made->offer_ = Offer(store_stock(made->store_->scene));
   const scene::Scene& scene = made->store_->scene;
@@ -97,10 +111,13 @@ Result<GoalChance> AisleSampler::goal_chance(const catalog::Product& product) {
   if (!studied.why_not.empty()) return GoalChance{studied.why_not};
   const scene::Scene& scene = store_->scene;
   std::set<std::uint32_t> fixtures;
-  for (const std::uint32_t row : store_->front_items(product.sku))
-    if (store_->standing_place(row))
+  for (const std::uint32_t row : store_->front_items(product.sku)) {
+    if (!store_->standing_place(row)) continue;
+    MARKETGEN_TRY(const OpenDoor door, doors_->before(row));
+    if (door.why_not.empty())
       fixtures.insert(scene.shelves[scene.facings[scene.products[row].facing].shelf].fixture);
-  return GoalChance{"", std::move(fixtures)};
+  }
+  return GoalChance{fixtures.empty() ? std::string(door_stays_shut) : "", std::move(fixtures)};
 }
 
 // Numbers of the grasps by which a product can be fetched; none when it cannot.
@@ -138,7 +155,10 @@ EpisodeExclusions AisleSampler::exclusions() const {
 }
 
 // From where the arm is when it has pulled the item out, backed off so far as there is room.
-Result<bool> AisleSampler::can_drop(const collect::CollectPlan& plan, Witness& witness, Seed seed) {
+Result<bool> AisleSampler::can_drop(const collect::CollectPlan& plan,
+                                    const collect::GoodsNow& goods,
+                                    Witness& witness,
+                                    Seed seed) {
   const robots::Robot& robot = store_->robot;
   const robots::JointGroup& arm = *robot.find_group(plan.group);
   const scene::Scene& scene = store_->scene;
@@ -160,9 +180,9 @@ Result<bool> AisleSampler::can_drop(const collect::CollectPlan& plan, Witness& w
   question.held = &body;
   question.tip_from_product = inverse(plan.grasp.grasp.product_from_tool);
   const Vec3 middle = question.world_from_base.position + Vec3{0, 0, 0.9};
-  question.around = collect::fixture_obstacles(scene, middle, drop_reach_m);
+  question.around = collect::fixture_obstacles(goods, middle, drop_reach_m);
   MARKETGEN_CHECK(
-      collect::add_product_obstacles(scene, middle, drop_reach_m, witness.taken, question.around));
+      collect::add_product_obstacles(goods, middle, drop_reach_m, witness.taken, question.around));
   question.inside = witness.inside;
   const auto drop = skills::plan_drop(robot, store_->basket, question, seed);
   if (!drop.ok()) {
@@ -192,49 +212,62 @@ std::vector<std::uint32_t> AisleSampler::nearest_rows(const std::string& sku,
   return rows;
 }
 
+// Off where it stands, its door open: the way to there, the arm's ways, and into the basket.
+Result<std::optional<WitnessPick>> AisleSampler::pick_row(std::uint32_t row,
+                                                          const collect::CollectOptions& options,
+                                                          Witness& witness,
+                                                          Seed seed,
+                                                          std::uint64_t number) {
+  const std::optional<WitnessPick> none;
+  MARKETGEN_TRY(const OpenDoor door, doors_->before(row));
+  if (!door.why_not.empty()) return none;
+  collect::CollectOptions with_door = options;
+  with_door.may_stand = door.may_stand;
+  const auto plan = collect::plan_collect(
+      door.store, row, store_->robot, book_->tool(), seed.child("pick", number), with_door);
+  if (!plan.ok()) {
+    if (is_about_the_item(plan.error())) return none;
+    return plan.error();
+  }
+  const Vec3 axle = axle_of(store_->robot, plan->world_from_base);
+  const auto drive_m = door.way_m(witness.axle, axle);
+  if (!drive_m) return none;
+  witness.taken.push_back(row);
+  MARKETGEN_TRY(const bool dropped,
+                can_drop(*plan, door.store, witness, seed.child("drop", number)));
+  if (!dropped) {
+    witness.taken.pop_back();
+    return none;
+  }
+  witness.axle = door.left_from(axle);
+  WitnessPick found;
+  found.sku = store_->scene.catalog[store_->scene.products[row].sku].sku;
+  found.product = scene::product_id(store_->scene, row);
+  found.arm = plan->group;
+  found.strategy = std::string(name_of(plan->grasp.strategy));
+  found.base = floor_place_row(plan->world_from_base);
+  found.lift_m = plan->state[static_cast<std::size_t>(store_->robot.find_dof("lift"))];
+  found.drive_m = *drive_m;
+  found.door = door.row;
+  return std::optional(found);
+}
+
 Result<std::optional<WitnessPick>> AisleSampler::pick(const catalog::Product& product,
                                                       const std::vector<int>& grasps,
                                                       std::size_t max_rows,
                                                       Witness& witness,
                                                       Seed seed) {
-  const std::string& sku = product.sku;
-  const std::vector<std::uint32_t> rows = nearest_rows(sku, witness.axle);
+  const std::vector<std::uint32_t> rows = nearest_rows(product.sku, witness.axle);
   collect::CollectOptions options;
   options.posture = store_->station.posture;
   options.carried = store_->basket.walls;
   MARKETGEN_TRY(options.grasps, studied_grasps(product, book_->tool(), book_->frictions(), grasps));
   for (std::size_t i = 0; i < std::min(rows.size(), max_rows); ++i) {
-    const std::uint32_t row = rows[i];
-    if (std::ranges::find(witness.taken, row) != witness.taken.end()) continue;
-    const auto plan = collect::plan_collect(
-        store_->scene, row, store_->robot, book_->tool(), seed.child("pick", i), options);
-    if (!plan.ok()) {
-      if (is_about_the_item(plan.error())) continue;
-      return plan.error();
-    }
-    const Vec3 axle = axle_of(store_->robot, plan->world_from_base);
-    const auto path =
-        store_->ways.shortest_path(floor_point_mm(witness.axle), floor_point_mm(axle));
-    if (!path.ok()) continue;
-    witness.taken.push_back(row);
-    MARKETGEN_TRY(const bool dropped, can_drop(*plan, witness, seed.child("drop", i)));
-    if (!dropped) {
-      witness.taken.pop_back();
-      continue;
-    }
-    witness.axle = axle;
-    const Vec3 at = plan->world_from_base.position;
-    const Vec3 ahead = rotate(plan->world_from_base.rotation, {1, 0, 0});
-    WitnessPick found;
-    found.sku = sku;
-    found.product = scene::product_id(store_->scene, row);
-    found.arm = plan->group;
-    found.strategy = std::string(name_of(plan->grasp.strategy));
-    found.grasps = grasps;
-    found.base = {at.x, at.y, std::atan2(ahead.y, ahead.x) * 180 / std::numbers::pi};
-    found.lift_m = plan->state[static_cast<std::size_t>(store_->robot.find_dof("lift"))];
-    found.drive_m = path->length_m;
-    return std::optional(found);
+    if (std::ranges::find(witness.taken, rows[i]) != witness.taken.end()) continue;
+    MARKETGEN_TRY(std::optional<WitnessPick> found, pick_row(rows[i], options, witness, seed, i));
+    if (!found) continue;
+    found->grasps = grasps;
+    return found;
   }
   return std::optional<WitnessPick>{};
 }
@@ -368,6 +401,8 @@ std::vector<std::string> AisleSampler::shown() const {
   switch (rules_.split) {
     case Split::planned:
     case Split::certified:
+      if (rules_.doors != Doors::none)
+        return {"path", "open", "base", "reach", "approach", "retreat", "place", "shut"};
       return {"path", "base", "reach", "approach", "retreat", "place"};
     case Split::paper:
       return {"path", "front_row"};
@@ -381,8 +416,12 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
                                          Seed seed,
                                          int index,
                                          const EpisodeProver& prove) {
-  const Seed own = seed.child("aisle", static_cast<std::uint64_t>(index));
-  EpisodeSpec spec = begun_spec("aisle/" + store_->station.tools().id, origin, seed, index, own);
+  const bool with_doors = rules_.doors != Doors::none;
+  const Seed own =
+      seed.child(with_doors ? "aisle doors" : "aisle", static_cast<std::uint64_t>(index));
+  const std::string kind = "aisle/" + store_->station.tools().id + (with_doors ? "/doors" : "");
+  EpisodeSpec spec = begun_spec(kind, origin, seed, index, own);
+  if (with_doors) spec.doors = rules_.doors;
   spec.track = Track::aisle;
   spec.robot = store_->station.robot;
   spec.tools = store_->station.tools().id;

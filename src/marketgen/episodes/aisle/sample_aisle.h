@@ -11,6 +11,7 @@
 #include "base/seed.h"
 #include "collect/collect_plan.h"
 #include "episodes/aisle/aisle_store.h"
+#include "episodes/aisle/door_book.h"
 #include "episodes/aisle/grasp_book.h"
 #include "episodes/draw_rules.h"
 #include "episodes/episode_journal.h"
@@ -73,13 +74,22 @@ class AisleSampler {
                                                 const std::vector<int>& grasps,
                                                 Witness& witness,
                                                 Seed seed);
-  Result<bool> can_drop(const collect::CollectPlan& plan, Witness& witness, Seed seed);
+  Result<std::optional<WitnessPick>> pick_row(std::uint32_t row,
+                                              const collect::CollectOptions& options,
+                                              Witness& witness,
+                                              Seed seed,
+                                              std::uint64_t number);
+  Result<bool> can_drop(const collect::CollectPlan& plan,
+                        const collect::GoodsNow& goods,
+                        Witness& witness,
+                        Seed seed);
   CategoryPlace category_place(const catalog::Product& product) const;
   std::optional<motion::FloorPlace> draw_start(Stream& draw) const;
   Result<std::optional<EpisodeSpec>> attempt(EpisodeSpec spec, Seed seed);
 
   std::shared_ptr<const AisleStore> store_;
   std::shared_ptr<GraspBook> book_;
+  std::unique_ptr<DoorBook> doors_;
   DrawRules rules_;
   Offer offer_{std::vector<catalog::Product>{}};  // all that the store sells
   std::map<std::string, std::vector<const catalog::Product*>>
