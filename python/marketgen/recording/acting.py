@@ -13,10 +13,10 @@ import numpy as np
 
 from .. import _core
 from ..errors import Error
-from ..policies import ProgramPolicy
+from ..policies import SUBTASKS, ProgramPolicy
 from ..policy_process import PolicyFailed, PolicyHere, PolicySource, policy_of_text
 from ..stages import Stages
-from .features import ACTION, DONE, FRAME, REWARD, STATE, SUCCESS, TIME, Numbers
+from .features import ACTION, DONE, FRAME, REWARD, STATE, SUBTASK, SUCCESS, TIME, Numbers
 from .statistics import PictureCounts
 from .video import Encoder
 
@@ -73,6 +73,15 @@ class Player:
             return np.asarray(self._ask("act", seen), np.float32)
         except (TypeError, ValueError):
             raise Error("episode.bad_action", "policy", "what it answered is no array of numbers") from None
+
+    def subtask(self) -> int:
+        """What the action is for that act() has just answered: its number in SUBTASKS; that of "none" where the policy does not say."""
+        said = self._ask("subtask") if self._of_program is None else self._of_program.subtask()
+        if said is None:
+            return SUBTASKS.index("none")
+        if said not in SUBTASKS:
+            raise Error("episode.policy_failed", "policy", f"its subtask() answered {said!r}; there are {', '.join(SUBTASKS)}")
+        return SUBTASKS.index(said)
 
     def _ask(self, method: str, *arguments: Any) -> Any:
         assert self._in_python is not None
@@ -155,6 +164,7 @@ def _run(
         while not over:
             action = player.act(seen)
             rows[ACTION].append(action)
+            rows[SUBTASK].append(player.subtask())
             rows[STATE].append(env.robot_numbers())
             with watch.on("video"):
                 for camera, reel in reels.items():
