@@ -1,6 +1,7 @@
 // Policies of the program for marketgen/policies.py: they act in Python's environments.
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
@@ -50,7 +51,13 @@ void act(const std::vector<environments::ProgramPolicy*>& policies,
 
 void add_program_policies(nb::module_& module) {
   nb::class_<environments::ProgramPolicy>(module, "ProgramPolicy")
-      .def("failure", &environments::ProgramPolicy::failure);
+      .def("failure", &environments::ProgramPolicy::failure)
+      .def("subtask",
+           [](const environments::ProgramPolicy& policy) { return name_of(policy.subtask()); });
+  module.def("subtasks", [] {
+    const auto names = names_of(agent::Subtask{});
+    return std::vector<std::string>(names.begin(), names.end());
+  });
   module.def(
       "program_policy",
       [](EnvironmentHandle& handle, const std::string& name) {

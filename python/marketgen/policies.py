@@ -19,6 +19,7 @@ from . import _core
 from .errors import Error
 
 CONTROL_MODES = ("pd_joint_pos", "pd_joint_delta_pos")
+SUBTASKS = tuple(_core.subtasks())  # docs/demonstrations.md
 
 
 class ProgramPolicy:
@@ -62,6 +63,11 @@ class ProgramPolicy:
         """What kept it from its goals, a failure code (docs/episodes.md); "None" while nothing does."""
         codes = tuple(policy.failure() for policy in self._policies)
         return codes if self._many else codes[0]
+
+    def subtask(self) -> str | tuple[str, ...]:
+        """What its last action was for: "reach", "grasp" or another of SUBTASKS."""
+        names = tuple(policy.subtask() for policy in self._policies)
+        return names if self._many else names[0]
 
 
 def oracle(env: Any) -> ProgramPolicy:

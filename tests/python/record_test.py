@@ -45,6 +45,7 @@ class Reader:
         tables = [pyarrow.parquet.read_table(path) for path in sorted(self.root.glob("data/*/*.parquet"))]
         self.frames = pyarrow.concat_tables(tables)
         self.tasks = pyarrow.parquet.read_table(self.root / "meta/tasks.parquet")
+        self.subtasks = pyarrow.parquet.read_table(self.root / "meta/subtasks.parquet")
 
     def column(self, name):
         return np.array(self.frames[name].to_pylist())
@@ -52,6 +53,11 @@ class Reader:
     def of_episode(self, number, name):
         row = self.episodes[number]
         return self.column(name)[row["dataset_from_index"] : row["dataset_to_index"]]
+
+    def subtask_names(self):
+        """Of each frame."""
+        name_of = dict(zip(self.subtasks["subtask_index"].to_pylist(), self.subtasks["subtask"].to_pylist(), strict=True))
+        return np.array([name_of[i] for i in self.column("subtask_index")])
 
     def video(self, number, camera):
         """(seconds from the episode's begin, picture) of each of its frames."""
@@ -154,6 +160,40 @@ def test_tasks_are_what_pandas_reads_as_an_index(recorded):
     for number, row in enumerate(data.episodes):
         [task] = row["tasks"]
         assert {data.tasks["task"].to_pylist()[i] for i in data.of_episode(number, "task_index")} == {task}
+
+
+def test_subtasks_are_what_pandas_reads_as_an_index(recorded):
+    data = Reader(recorded[0])
+    assert json.loads(data.subtasks.schema.metadata[b"pandas"])["index_columns"] == ["subtask"]
+    assert data.subtasks["subtask_index"].to_pylist() == list(range(len(marketgen.policies.SUBTASKS)))
+    assert data.info["features"]["subtask_index"] == {"dtype": "int64", "shape": [1], "names": None}
+    assert set(data.subtask_names()) == {"none"}  # a function cannot say it
+
+
+class Swinging:
+    """Says what it is at."""
+
+    name = "swings"
+
+    def __init__(self, said=("reach", "drive", None)):
+        self.said, self.acted = said, 0
+
+    def act(self, observation):
+        self.acted += 1
+        return sways(observation)
+
+    def subtask(self):
+        return self.said[self.acted % len(self.said)]
+
+
+def test_a_policy_in_python_says_what_it_does(short_file, tmp_path):
+    marketgen.record(short_file, tmp_path / "said", Swinging(), size=(16, 16), count=1)
+    data = Reader(tmp_path / "said")
+    said = [("drive", "none", "reach")[i % 3] for i in range(data.info["total_frames"])]
+    assert data.subtask_names().tolist() == said
+    with pytest.raises(marketgen.Error, match=r"'graps'; there are none, drive") as caught:
+        marketgen.record(short_file, tmp_path / "none", Swinging(["graps"]), size=(16, 16))
+    assert caught.value.code == "episode.policy_failed"
 
 
 def test_frames_are_what_happened(recorded, happened):
@@ -300,6 +340,29 @@ def test_the_oracle_demonstrates_and_failures_are_left_out(tmp_path):
     card = (tmp_path / "oracle" / "README.md").read_text()
     assert "| episodes | 1, 1 of them successful |" in card and "reached all goals in 1 of 2" in card and "strip.png" in card
     assert marketgen.replay_check(tmp_path / "oracle", file) == row["length"]
+    subtasks_are_what_physics_did(data)
+    assert "| sub-tasks | none " in card and "grasp " in card
+
+
+def subtasks_are_what_physics_did(data):
+    """Of one item that the oracle took out of its basket, or of several."""
+    names, state = data.subtask_names(), data.column("observation.state")
+    told = data.info["features"]["observation.state"]["names"]
+    opening, height = state[:, told.index("qpos.tool_opening")], state[:, told.index("tcp_pose.tool_z")]
+    begins = [0, *(np.flatnonzero(names[1:] != names[:-1]) + 1), len(names) - 1]
+    stretches = list(zip(names[begins[:-1]], begins, begins[1:], strict=False))  # each ends where the next one begins
+    assert [name for name, *_ in stretches[:5]] == ["reach", "grasp", "lift", "place", "retreat"]
+    assert {name for name, *_ in stretches} <= {"reach", "grasp", "lift", "place", "retreat", "none"}
+    for name, begin, end in stretches:
+        by = opening[end] - opening[begin]
+        if name == "grasp":
+            assert by < -3e-3, "the fingers close"
+        elif name == "lift":
+            assert height[end] > height[begin] + 0.04 and abs(by) < 2e-3, "what they hold comes up"
+        elif name == "place":
+            assert by > 3e-3 and height[end] < height[begin : end + 1].max() - 0.01, "it goes down and is let go"
+        elif name == "retreat":
+            assert height[end] > height[begin] and by > -2e-3, "the open hand goes up"
 
 
 def test_many_files_when_they_are_full(short_file, tmp_path, monkeypatch):

@@ -13,11 +13,11 @@ import numpy as np
 
 from .. import _core
 from ..errors import Error
-from ..policies import ProgramPolicy
+from ..policies import SUBTASKS, ProgramPolicy
 from ..policy_process import PolicyFailed, PolicyHere, PolicySource, policy_of_text
 from ..stages import Stages
 from .drives import DrivePlayer, Drives
-from .features import ACTION, DONE, FRAME, REWARD, STATE, SUCCESS, TIME, Numbers
+from .features import ACTION, DONE, FRAME, REWARD, STATE, SUBTASK, SUCCESS, TIME, Numbers
 from .statistics import PictureCounts
 from .video import Encoder
 
@@ -74,6 +74,15 @@ class Player:
             return np.asarray(self._ask("act", seen), np.float32)
         except (TypeError, ValueError):
             raise Error("episode.bad_action", "policy", "what it answered is no array of numbers") from None
+
+    def subtask(self) -> int:
+        """What the action is for that act() has just answered: its number in SUBTASKS; that of "none" where the policy does not say."""
+        said = self._ask("subtask") if self._of_program is None else self._of_program.subtask()
+        if said is None:
+            return SUBTASKS.index("none")
+        if said not in SUBTASKS:
+            raise Error("episode.policy_failed", "policy", f"its subtask() answered {said!r}; there are {', '.join(SUBTASKS)}")
+        return SUBTASKS.index(said)
 
     def end(self) -> None:
         """The episode is over."""
@@ -159,6 +168,7 @@ def _run(
         while not over:
             action = player.act(seen)
             rows[ACTION].append(action)
+            rows[SUBTASK].append(player.subtask())
             rows[STATE].append(env.robot_numbers())
             with watch.on("video"):
                 for camera, reel in reels.items():

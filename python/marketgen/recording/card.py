@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .features import PICTURES
+from ..policies import SUBTASKS
+from .features import PICTURES, SUBTASK
 from .outputs import write
 
 if TYPE_CHECKING:
@@ -62,10 +63,17 @@ def _said(kept: Sequence[Part], tried: Sequence[Part], info: dict[str, Any], set
         if settings["cameras"]
         else "none",
         "realism": settings["realism"],
+        "sub-tasks": _subtasks(kept),
     }
     if len(ran) < len(tried):
         rows["left out"] = f"{len(tried) - len(ran)} that could not be simulated to the end"
     return ["| | |", "|---|---|", *(f"| {name} | {value} |" for name, value in rows.items())]
+
+
+def _subtasks(kept: Sequence[Part]) -> str:
+    """Those that there are, with their shares of the frames."""
+    frames = np.bincount(np.concatenate([part.values(SUBTASK) for part in kept]), minlength=len(SUBTASKS))
+    return ", ".join(f"{name} {share:.0%}" for name, share in zip(SUBTASKS, frames / frames.sum(), strict=True) if share)
 
 
 def _tasks(kept: Sequence[Part]) -> list[str]:

@@ -1,6 +1,6 @@
 """A LeRobot dataset v3.0 of recorded episodes.
 
-    meta/info.json, stats.json, tasks.parquet, episodes/chunk-000/file-000.parquet
+    meta/info.json, stats.json, tasks.parquet, subtasks.parquet, episodes/chunk-000/file-000.parquet
     data/chunk-000/file-000.parquet              the numbers of many episodes, a row group each
     videos/observation.images.CAMERA/chunk-000/file-000.mp4
 
@@ -18,8 +18,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..policies import SUBTASKS
 from .acting import FPS
-from .features import EPISODE, INDEX, PICTURES, PLACED, TASK, Numbers, described
+from .features import EPISODE, INDEX, PICTURES, PLACED, SUBTASK, TASK, Numbers, described
 from .outputs import on_disk, write_json, writing
 from .parts import Part, array_of, column_of
 from .statistics import PictureCounts, Statistics, of_numbers
@@ -36,7 +37,6 @@ VIDEO_PATH = "videos/{video_key}/chunk-{chunk_index:03d}/file-{file_index:03d}.m
 EPISODES_PATH = "meta/episodes/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
 SETTINGS_PATH = "meta/marketgen.json"  # ours: what was recorded, and how
 ROWS_AT_ONCE = 100  # of episodes, in a row group
-TASK_COLUMN = "task"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -152,7 +152,8 @@ def _fill(root: pathlib.Path, parts: Sequence[Part], about: About, also: dict[st
     _write_data(root, parts, rows, about, tasks)
     videos = {camera: _write_videos(root, parts, rows, about, camera) for camera in about.cameras}
     _write_episodes(root, rows)
-    _write_tasks(root, tasks)
+    _write_names(root / "meta/tasks.parquet", TASK, tasks)
+    _write_names(root / "meta/subtasks.parquet", SUBTASK, SUBTASKS)
     write_json(root / "meta/stats.json", _listed(_statistics(root, parts, about)))
     frames = sum(part.told["frames"] for part in parts)
     info = {
@@ -272,16 +273,18 @@ def _flat(row: dict[str, Any]) -> dict[str, Any]:
     return made
 
 
-def _write_tasks(root: pathlib.Path, tasks: list[str]) -> None:
-    """As pandas reads it: the texts are the index."""
+def _write_names(path: pathlib.Path, number: str, names: Sequence[str]) -> None:
+    """What the rows of the feature `number` ("task_index") mean, as pandas reads it: the names ("task") are the index."""
     import pyarrow
     import pyarrow.parquet
 
-    table = pyarrow.table({"task_index": np.arange(len(tasks)), TASK_COLUMN: tasks})
-    index = {"name": TASK_COLUMN, "field_name": TASK_COLUMN, "pandas_type": "unicode", "numpy_type": "object", "metadata": None}
-    number = {"name": "task_index", "field_name": "task_index", "pandas_type": "int64", "numpy_type": "int64", "metadata": None}
-    pandas = {"index_columns": [TASK_COLUMN], "column_indexes": [], "columns": [number, index]}
-    path = root / "meta/tasks.parquet"
+    name = number.removesuffix("_index")
+    table = pyarrow.table({number: np.arange(len(names)), name: list(names)})
+    columns = [
+        {"name": number, "field_name": number, "pandas_type": "int64", "numpy_type": "int64", "metadata": None},
+        {"name": name, "field_name": name, "pandas_type": "unicode", "numpy_type": "object", "metadata": None},
+    ]
+    pandas = {"index_columns": [name], "column_indexes": [], "columns": columns}
     with writing(path):
         pyarrow.parquet.write_table(table.replace_schema_metadata({"pandas": json.dumps(pandas)}), path)
 

@@ -18,6 +18,7 @@ import numpy as np
 from .. import _core, arguments
 from ..arguments import PathLike
 from ..errors import Error
+from ..policies import SUBTASKS
 from .outputs import write
 
 
@@ -120,6 +121,10 @@ class DrivePlayer:
             return actions[self._played - 1]
         self._check()
         return stopped(actions[-1], self._env.action_names)
+
+    def subtask(self) -> int:
+        """A person does not say what an action is for."""
+        return SUBTASKS.index("none")
 
     def end(self) -> None:
         """The episode is over. A log that goes on behind that was not followed."""

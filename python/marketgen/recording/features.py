@@ -9,7 +9,7 @@ import numpy as np
 
 STATE, ACTION, PICTURES = "observation.state", "action", "observation.images."
 REWARD, DONE, SUCCESS = "next.reward", "next.done", "next.success"
-TIME, FRAME, EPISODE, INDEX, TASK = "timestamp", "frame_index", "episode_index", "index", "task_index"
+TIME, FRAME, EPISODE, INDEX, TASK, SUBTASK = "timestamp", "frame_index", "episode_index", "index", "task_index", "subtask_index"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -39,6 +39,7 @@ def acted(robot_names: tuple[str, ...], action_names: tuple[str, ...]) -> dict[s
         SUCCESS: Numbers("bool"),
         TIME: Numbers("float32"),
         FRAME: Numbers("int64"),
+        SUBTASK: Numbers("int64"),
     }
 
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from .. import _core, arguments
 from ..arguments import PathLike, Progress
 from ..errors import Error
+from ..policies import SUBTASKS
 from .acting import FPS, Player, Stopwatch, act_out, player_of
 from .card import write_card
 from .dataset import About, counted_in, settings_in, write_dataset
@@ -322,4 +323,5 @@ class _Stage:
             "codec": run.codec,
             "realism": told_realism(run.options["realism"]),
             "success_only": run.success_only,
+            "subtasks": list(SUBTASKS),
         }

@@ -38,7 +38,7 @@ class Codec:
 # more than 34 to 37 dB however many bits it has; it is what LeRobot writes and browsers show, and SVT-AV1 has nothing else.
 # yuv444p with these settings keeps at least 38 dB from 64x64 on (docs/figures.md).
 CODECS = {
-    "h264": Codec("libx264", "yuv444p", {"crf": "12", "preset": "veryfast", "tune": "psnr", "bf": "0", "threads": "1"}),
+    "h264": Codec("libx264", "yuv444p", {"crf": "12", "preset": "ultrafast", "tune": "psnr", "bf": "0", "threads": "1"}),
     "av1": Codec("libsvtav1", "yuv420p", {"crf": "14", "preset": "10", "svtav1-params": "lp=1"}),
 }
 
@@ -57,6 +57,7 @@ class Encoder:
         import av
 
         self._frame_of = av.VideoFrame.from_ndarray
+        self._converted = av.video.reformatter.VideoReformatter().reformat  # a new one for each frame costs as much as encoding it
         self._bytes = io.BytesIO()
         self._container = av.open(self._bytes, "w", format="mp4")
         self._codec = CODECS[codec]
@@ -65,7 +66,7 @@ class Encoder:
 
     def add(self, rgb: np.ndarray) -> None:
         """(height, width, 3) uint8."""
-        frame = self._frame_of(rgb, format="rgb24").reformat(format=self._codec.pix_fmt, interpolation=RESAMPLING)
+        frame = self._converted(self._frame_of(rgb, format="rgb24"), format=self._codec.pix_fmt, interpolation=RESAMPLING)
         frame.pts, frame.time_base = self._count, self._step
         self._count += 1
         self._container.mux(self._stream.encode(frame))

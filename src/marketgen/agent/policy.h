@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "agent/model_use.h"
+#include "agent/subtask.h"
 #include "base/result.h"
 #include "robots/wheel_drive.h"
 
@@ -73,6 +74,8 @@ class Policy {
   virtual std::string failure() const { return "None"; }
   // What it asked of a model outside of the program so far; nothing of one that asks none.
   virtual std::optional<ModelUse> model_use() const { return std::nullopt; }
+  // What its last action was for.
+  virtual Subtask subtask() const { return Subtask::none; }
 };
 
 }  // namespace marketgen::agent

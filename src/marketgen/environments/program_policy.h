@@ -21,6 +21,8 @@ class ProgramPolicy {
   Result<std::vector<double>> act();
   // What kept it from its goals, as it says: a name of FailureCode.
   std::string failure() const { return policy_ ? policy_->failure() : "None"; }
+  // What its last action was for.
+  agent::Subtask subtask() const { return policy_ ? policy_->subtask() : agent::Subtask::none; }
 
  private:
   Result<void> begin();

@@ -8,7 +8,7 @@
 
 namespace marketgen::exporters {
 
-std::string export_licences(const scene::Scene& scene) {
+BesideFile licences_file(const scene::Scene& scene) {
   std::set<std::string> imported;
   for (const scene::SceneProduct& item : scene.products) {
     const catalog::Product& product = scene.catalog[item.sku];
@@ -16,17 +16,16 @@ std::string export_licences(const scene::Scene& scene) {
   }
   std::string text = fmt::format(
       "# Licences\n\nThe meshes, pictures and layers of this store were made by MarketGen {}, from "
-      "its "
-      "own rows\nand drawings: Apache-2.0. Brands, names and designs are invented.\n",
+      "its own rows\nand drawings: Apache-2.0. Brands, names and designs are invented.\n",
       program_version);
-  if (imported.empty()) return text;
+  if (imported.empty()) return {"LICENCES.md", std::move(text)};
   text +=
       "\nThese products show models that were imported; each is under the licence of its own "
       "model, "
       "which\nMarketGen does not know:\n\n";
   for (const std::string& sku : imported)
     text += fmt::format("- `{}`\n", sku);
-  return text;
+  return {"LICENCES.md", std::move(text)};
 }
 
 }  // namespace marketgen::exporters

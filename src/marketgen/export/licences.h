@@ -1,12 +1,11 @@
 // Whose work lies in the folder beside an export.
 #pragma once
-#include <string>
-
-#include "scene/scene.h"
+#include "export/exporter.h"
 
 namespace marketgen::exporters {
 
-// The text of its LICENCES.md. Models of imported products are not ours.
-std::string export_licences(const scene::Scene& scene);
+// Its LICENCES.md: one beside every export that has looks of the store's things. Models of imported
+// products are not ours.
+BesideFile licences_file(const scene::Scene& scene);
 
 }  // namespace marketgen::exporters

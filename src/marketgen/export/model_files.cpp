@@ -77,7 +77,7 @@ Result<ModelFiles> ModelFiles::make(const scene::Scene& scene) {
     files.files_.push_back({sku + "/pack.png", sheets[row]->png});
   }
   MARKETGEN_CHECK(files.add_room(scene));
-  files.files_.push_back({"LICENCES.md", export_licences(scene)});
+  files.files_.push_back(licences_file(scene));
   return files;
 }
 

@@ -12,6 +12,7 @@
 #include "export/coco_annotator.h"
 #include "export/coco_cameras.h"
 #include "export/exporter.h"
+#include "export/licences.h"
 #include "export/nav2_map.h"
 #include "io/file.h"
 #include "io/jpeg.h"
@@ -199,7 +200,7 @@ Result<ExportFiles> write_coco(const scene::Scene& scene, const ExportOptions& o
                                       scene::scene_hash(scene),
                                       1e-3,
                                       found.stops_without_room}),
-                     {}};
+                     {licences_file(scene)}};
 }
 
 }  // namespace marketgen::exporters

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "export/exporter.h"
+#include "export/licences.h"
 #include "export/mjcf.h"
 #include "export/mjcf_fixtures.h"
 #include "export/mjcf_goods.h"
@@ -239,6 +240,7 @@ class MjcfWriter {
 
   ExportFiles files() {
     ExportFiles files{out_.take(), looks_.files()};
+    if (options_.looks) files.beside.push_back(licences_file(scene_));
     for (const MjcfRobot& robot : robots_)
       files.beside.insert(files.beside.end(), robot.files.begin(), robot.files.end());
     return files;

@@ -43,7 +43,7 @@ Result<ExportFiles> write_usd(const scene::Scene& scene, const ExportOptions& op
   files.beside.push_back({usd_geometry_file, parts.geometry.finish()});
   for (BesideFile& picture : parts.pictures.take())
     files.beside.push_back(std::move(picture));
-  files.beside.push_back({"LICENCES.md", export_licences(scene)});
+  files.beside.push_back(licences_file(scene));
   files.main = root_layer(scene, options.beside);
   return files;
 }

@@ -171,7 +171,8 @@ bool AisleOracle::go_to(std::uint32_t product) {
   }
   memory_.executor.drive(std::move(*drive));
   memory_.plan = std::move(*plan);
-  if (const auto raised = memory_.executor.raise(lift_height()); !raised.ok()) {
+  if (const auto raised = memory_.executor.raise(lift_height(), agent::Subtask::reach);
+      !raised.ok()) {
     note_plan(product, raised.error());
     return false;
   }

@@ -28,6 +28,7 @@ class AisleOracle : public agent::Policy {
   Result<void> begin(const agent::Task& task, const agent::Observation& first) override;
   Result<agent::Action> act(const agent::Observation& now) override;
   std::string failure() const override;
+  agent::Subtask subtask() const override { return memory_.executor.subtask(); }
 
  private:
   enum class Phase {

@@ -129,6 +129,7 @@ void CheckoutOracle::give_up(const std::vector<std::size_t>& due) {
 bool CheckoutOracle::escape() {
   if (memory_.escaped) return false;
   memory_.escaped = true;
+  memory_.arm.set_subtask(agent::Subtask::retreat);
   const Pose tip = memory_.arm.tip();
   const skills::Surroundings counter = skills::counter_alone(scene_->place()), nothing;
   for (const skills::Surroundings* const around : {&counter, &nothing}) {
@@ -221,6 +222,7 @@ Result<bool> CheckoutOracle::take(std::size_t item, bool to_be_placed) {
         continue;
       if (plans++ >= search_.max_plans || !may_rehearse(item)) return false;
       const Memory before = memory_;
+      memory_.arm.set_subtask(agent::Subtask::reach);
       if (!memory_.arm.reach(around, request, next_seed("reach")).ok()) {
         note(episodes::FailureCode::no_path);
         continue;

@@ -33,6 +33,7 @@ class CheckoutOracle : public agent::Policy {
   Result<void> begin(const agent::Task& task, const agent::Observation& first) override;
   Result<agent::Action> act(const agent::Observation& now) override;
   std::string failure() const override { return std::string(name_of(memory_.failure)); }
+  agent::Subtask subtask() const override { return memory_.arm.subtask(); }
 
  private:
   enum class Phase { choose, closed, lifted, over_place, released };

@@ -172,7 +172,7 @@ Result<void> AisleOracle::back_off() {
   memory_.drop_lift = 0;
   memory_.phase = Phase::away;
   if (!holds_it()) return {};
-  return memory_.executor.raise(skills::drop_lifts_m[memory_.drop_lift]);
+  return memory_.executor.raise(skills::drop_lifts_m[memory_.drop_lift], agent::Subtask::place);
 }
 
 // ---- Into the basket ----
@@ -257,7 +257,7 @@ Result<void> AisleOracle::try_other_lift() {
     memory_.done = true;  // with the item in its hand: it cannot go on
     return {};
   }
-  return memory_.executor.raise(skills::drop_lifts_m[memory_.drop_lift]);
+  return memory_.executor.raise(skills::drop_lifts_m[memory_.drop_lift], agent::Subtask::place);
 }
 
 // The arm to its stowed posture, empty.

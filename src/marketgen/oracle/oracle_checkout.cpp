@@ -141,6 +141,7 @@ Result<void> CheckoutOracle::let_go(episodes::FailureCode why) {
   note(why);
   say(fmt::format("lets go of {}: {}", called(memory_.item), name_of(why)));
   const double opening = skills::let_go_m(tool_, now_.openings_m.front());
+  memory_.arm.set_subtask(agent::Subtask::retreat);
   memory_.arm.wait(open_s, opening, memory_.force_n);
   back_off(opening);
   memory_.phase = Phase::released;
@@ -177,6 +178,7 @@ Result<void> CheckoutOracle::put_down() {
 }
 
 Result<void> CheckoutOracle::go_over_place() {
+  memory_.arm.set_subtask(agent::Subtask::place);
   const Pose tip_from_item = inverse(memory_.arm.tip()) * world_->item_pose(memory_.item);
   const motion::AttachedObject held =
       skills::held_spheres(world_->robot(), world_->goods(memory_.item).body, tip_from_item);
@@ -200,6 +202,7 @@ Result<void> CheckoutOracle::go_over_place() {
 // It may have turned in the hand on its way: the hand goes to where the item ends as planned.
 Result<void> CheckoutOracle::lower() {
   if (!holds_it()) return let_go_for_good(episodes::FailureCode::slipped);
+  memory_.arm.set_subtask(agent::Subtask::place);
   const skills::FreePlace& place = memory_.places[memory_.next_place++ % memory_.places.size()];
   const Pose item_from_tip = inverse(world_->item_pose(memory_.item)) * memory_.arm.tip();
   const skills::Surroundings around = scene_->surroundings({memory_.item}, skills::HandAt::counter);
@@ -223,6 +226,7 @@ Result<void> CheckoutOracle::lower() {
 
 // Down again to where it was, as far as that goes.
 Result<void> CheckoutOracle::put_back() {
+  memory_.arm.set_subtask(agent::Subtask::place);
   say_failed("let it down to where it was",
              memory_.arm.let_down(scene_->surroundings({memory_.item}), memory_.force_n));
   return let_go_for_good(memory_.failure);

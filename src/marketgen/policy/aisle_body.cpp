@@ -179,7 +179,7 @@ Result<void> AisleBody::back_off() {
   MARKETGEN_CHECK(executor_.back_off(room_behind_m()));
   lift_tried_ = 0;
   if (!holds_it()) return {};
-  return executor_.raise(skills::drop_lifts_m[lift_tried_]);
+  return executor_.raise(skills::drop_lifts_m[lift_tried_], agent::Subtask::place);
 }
 
 skills::StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) const {
@@ -203,7 +203,7 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   if (!plan.ok()) {
     const bool last = ++lift_tried_ >= skills::drop_lifts_m.size();
     if (last) lift_tried_ = 0;
-    MARKETGEN_CHECK(executor_.raise(skills::drop_lifts_m[lift_tried_]));
+    MARKETGEN_CHECK(executor_.raise(skills::drop_lifts_m[lift_tried_], agent::Subtask::place));
     if (last) return plan.error();
     return false;
   }

@@ -41,6 +41,7 @@ class AisleBody {
   bool idle() const { return executor_.idle(); }
   bool take_stop() { return executor_.take_stop(); }  // as BodyExecutor
   agent::Action next() { return executor_.next(now_); }
+  agent::Subtask subtask() const { return executor_.subtask(); }  // as BodyExecutor
 
   // ---- The robot as it is. ----
   std::vector<double> state() const;  // base on the origin

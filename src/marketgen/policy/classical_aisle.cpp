@@ -80,6 +80,7 @@ class ClassicalAisle : public agent::Policy {
     return action;
   }
 
+  agent::Subtask subtask() const override { return body_.subtask(); }
   std::string failure() const override {
     for (const ShelfGoal& goal : goals_)
       if (goal.fetched < goal.wanted) return goal.failure;

@@ -76,6 +76,7 @@ class ClassicalCheckout : public agent::Policy {
   }
 
   std::string failure() const override { return failure_; }
+  agent::Subtask subtask() const override { return arm_.subtask(); }
 
  private:
   // The arm or what it holds was pressed on, and has been moved back a second of its way: it looks
@@ -163,6 +164,7 @@ class ClassicalCheckout : public agent::Policy {
   // Where no way leads there it looks from where it is: one camera stands still and sees most.
   void go_to_look() {
     step_ = Step::look;
+    arm_.set_subtask(agent::Subtask::look);
     const Vec3 at = setup_.place.base_from_basket.position;
     const Pose tip{{at.x - look_back_m, at.y, look_height_m},
                    rotation_with_axes({0, -1, 0}, {0, 0, -1})};
@@ -324,6 +326,7 @@ class ClassicalCheckout : public agent::Policy {
   // ---- Taking it ----
 
   bool take(const Choice& choice, double borne_m) {
+    arm_.set_subtask(agent::Subtask::reach);
     if (choice.grasps.empty()) note("NoGrasp");
     const skills::Surroundings seen = around(sight_.points, skills::HandAt::basket);
     const std::vector<skills::PlacedBody> walls = walls_.at(setup_.place.base_from_basket);
@@ -397,6 +400,7 @@ class ClassicalCheckout : public agent::Policy {
   void let_go(const std::string& why) {
     note(why);
     const double opening = opening_to_let_go();
+    arm_.set_subtask(agent::Subtask::retreat);
     arm_.wait(opening_s, opening, force_n_);
     step_back(opening);
     step_ = Step::go_to_look;
@@ -414,6 +418,7 @@ class ClassicalCheckout : public agent::Policy {
 
   void put_down() {
     if (!holds_it()) return let_go("Slipped");
+    arm_.set_subtask(agent::Subtask::place);
     const double opening = opening_to_let_go();
     const agent::Workplace& at = setup_.place;
     skills::PlaceQuestion question;

@@ -83,6 +83,7 @@ class HighestFirst : public agent::Policy {
   }
 
   std::string failure() const override { return failure_; }
+  agent::Subtask subtask() const override { return arm_.subtask(); }
 
  private:
   Result<void> decide() {
@@ -153,6 +154,7 @@ class HighestFirst : public agent::Policy {
   }
 
   bool grasp(const OpenHand& open, const Walls& walls) {
+    arm_.set_subtask(agent::Subtask::reach);
     const std::vector<robots::ToolSolid> hand = skills::open_hand(setup_.tool, open.opening_m);
     const skills::Surroundings around =
         skills::counter_surroundings(setup_.place, skills::HandAt::basket);
@@ -175,6 +177,7 @@ class HighestFirst : public agent::Policy {
     failure_ = why;
     ++failed_;
     left_alone_.push_back(tried_);
+    arm_.set_subtask(agent::Subtask::retreat);
     arm_.wait(let_go_s, setup_.tool.opening_m, grip_n);
   }
 
@@ -182,6 +185,7 @@ class HighestFirst : public agent::Policy {
   // basket's floor.
   void put_down() {
     if (now_.openings_m.front() < shut_m) return pass_over("Missed");
+    arm_.set_subtask(agent::Subtask::place);
     const agent::WorkArea& area = setup_.place.unloading;
     const int across =
         std::max(1, static_cast<int>((area.high_m[0] - area.low_m[0]) / place_step_m));

@@ -125,8 +125,8 @@ class Renderer {
   // Error: render.bad_actor, and nothing has moved.
   virtual Result<void> move_actor(std::size_t actor, std::span<const Pose> world_from_body) = 0;
   // Where products and joints stand from now on; all that are not named stand as the scene has
-  // them. The store's search trees are not touched: the same products and joints as before cost
-  // microseconds, others a fraction of a millisecond. The stored light stays what it was. Errors:
+  // them. The same ones as before cost microseconds, others a fraction of a millisecond (some in a
+  // small store, whose search tree is built anew). The stored light stays what it was. Errors:
   // render.bad_move (no such row, one named twice, a pose or position that is not finite), and
   // nothing has moved.
   virtual Result<void> move_things(std::span<const MovedProduct> products,

@@ -55,7 +55,8 @@ class EmbreeRenderer : public Renderer {
   }
   std::span<const MovedProduct> moved_products() const override { return moved_; }
 
-  SensorShot shot(const Camera& camera, const FrameBuffers& to) const {
+  SensorShot shot(const Camera& camera, const FrameBuffers& to) {
+    actors_.settle();
     return {&lighting_, View(camera), to};
   }
 
@@ -70,6 +71,7 @@ class EmbreeRenderer : public Renderer {
                        Progress& progress) override {
     MARKETGEN_CHECK(check_camera(camera, camera.name.empty() ? "camera" : camera.name));
     const View view(camera);
+    actors_.settle();
     if (options.mode == RenderMode::sensor) return sensor_frame(view, options, progress);
     MARKETGEN_TRY(Frame frame,
                   path_picture({world_, lit_->lights, lit_->field}, view, options, progress));
@@ -140,7 +142,7 @@ Result<void> render_batch(std::span<const Shot> shots,
     if (shots[i].renderer == nullptr)
       return Error{"camera.degenerate", where, "it has no renderer"};
     // There is one kind of renderer.
-    const auto& renderer = static_cast<const raytrace::EmbreeRenderer&>(*shots[i].renderer);
+    auto& renderer = static_cast<raytrace::EmbreeRenderer&>(*shots[i].renderer);
     taken.push_back(renderer.shot(shots[i].camera, shots[i].to));
   }
   raytrace::take_pictures(taken, raytrace::sensor_effort(options), progress);

@@ -202,7 +202,6 @@ void pass_hidden(const World& world,
 
 // Whether a ray comes near a hidden place at all.
 bool may_meet_hidden(const World& world, const Ray& ray) {
-  if (world.hidden.is_hidden.empty()) return false;
   const Float4 low(world.hidden.bounds.low), high(world.hidden.bounds.high);
   const Float4 inverse(_mm_div_ps(_mm_set1_ps(1), Float4(ray.direction).m));
   const Float4 a = (low - Float4(ray.origin)) * inverse, b = (high - Float4(ray.origin)) * inverse;
@@ -246,7 +245,7 @@ void trace(
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   if (bundle == RayBundle::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  const bool any_hidden = !world.hidden.is_hidden.empty();
+  const bool any_hidden = world.hidden.in_bvh;
   RTCRay16 sent;
   if (any_hidden) sent = packet.ray;
   rtcIntersect16(lane_masks[used].data(), world.bvh.get(), &context, &packet);
@@ -274,7 +273,7 @@ void trace(const World& world,
 
 unsigned find_blocked(const World& world, RTCRay16& packet, std::size_t used, unsigned mask) {
   describe_rays(packet, mask);
-  const bool any_hidden = !world.hidden.is_hidden.empty();
+  const bool any_hidden = world.hidden.in_bvh;
   RTCRay16 sent;
   if (any_hidden) sent = packet;
   RTCIntersectContext context;

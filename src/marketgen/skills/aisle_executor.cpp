@@ -21,18 +21,21 @@ void AisleExecutor::start(const agent::Observation& now) {
 }
 
 void AisleExecutor::drive(motion::BaseFollower way) {
+  body_.set_subtask(agent::Subtask::drive);
   body_.follow(std::move(way));
   body_.wait(calm_s);
 }
 
 Result<void> AisleExecutor::look(double pan, double tilt) {
+  body_.set_subtask(agent::Subtask::look);
   MARKETGEN_CHECK(body_.move_joint(robot_->find_dof("head_pan"), pan, head_speed_share));
   MARKETGEN_CHECK(body_.move_joint(robot_->find_dof("head_tilt"), tilt, head_speed_share));
   body_.wait(calm_s);
   return {};
 }
 
-Result<void> AisleExecutor::raise(double lift_m) {
+Result<void> AisleExecutor::raise(double lift_m, agent::Subtask of) {
+  body_.set_subtask(of);
   return body_.move_joint(robot_->find_dof("lift"), lift_m, lift_speed_share);
 }
 
@@ -43,15 +46,17 @@ void AisleExecutor::open(int tool, agent::ToolCommand command) {
 
 Result<void> AisleExecutor::take(Taking taking) {
   taking_ = std::move(taking);
-  MARKETGEN_CHECK(raise(taking_.lift_m));
+  MARKETGEN_CHECK(raise(taking_.lift_m, agent::Subtask::reach));
   open(taking_.tool, taking_.open);
   body_.play(arm(), taking_.ways.reach.trajectory);
+  body_.set_subtask(agent::Subtask::grasp);
   body_.grip(taking_.tool, taking_.close);
   body_.wait(press_s);
   return {};
 }
 
 void AisleExecutor::pull_out() {
+  body_.set_subtask(agent::Subtask::lift);
   body_.play(arm(), taking_.ways.lift);
   body_.play(arm(), taking_.ways.retreat);
 }
@@ -59,26 +64,31 @@ void AisleExecutor::pull_out() {
 Result<void> AisleExecutor::go_back() {
   MARKETGEN_TRY(motion::JointTrajectory way,
                 way_back(*robot_, taking_.group, taking_.ways.reach.line));
+  body_.set_subtask(agent::Subtask::retreat);
   open(taking_.tool, taking_.open);
   body_.play(arm(), std::move(way));
   return {};
 }
 
 Result<void> AisleExecutor::back_off(double room_m) {
+  body_.set_subtask(agent::Subtask::drive);
   if (room_m > 0) MARKETGEN_CHECK(body_.drive_straight(-room_m, back_off_m_s));
   body_.wait(calm_s);
   return {};
 }
 
 void AisleExecutor::let_down(DropPlan plan, agent::ToolCommand let_go) {
+  body_.set_subtask(agent::Subtask::place);
   body_.play(arm(), std::move(plan.way));
   body_.wait(calm_s);
   open(taking_.tool, let_go);
+  body_.set_subtask(agent::Subtask::retreat);
   body_.play(arm(), std::move(plan.retreat));
   stow(std::move(plan.home));
 }
 
 void AisleExecutor::stow(motion::JointTrajectory way) {
+  body_.set_subtask(agent::Subtask::retreat);
   body_.play(arm(), std::move(way));
   body_.wait(calm_s);
 }

@@ -34,12 +34,14 @@ class AisleExecutor {
   bool take_stop() { return body_.take_stop(); }  // as BodyExecutor
   bool presses(int tool) const { return body_.told(tool).opening_m <= 0; }
   agent::Action next(const agent::Observation& now) { return body_.next(now); }
+  agent::Subtask subtask() const { return body_.subtask(); }  // as BodyExecutor
 
-  // ---- Each queues motions. Errors: motion.bad_limits; those of way_back. ----
+  // ---- Each queues motions, and says what they are for. Errors: motion.bad_limits; those of
+  // way_back. ----
   void drive(motion::BaseFollower way);
   Result<void> look(double pan, double tilt);  // the head, to the left and down, rad
-  Result<void> raise(double lift_m);
-  void open(int tool, agent::ToolCommand command);
+  Result<void> raise(double lift_m, agent::Subtask of);
+  void open(int tool, agent::ToolCommand command);  // for what was queued before
 
   Result<void> take(Taking taking);  // from where it stands, up to the grip
   void pull_out();                   // with the item

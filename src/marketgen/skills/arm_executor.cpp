@@ -39,6 +39,7 @@ void ArmExecutor::start(const agent::Observation& now) {
   played_s_ = held_m_ = 0;
   now_ = end_ = now.position;
   opening_m_ = now.openings_m.front();
+  subtask_ = played_for_ = agent::Subtask::none;
 }
 
 std::vector<double> ArmExecutor::state(double opening_m) const {
@@ -84,12 +85,12 @@ void ArmExecutor::queue(motion::JointTrajectory trajectory, double opening_m, do
   const double duration = trajectory.duration_s();
   end_ = trajectory.at(duration).position;
   was_stopped_ = was_touched_ = false;
-  queue_.push_back({std::move(trajectory), duration, opening_m, force_n});
+  queue_.push_back({std::move(trajectory), duration, opening_m, force_n, subtask_});
 }
 
 void ArmExecutor::wait(double seconds, double opening_m, double force_n) {
   was_stopped_ = was_touched_ = false;
-  queue_.push_back({{}, seconds, opening_m, force_n});
+  queue_.push_back({{}, seconds, opening_m, force_n, subtask_});
 }
 
 Result<void> ArmExecutor::reach(const Surroundings& around,
@@ -171,6 +172,7 @@ agent::Action ArmExecutor::next(const agent::Observation& now) {
     retrace_.begin(touch_back_steps);
     was_touched_ = true;
   }
+  played_for_ = subtask_at(now);
   if (retrace_.goes_back() && !now.stopped) go_back();
   if (!queue_.empty() && !now.stopped) {
     const Motion& motion = queue_.front();
@@ -187,6 +189,11 @@ agent::Action ArmExecutor::next(const agent::Observation& now) {
     }
   }
   return {now_, {{opening_m_, force_n_}}};
+}
+
+agent::Subtask ArmExecutor::subtask_at(const agent::Observation& now) const {
+  if (now.stopped || retrace_.goes_back()) return agent::Subtask::recover;
+  return queue_.empty() ? agent::Subtask::none : queue_.front().subtask;
 }
 
 bool ArmExecutor::is_at_guard(const agent::Observation& now) const {

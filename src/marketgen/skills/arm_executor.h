@@ -51,6 +51,11 @@ class ArmExecutor {
 
   void start(const agent::Observation& now);  // forgets what is queued; stands where the arm is
 
+  // What is queued from now on is for this.
+  void set_subtask(agent::Subtask subtask) { subtask_ = subtask; }
+  // What the last step of next() was for.
+  agent::Subtask subtask() const { return played_for_; }
+
   // ---- Each queues a motion. Errors: as plan_reach and tool_line; nothing is queued then. ----
   Result<void> reach(const Surroundings& around, const ReachRequest& request, Seed seed);
   // The tip straight to a pose.
@@ -89,6 +94,7 @@ class ArmExecutor {
   struct Motion {
     motion::JointTrajectory trajectory;  // empty: stands still
     double duration_s = 0, opening_m = 0, force_n = 0;
+    agent::Subtask subtask = agent::Subtask::none;
     double max_force_n = 0;
   };
   ArmExecutor() = default;
@@ -102,6 +108,7 @@ class ArmExecutor {
                                              const ReachRequest& request) const;
   void queue(motion::JointTrajectory trajectory, double opening_m, double force_n);
   bool is_at_guard(const agent::Observation& now) const;
+  agent::Subtask subtask_at(const agent::Observation& now) const;
   void break_off();
   void go_back();
 
@@ -114,6 +121,8 @@ class ArmExecutor {
   motion::Configuration now_, end_;  // commanded last; at the end of the queue
   double opening_m_ = 0, force_n_ = 0;
   double held_m_ = 0;
+  agent::Subtask subtask_ = agent::Subtask::none;  // of what is queued
+  agent::Subtask played_for_ = agent::Subtask::none;
   Retrace retrace_;
   bool was_stopped_ = false, was_touched_ = false;
 };

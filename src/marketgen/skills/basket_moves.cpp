@@ -15,6 +15,7 @@ constexpr double aside_share = 0.4;  // of the way to the middle
 }  // namespace
 
 void close_hand(ArmExecutor& arm, double force_n) {
+  arm.set_subtask(agent::Subtask::grasp);
   arm.wait(close_s, 0, touch_n);
   arm.wait(firm_s, 0, force_n);
 }
@@ -28,6 +29,7 @@ Result<void> lift_out(ArmExecutor& arm,
   const Pose begin = arm.tip();
   const Vec3 aside{
       (middle.x - begin.position.x) * aside_share, (middle.y - begin.position.y) * aside_share, 0};
+  arm.set_subtask(agent::Subtask::lift);
   Result<void> lifted;
   const auto goes = [&](const Surroundings& around, Vec3 by) {
     lifted = arm.straight(around, {begin.position + by, begin.rotation}, 0, force_n);
@@ -45,6 +47,7 @@ Result<void> draw_back(ArmExecutor& arm,
                        const BasketSurroundings& basket,
                        double opening_m,
                        double force_n) {
+  arm.set_subtask(agent::Subtask::retreat);
   for (const auto& [around, by] : {std::pair{&basket.around, draw_back_m},
                                    {&basket.around, draw_back_m / 2},
                                    {&basket.counter, draw_back_m}}) {

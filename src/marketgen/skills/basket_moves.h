@@ -1,4 +1,5 @@
 // What a hand does at a basket on a counter between a grasp and a place: lifts out, draws back.
+// Each move says what it is for: a grasp, a lift, a retreat.
 //
 // Base frame of the arm, SI units.
 #pragma once

@@ -33,6 +33,7 @@ void BodyExecutor::start(const agent::Observation& now) {
   was_stopped_ = false;
   played_s_ = 0;
   position_ = queued_position_ = now.position;
+  subtask_ = played_for_ = agent::Subtask::none;
   tools_.clear();
   for (const double opening : now.openings_m)
     tools_.push_back({opening});
@@ -44,6 +45,7 @@ std::size_t BodyExecutor::column_of(int dof) const {
 
 void BodyExecutor::push(Motion motion) {
   was_stopped_ = false;
+  motion.subtask = subtask_;
   queue_.push_back(std::move(motion));
 }
 
@@ -161,12 +163,14 @@ agent::Action BodyExecutor::next(const agent::Observation& now) {
     played_s_ = 0;
     was_stopped_ = true;
   }
-  if (retrace_.goes_back() && !now.stopped) go_back(action);
+  const bool goes_back = retrace_.goes_back();
+  if (goes_back && !now.stopped) go_back(action);
   while (!queue_.empty() && queue_.front().grip) {
     const auto& [tool, command] = *queue_.front().grip;
     tools_[tool] = command;
     queue_.pop_front();
   }
+  played_for_ = now.stopped || goes_back ? agent::Subtask::recover : subtask_of_first();
   if (!queue_.empty() && !now.stopped) {
     Motion& motion = queue_.front();
     play_step(motion, now, action);

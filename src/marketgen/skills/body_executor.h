@@ -22,6 +22,11 @@ class BodyExecutor {
 
   void start(const agent::Observation& now);  // forgets what is queued
 
+  // What is queued from now on is for this.
+  void set_subtask(agent::Subtask subtask) { subtask_ = subtask; }
+  // What the last step of next() was for.
+  agent::Subtask subtask() const { return played_for_; }
+
   // ---- Each queues a motion. ----
   void follow(motion::BaseFollower follower);
   // Error motion.bad_limits. Backwards where it is negative.
@@ -50,6 +55,7 @@ class BodyExecutor {
     std::optional<std::pair<std::size_t, agent::ToolCommand>> grip = {};
     bool straight = false;
     double settling_s = 0;  // since the base's way was over
+    agent::Subtask subtask = agent::Subtask::none;
   };
   struct BaseError {
     double along = 0, across = 0, turn = 0;
@@ -60,6 +66,9 @@ class BodyExecutor {
              const agent::Observation& now,
              agent::Action& action) const;
   bool is_over(Motion& motion, const agent::Observation& now) const;
+  agent::Subtask subtask_of_first() const {
+    return queue_.empty() ? agent::Subtask::none : queue_.front().subtask;
+  }
   std::size_t column_of(int dof) const;
   void push(Motion motion);
   void go_back(agent::Action& action);
@@ -71,6 +80,8 @@ class BodyExecutor {
   std::vector<double> position_;
   std::vector<double> queued_position_;  // at the end of the queue
   std::vector<agent::ToolCommand> tools_;
+  agent::Subtask subtask_ = agent::Subtask::none;  // of what is queued
+  agent::Subtask played_for_ = agent::Subtask::none;
   Retrace retrace_;
   bool was_stopped_ = false;
 };

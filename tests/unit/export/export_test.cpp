@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 
+#include "export/licences.h"
 #include "io/file.h"
 #include "support/hand_made_scene.h"
 
@@ -78,6 +79,30 @@ TEST_P(EveryFormat, SameSceneSameBytes) {
   ASSERT_TRUE(exporters::export_scene(stocked_scene(), GetParam().name, file("b/shop")).ok());
   EXPECT_GE(files_in(folder_ / "a").size(), 1U);
   EXPECT_EQ(files_in(folder_ / "a"), files_in(folder_ / "b"));
+}
+
+// A map and a table of numbers show nothing that anybody drew.
+TEST_P(EveryFormat, WhatShowsTheStoresThingsHasItsLicencesBesideIt) {
+  exporters::ExportOptions options;
+  options.looks = true;
+  ASSERT_TRUE(exporters::export_scene(stocked_scene(), GetParam().name, file(), options).ok());
+  const fs::path licences = folder_ / "shop_assets/LICENCES.md";
+  const bool shows = GetParam().name != "nav2" && GetParam().name != "planogram";
+  ASSERT_EQ(fs::exists(licences), shows);
+  if (shows) {
+    EXPECT_NE(io::read_file(licences)->find("Apache-2.0"), std::string::npos);
+  }
+}
+
+TEST(Licences, ImportedModelsAreNotOurs) {
+  scene::Scene scene = stocked_scene();
+  const std::string ours = exporters::licences_file(scene).bytes;
+  catalog::Product& imported = scene.catalog[scene.products[0].sku];
+  EXPECT_EQ(ours.find(imported.sku), std::string::npos);
+  imported.archetype = "mesh";
+  const std::string told = exporters::licences_file(scene).bytes;
+  EXPECT_EQ(told.substr(0, ours.size()), ours);
+  EXPECT_NE(told.find("- `" + imported.sku + "`\n"), std::string::npos);
 }
 
 TEST_P(EveryFormat, IsCheckedAgainstTheSceneItWasMadeOf) {

@@ -31,11 +31,15 @@ catalog::Product first_can() {
 }
 
 // Two cans stand on a block in front of the camera, one before the other; a door hangs beside.
+// Around them nothing, or so many cans behind it that the store's search tree is not built anew.
+enum class Store { small, large };
+constexpr int cans_of_large = 9'000;
+
 struct CansAndDoor {
   scene::Scene scene = empty_room(6000, 6000, 3000);
   render::Camera camera;
   std::uint32_t cans = 0, door = 0;  // numbers in pictures
-  CansAndDoor() {
+  explicit CansAndDoor(Store store = Store::small) {
     add_box_fixture(scene, {3, 3.5F, 0}, {0, 0, 0.4F}, {0.5F, 0.5F, 0.4F});
     door = add_box_fixture(scene, {3.6F, 2.6F, 0}, {0.2F, 0, 1}, {0.2F, 0.02F, 0.4F});
     scene::SceneJoint hinge;
@@ -54,6 +58,9 @@ struct CansAndDoor {
     camera.at = {3, 3, 0.85};
     camera.width = 160;
     camera.height = 120;
+    for (int i = 0; store == Store::large && i < cans_of_large; ++i)
+      scene.products.push_back(product_at(
+          0.1F + 0.06F * static_cast<float>(i % 95), 0.1F, 0.03F * static_cast<float>(i / 95)));
   }
 };
 
@@ -79,8 +86,11 @@ void expect_same_geometry(const render::Frame& a, const render::Frame& b) {
     ASSERT_NEAR(a.depth_m[i], b.depth_m[i], 1e-4F) << i;
 }
 
-TEST(MovedThings, AProductIsSeenWhereItWasPutAndNowhereElse) {
-  CansAndDoor s;
+class MovedInAnyStore : public testing::TestWithParam<Store> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, MovedInAnyStore, testing::Values(Store::small, Store::large));
+
+TEST_P(MovedInAnyStore, AProductIsSeenWhereItWasPutAndNowhereElse) {
+  CansAndDoor s(GetParam());
   const auto renderer = render::Renderer::create(s.scene);
   ASSERT_TRUE(renderer.ok());
   const render::Frame before = taken(**renderer, s.camera);
@@ -88,7 +98,7 @@ TEST(MovedThings, AProductIsSeenWhereItWasPutAndNowhereElse) {
   const Pose pose{{3.2, 3.0, 0.9}, rotation_about({1, 0, 0}, 0.7)};
   ASSERT_TRUE((*renderer)->move_things(std::vector<render::MovedProduct>{{0, pose}}, {}).ok());
   const render::Frame moved = taken(**renderer, s.camera);
-  CansAndDoor other;
+  CansAndDoor other(GetParam());
   other.scene.products[0].position_m = {3.2F, 3.0F, 0.9F};
   other.scene.products[0].rotation_wxyz = {static_cast<float>(pose.rotation.w),
                                            static_cast<float>(pose.rotation.x),
@@ -103,8 +113,8 @@ TEST(MovedThings, AProductIsSeenWhereItWasPutAndNowhereElse) {
   EXPECT_EQ(back.depth_m, before.depth_m);
 }
 
-TEST(MovedThings, FollowingOneIsAsPuttingItThere) {
-  CansAndDoor s;
+TEST_P(MovedInAnyStore, FollowingOneIsAsPuttingItThere) {
+  CansAndDoor s(GetParam());
   const auto followed = render::Renderer::create(s.scene), put = render::Renderer::create(s.scene);
   ASSERT_TRUE(followed.ok() && put.ok());
   for (const double x : {2.8, 2.9, 3.05}) {

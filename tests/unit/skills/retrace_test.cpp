@@ -54,6 +54,7 @@ class RisingArm : public ::testing::Test {
     begin = arm.tip();
     Pose up = begin;
     up.position.z += 0.06;
+    arm.set_subtask(agent::Subtask::lift);
     EXPECT_TRUE(arm.straight({}, up, 0.04, 20).ok());
   }
 
@@ -132,6 +133,28 @@ TEST_F(RisingArm, ThatWasStoppedGoesBackAndForgetsTheRest) {
   EXPECT_LT(length(arm.tip().position - begin.position), 0.005) << "it did not go back";
 }
 
+TEST_F(RisingArm, SaysWhatItsStepsAreFor) {
+  arm.set_subtask(agent::Subtask::place);
+  arm.wait(0.1, 0.04, 20);
+  std::vector<agent::Subtask> said;
+  const auto step = [&] {
+    arm.next(now);
+    if (said.empty() || said.back() != arm.subtask()) said.push_back(arm.subtask());
+  };
+  while (!arm.idle())
+    step();
+  step();
+  using enum agent::Subtask;
+  EXPECT_EQ(said, (std::vector{lift, place, none}));
+  now.stopped = true;
+  step();
+  now.stopped = false;
+  for (step(); !arm.idle();)
+    step();
+  step();
+  EXPECT_EQ(said, (std::vector{lift, place, none, recover, none}));
+}
+
 TEST(Retrace, ABodyThatWasStoppedDrivesBack) {
   const robots::Robot& robot = committed_robot("realman-rm75");
   const int lift = robot.find_dof("lift");
@@ -140,16 +163,25 @@ TEST(Retrace, ABodyThatWasStoppedDrivesBack) {
   now.position = {0.3};
   now.openings_m = {0.06, 0.06};
   body.start(now);
+  body.set_subtask(agent::Subtask::drive);
   ASSERT_TRUE(body.drive_straight(1, 0.2).ok());
   double driven = 0;
   for (int i = 0; i < 12; ++i)
     driven += body.next(now).drive_m_s;
   EXPECT_GT(driven, 0);
+  agent::Action action = body.next(now);
+  EXPECT_EQ(body.subtask(), agent::Subtask::drive);
+  driven += action.drive_m_s;
   now.stopped = true;
-  EXPECT_EQ(body.next(now).drive_m_s, 0);
+  action = body.next(now);
+  EXPECT_EQ(action.drive_m_s, 0);
+  EXPECT_EQ(body.subtask(), agent::Subtask::recover);
   now.stopped = false;
-  for (int i = 0; i < 20 && (i == 0 || !body.idle()); ++i)
-    driven += body.next(now).drive_m_s;
+  for (int i = 0; i < 20 && (i == 0 || !body.idle()); ++i) {
+    action = body.next(now);
+    driven += action.drive_m_s;
+    EXPECT_EQ(body.subtask(), agent::Subtask::recover);
+  }
   EXPECT_TRUE(body.idle());
   EXPECT_TRUE(body.take_stop());
   EXPECT_NEAR(driven, 0, 1e-9);

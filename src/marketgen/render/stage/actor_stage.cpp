@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace marketgen::render::raytrace {
 namespace {
 
 constexpr std::size_t max_materials = 65'535;
+// Of a store whose search tree is built anew when other things stand elsewhere: some milliseconds.
+// A ray that has to pass a hidden place is traced again, alone, from there on.
+constexpr std::size_t most_rebuilt = 8'000;
 
 Material material_of(const ActorSurface& surface) {
   return {.color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
@@ -40,6 +44,7 @@ Result<void> ActorStage::set(const std::vector<Actor>& actors) {
 }
 
 Result<void> ActorStage::commit() {
+  put_.clear();
   commit_actors(world_);
   if (rtcGetDeviceError(world_.device.get()) != RTC_ERROR_NONE)
     return Error{"io.out_of_memory", "actors", "Embree could not build the actors' search tree"};
@@ -55,11 +60,9 @@ Result<void> ActorStage::displace(std::vector<Displaced> rows) {
   displaced_ = std::move(rows);
   if (same) {
     for (std::size_t i = 0; i < displaced_.size(); ++i) {
-      Instance& copy = world_.instances[first_displaced_ + i];
-      copy.world_from_mesh = displaced_[i].world_from_mesh;
-      copy.shelf = displaced_[i].shelf;
+      world_.instances[first_displaced_ + i].shelf = displaced_[i].shelf;
+      put(first_displaced_ + i, displaced_[i].world_from_mesh);
     }
-    update_actors(world_);
     return {};
   }
   world_.instances.resize(first_displaced_ == 0 ? world_.instances.size() : first_displaced_);
@@ -68,10 +71,21 @@ Result<void> ActorStage::displace(std::vector<Displaced> rows) {
   return commit();
 }
 
+void ActorStage::put(std::size_t instance, const Placement& place) {
+  if (world_.instances[instance].world_from_mesh == place) return;
+  world_.instances[instance].world_from_mesh = place;
+  put_.push_back(instance);
+}
+
+void ActorStage::settle() {
+  if (put_.empty()) return;
+  update_actors(world_, put_);
+  put_.clear();
+}
+
 void ActorStage::hide_displaced() {
-  world_.hidden = {};
-  if (displaced_.empty()) return;
-  world_.hidden.is_hidden.resize(world_.actors.first_instance);
+  const HiddenRows before = std::exchange(world_.hidden, {});
+  if (!displaced_.empty()) world_.hidden.is_hidden.resize(world_.actors.first_instance);
   for (const Displaced& row : displaced_) {
     world_.hidden.is_hidden[row.instance] = 1;
     const Instance& instance = world_.instances[row.instance];
@@ -80,6 +94,10 @@ void ActorStage::hide_displaced() {
     for (const Vec3f& p : world_.meshes[instance.mesh].glass.positions)
       world_.hidden.bounds.include(instance.world_from_mesh(p));
   }
+  if (world_.actors.first_instance <= most_rebuilt)
+    leave_out_hidden(world_, before.is_hidden);
+  else
+    world_.hidden.in_bvh = !displaced_.empty();
 }
 
 void ActorStage::add_displaced() {
@@ -107,10 +125,8 @@ Result<void> ActorStage::move(std::size_t actor, std::span<const Pose> world_fro
     MARKETGEN_CHECK(check_body_pose(pose, member.name));
   for (std::size_t i = 0; i < world_from_body.size(); ++i) {
     if (member.instances[i] < 0) continue;
-    world_.instances[static_cast<std::size_t>(member.instances[i])].world_from_mesh =
-        placement_of(world_from_body[i]);
+    put(static_cast<std::size_t>(member.instances[i]), placement_of(world_from_body[i]));
   }
-  update_actors(world_);
   return {};
 }
 

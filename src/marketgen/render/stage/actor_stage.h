@@ -1,7 +1,7 @@
 // The actors in a World: which of its meshes, instances and materials are theirs.
 //
-// They lie behind the store's own rows and have a BVH of their own, so that the store's is never
-// touched: every ray meets one, then the other.
+// They lie behind the store's own rows and have a BVH of their own, so that a large store's is
+// never touched: every ray meets one, then the other.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -36,6 +36,9 @@ class ActorStage {
   // Quick when they are the same rows as before. Error: io.out_of_memory. Rows are distinct.
   Result<void> displace(std::vector<Displaced> rows);
 
+  // Before rays are traced: what move() and displace() have said counts from now on.
+  void settle();
+
  private:
   struct Member {
     std::string name;
@@ -45,6 +48,7 @@ class ActorStage {
   void add_displaced();
   void hide_displaced();
   Result<void> commit();
+  void put(std::size_t instance, const Placement& place);
   std::int32_t add_body(const ActorBody& body, std::uint32_t id);
 
   World& world_;
@@ -52,6 +56,7 @@ class ActorStage {
   std::vector<Member> members_;
   std::vector<Displaced> displaced_;
   std::size_t first_displaced_ = 0;  // row of displaced_[0]'s copy
+  std::vector<std::size_t> put_;     // instances that stand elsewhere than their BVH has them
 };
 
 }  // namespace marketgen::render::raytrace

@@ -250,15 +250,31 @@ void commit_actors(World& world) {
   rtcCommitScene(actors.bvh.get());
 }
 
-void update_actors(World& world) {
+void update_actors(World& world, std::span<const std::size_t> instances) {
   const ActorRows& actors = world.actors;
-  for (std::size_t i = actors.first_instance; i < world.instances.size(); ++i) {
+  for (const std::size_t i : instances) {
     RTCGeometry geometry =
         rtcGetGeometry(actors.bvh.get(), static_cast<unsigned>(i - actors.first_instance));
     set_transform(geometry, world.instances[i].world_from_mesh);
     rtcCommitGeometry(geometry);
   }
   if (actors.bvh) rtcCommitScene(actors.bvh.get());
+}
+
+void leave_out_hidden(World& world, const std::vector<std::uint8_t>& before) {
+  bool changed = false;
+  for (std::size_t i = 0; i < world.actors.first_instance; ++i) {
+    const bool was = i < before.size() && before[i] != 0, is = world.hidden.has(i);
+    if (was == is) continue;
+    changed = true;
+    RTCGeometry geometry =
+        rtcGetGeometry(world.bvh.get(), first_instance_geometry + static_cast<unsigned>(i));
+    if (is)
+      rtcDisableGeometry(geometry);
+    else
+      rtcEnableGeometry(geometry);
+  }
+  if (changed) rtcCommitScene(world.bvh.get());
 }
 
 }  // namespace marketgen::render::raytrace

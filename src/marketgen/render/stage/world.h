@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -107,6 +108,7 @@ struct Placement {
   Vec3f turn_back(Vec3f v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
   Vec3f operator()(Vec3f p) const { return turn(p) + position; }
   Vec3f to_local(Vec3f p) const { return turn_back(p - position); }
+  friend bool operator==(const Placement&, const Placement&) = default;
 };
 Placement placement_of(const Pose& pose);
 
@@ -129,11 +131,12 @@ struct ActorRows {
   Bvh bvh;  // instance first_instance + k is its geometry k; empty without actors
 };
 
-// Instances of the store that stand elsewhere now, as copies among the actors': rays pass through
-// their places in the store's BVH, which stays as it is.
+// Instances of the store that stand elsewhere now, as copies among the actors'. A small store's BVH
+// is built anew without them; in a large one's they stay, and rays pass through their places.
 struct HiddenRows {
   std::vector<std::uint8_t> is_hidden;  // of each of the store's instances; empty when none is
   Bounds3 bounds;                       // around the hidden places
+  bool in_bvh = false;                  // rays have to pass them
   bool has(std::size_t instance) const {
     return instance < is_hidden.size() && is_hidden[instance] != 0;
   }
@@ -178,8 +181,10 @@ void append(TriangleSet& solid,
 void commit(World& world);
 // Builds the BVHs of the actors' meshes and instances; none when there are no instances.
 void commit_actors(World& world);
-// Takes over where the actors' instances stand now.
-void update_actors(World& world);
+// Takes over where these of the actors' instances stand now.
+void update_actors(World& world, std::span<const std::size_t> instances);
+// Builds the store's BVH anew without what is hidden. `before`: as is_hidden was when it was built.
+void leave_out_hidden(World& world, const std::vector<std::uint8_t>& before);
 
 // Geometry ids in World::bvh; the store's instance i has id first_instance_geometry + i.
 enum ShellGeometry : unsigned {
