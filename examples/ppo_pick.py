@@ -3,8 +3,8 @@
     pip install "marketgen[rl]"
     python examples/ppo_pick.py [STEPS [OUT]]
 
-Without Stable-Baselines3 it measures chance and the oracle alone. Leaves in OUT (out/examples/ppo_pick) curve.json and policy.zip;
-docs/learning.md shows such a curve.
+Without Stable-Baselines3 it measures chance and the oracle alone. Leaves in OUT (out/examples/ppo_pick) curve.json, policy.zip
+and normalize.pkl (the means and spreads that the policy's observations need); docs/learning.md shows such a curve.
 """
 
 import importlib.util
@@ -72,6 +72,7 @@ def learn(report):
         report({"learned_steps": model.num_timesteps, "computing_s": round(learning_s, 1)} | measured)
     OUT.mkdir(parents=True, exist_ok=True)
     model.save(OUT / "policy.zip")
+    envs.save(str(OUT / "normalize.pkl"))  # what its observations are divided by
 
 
 def main():

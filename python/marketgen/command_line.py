@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 import time
 import types
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -19,11 +20,12 @@ EVERY_S = 10.0  # between lines where standard error is no terminal
 
 
 def ended(command: Callable[[], int], kept: str = "", unlike: str = "") -> int:
-    """The exit status of `command`; what it raises is told.
+    """The exit status of `command`; what it raises and warns of is told, a line each.
 
     kept    what is said beside "interrupted"
     unlike  the code of an error that says that what was checked is not so
     """
+    warnings.showwarning = _told_warning
     try:
         return command()
     except Error as error:
@@ -32,6 +34,10 @@ def ended(command: Callable[[], int], kept: str = "", unlike: str = "") -> int:
     except KeyboardInterrupt:
         print(f"interrupted{kept}", file=sys.stderr)
         return _core.exit_status_of("internal.interrupted")
+
+
+def _told_warning(message: Warning | str, category: type[Warning], *_place: Any) -> None:
+    print(f"warning: {message}", file=sys.stderr)
 
 
 class Told:

@@ -48,7 +48,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--policy-files", action="append", default=[], metavar="PATH", help="that a policy of your own reads and writes")
     add("--act-limit-s", type=float, default=120.0, metavar="S", help="processor time of a policy's process for one answer (default: %(default)g)")
     add("--hang-limit-s", type=float, default=1200.0, metavar="S", help="wall time for one answer; 0: no limit (default: %(default)g)")
-    add("--start-limit-s", type=float, default=120.0, metavar="S", help="wall time until it is there (default: %(default)g)")
+    add("--start-limit-s", type=float, default=120.0, metavar="S", help="processor time until a policy's process is ready, wall time until a server answers (default: %(default)g)")
     add("--against", nargs="+", default=[], metavar="FOLDER", help="results of other policies on the same episodes, to be compared with")
     add("--resume", action="store_true", help="go on with a run that was broken off")
     add("--json", action="store_true", help="the summary as JSON")

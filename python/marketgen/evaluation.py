@@ -102,7 +102,8 @@ def evaluate(
                  this process
     hang_limit_s  wall time after which a policy in its own process that has not answered is taken to hang (PolicyError,
                  too): one that waits uses no processor time. 0: never
-    start_limit_s  wall time until that process is ready; a policy that takes longer over its imports ends the run
+    start_limit_s  processor time until that process is ready, beside hang_limit_s of wall time; a policy that takes more over
+                 its imports ends the run. For a server: wall time until it answers
     shard        "2/4": the second of four parts of the file; merge() joins their results
     realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard" or "hard", or a
                  file of your own that ends with .json. Rankings are meant to use "standard"

@@ -203,7 +203,7 @@ class PolicyProcess:
 
     act_limit_s    of processor time of that process, over one answer: a busy machine does not change it
     hang_limit_s   of wall time, against one that waits for what never comes and so uses no processor time; 0: none
-    start_limit_s  of wall time, until it is ready
+    start_limit_s  of processor time, until it is ready; hang_limit_s holds for that, too. 0: none
     sight          what it may open (policy_sight.py); None: what we may
     """
 
@@ -235,8 +235,7 @@ class PolicyProcess:
     def _start(self) -> None:
         ours, theirs = socket.socketpair()
         # One that stops reading or writing in the middle of a message must not hold us, either.
-        limits_s = (self._hang_limit_s, self._start_limit_s)
-        longest = struct.pack("ll", int(max(limits_s)) + 1 if all(limits_s) else 0, 0)
+        longest = struct.pack("ll", int(self._hang_limit_s) + 1 if self._hang_limit_s else 0, 0)
         for way in (socket.SO_SNDTIMEO, socket.SO_RCVTIMEO):
             ours.setsockopt(socket.SOL_SOCKET, way, longest)
         python = os.fsdecode(multiprocessing.spawn.get_executable())
@@ -248,12 +247,17 @@ class PolicyProcess:
         self._connection = multiprocessing.connection.Connection(ours.detach())
         try:
             self._confine()
-            self._answer(self._start_limit_s)  # it listens: what follows may be larger than any buffer
-            self._asked((sys.path, self._pickled), self._start_limit_s)
+            limits_s = self._hang_limit_s, self._start_limit_s or math.inf
+            self._answer(*limits_s)  # it listens: what follows may be larger than any buffer
+            self._asked((sys.path, self._pickled), *limits_s)
         except PolicyFailed as fault:
             self.close()
-            if fault.code == "episode.policy_hung":
-                why = f"it was not ready after {self._start_limit_s:g} s (start_limit_s): what it imports or loads takes too long"
+            spent = {
+                "episode.policy_slow": f"{self._start_limit_s:g} s of processor time (start_limit_s)",
+                "episode.policy_hung": f"{self._hang_limit_s:g} s of wall time (hang_limit_s)",
+            }
+            if fault.code in spent:
+                why = f"it was not ready after {spent[fault.code]}: what it imports or loads takes too long"
             else:
                 why = f"{fault.message}; act_limit_s=0 runs it in this one"
             raise Error("episode.no_policy", "policy", f"it does not start in a process of its own: {why}") from fault
@@ -263,7 +267,7 @@ class PolicyProcess:
             return
         self._scratch = tempfile.TemporaryDirectory(prefix="marketgen-policy-", ignore_cleanup_errors=True)
         rules = [*self._sight, confinement.Rule(self._scratch.name, "write")]
-        self._send(confinement.told(rules, {"TMPDIR": self._scratch.name}), self._start_limit_s)
+        self._send(confinement.told(rules, {"TMPDIR": self._scratch.name}), self._hang_limit_s)
 
     def _asked(self, message: Any, limit_s: float, max_cpu_s: float = math.inf) -> Any:
         self._send(pickle.dumps(message, pickle.HIGHEST_PROTOCOL), limit_s)

@@ -20,6 +20,7 @@ import pytest
 
 import marketgen
 from conftest import PROGRAM, ROOT
+from page_blocks import blocks_of, prose_of
 
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.md")])
 SOURCES = [
@@ -29,9 +30,8 @@ SOURCES = [
     if path.is_file() and path.suffix in {".h", ".cpp", ".inc", ".py", ".sh", ".cmake", ".txt", ".fbs", ".pyi", ""}
     and "node_modules" not in path.parts
 ]
+TUTORIALS = ROOT / "docs/tutorials"
 COMMANDS_IN_PYTHON = [ROOT / "python/marketgen/record.py", ROOT / "python/marketgen/evaluate.py"]
-FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.S | re.M)
-NOT_RUN = re.compile(r"<!-- not run: (.+?) -->\s*\Z")
 
 
 def text_of(path):
@@ -49,7 +49,7 @@ def slug(heading):
 
 
 def anchors(page):
-    return {slug(line.lstrip("#")) for line in FENCE.sub("", text_of(page)).splitlines() if line.startswith("#")}
+    return {slug(line.lstrip("#")) for line in prose_of(page).splitlines() if line.startswith("#")}
 
 
 # ---- Lists ----
@@ -68,7 +68,7 @@ def test_every_kind_of_shop_is_listed():
 @pytest.mark.parametrize("page", PAGES, ids=name_of)
 def test_links_lead_somewhere(page):
     dead = []
-    for target in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", text_of(page))):
+    for target in re.findall(r"\]\(([^)\s]+)\)", prose_of(page)):
         if re.match(r"[a-z]+:", target):
             continue
         file, _, anchor = target.partition("#")
@@ -88,7 +88,7 @@ def test_paths_in_pages_exist(page):
     tops = {entry.name for entry in ROOT.iterdir() if entry.is_dir()} | {entry.name for entry in (ROOT / "src/marketgen").iterdir()}
     tops -= {"build", "out"}
     dead = []
-    for code in re.findall(r"`([^`\n]+)`", FENCE.sub("", text_of(page))):
+    for code in re.findall(r"`([^`\n]+)`", prose_of(page)):
         for path in re.findall(r"(?<![\w/.$~<-])[\w.-]+(?:/[\w.-]+)+/?", code):
             if path.split("/")[0] in tops and not exists(path, page.parent):
                 dead.append(path)
@@ -109,7 +109,7 @@ WRITTEN_PAGES = {"LICENCES.md"}
 def test_pages_that_sources_name_exist():
     dead = []
     for source in SOURCES:
-        if source.name in {pathlib.Path(__file__).name, "check_layers_test.sh"}:
+        if source.name in {pathlib.Path(__file__).name, "check_layers_test.sh", "tutorials_test.sh"}:
             continue
         for page in re.findall(r"(?<![\w/.$<{-])[\w-]+(?:/[\w-]+)*\.md\b", text_of(source)):
             if page not in WRITTEN_PAGES and not exists(page, source.parent) and not (ROOT / "docs" / page).exists():
@@ -160,9 +160,8 @@ def mistakes_in(line):
 
 def code_of(page):
     """What a reader would type: fenced and indented blocks, and code within lines."""
-    text = text_of(page)
-    blocks = [body for language, body in FENCE.findall(text) if language in {"", "sh", "console", "bash"}]
-    rest = FENCE.sub("", text)
+    blocks = [block.body for block in blocks_of(page) if block.language in {"", "sh", "console", "bash"}]
+    rest = prose_of(page)
     return "\n".join([*blocks, *re.findall(r"^    \S.*(?:\n    .*)*", rest, re.M), *re.findall(r"`([^`\n]+)`", rest)])
 
 
@@ -189,7 +188,7 @@ def known_flags():
         flags |= flags_in(help_of(command))
         for inner in subcommands(command):
             flags |= flags_in(help_of(command, inner))
-    for script in [*(ROOT / "tools").iterdir(), *COMMANDS_IN_PYTHON, ROOT / "Makefile", ROOT / "CMakePresets.json", *ROOT.glob("bench/**/*")]:
+    for script in [*(ROOT / "tools").iterdir(), *(ROOT / "examples").glob("*.py"), *COMMANDS_IN_PYTHON, ROOT / "Makefile", ROOT / "CMakePresets.json", *ROOT.glob("bench/**/*")]:
         if script.is_file():
             flags |= flags_in(text_of(script))
     return flags
@@ -239,13 +238,8 @@ def test_commands_in_help_and_errors_exist():
 
 
 def python_blocks(page):
-    """(body, reason why it is not run) of each block."""
-    text, blocks = text_of(page), []
-    for found in FENCE.finditer(text):
-        if found.group(1) == "python":
-            excuse = NOT_RUN.search(text[: found.start()])
-            blocks.append((found.group(2), excuse.group(1) if excuse else None, text[: found.start(2)].count("\n") + 1))
-    return blocks
+    """Of pages whose blocks are run one after the other; tutorials are run as a reader does: tests/tools/tutorials_test.sh."""
+    return [] if TUTORIALS in page.parents else [block for block in blocks_of(page) if block.language == "python"]
 
 
 PYTHON_PAGES = [page for page in PAGES if python_blocks(page)]
@@ -257,7 +251,7 @@ def test_python_blocks_are_found():
 
 @pytest.mark.parametrize("page", PYTHON_PAGES, ids=name_of)
 def test_python_blocks_run(page, tmp_path):
-    blocks = [(body, line) for body, excuse, line in python_blocks(page) if excuse is None]
+    blocks = [(block.body, block.line) for block in python_blocks(page) if "not run" not in block.marks]
     if not blocks:
         pytest.skip("each of its blocks says why it is not run")
     # Each block keeps its line number, so that a traceback points into the page.
@@ -269,7 +263,7 @@ def test_python_blocks_run(page, tmp_path):
 
 @pytest.mark.parametrize(
     ("page", "line", "reason"),
-    [(page, line, excuse) for page in PYTHON_PAGES for _, excuse, line in python_blocks(page) if excuse is not None],
+    [(page, block.line, block.marks["not run"]) for page in PYTHON_PAGES for block in python_blocks(page) if "not run" in block.marks],
     ids=lambda value: name_of(value) if isinstance(value, pathlib.Path) else None,
 )
 def test_blocks_that_are_not_run_say_why(page, line, reason):

@@ -98,6 +98,18 @@ def _sleep(seconds, _payload):
     time.sleep(seconds)
 
 
+class ComputesAtImport(HangsAtImport):
+    def __init__(self):
+        super().__init__(0)
+
+    def __reduce__(self):
+        return _count, ()
+
+
+def _count():
+    return sum(iter(int, 1))  # for ever
+
+
 class BreaksAtImport(HangsAtImport):
     def __init__(self):
         super().__init__(0)

@@ -79,8 +79,15 @@ def test_children_do_not_outlive_the_limit(tmp_path):
 
 @pytest.mark.parametrize("payload", [0, 10_000_000])
 def test_a_policy_that_never_starts_is_an_error_in_time(payload):
-    with pytest.raises(marketgen.Error, match="start_limit_s") as caught:
-        PolicyProcess(policies.HangsAtImport(payload), 100, start_limit_s=2).ask("act", None)
+    with pytest.raises(marketgen.Error, match="after 2 s of wall time") as caught:
+        PolicyProcess(policies.HangsAtImport(payload), 100, hang_limit_s=2).ask("act", None)
+    assert caught.value.code == "episode.no_policy"
+    assert zombies() == []
+
+
+def test_the_start_is_measured_by_what_it_computes():
+    with pytest.raises(marketgen.Error, match="after 3 s of processor time .start_limit_s") as caught:
+        PolicyProcess(policies.ComputesAtImport(), 100, start_limit_s=3).ask("act", None)
     assert caught.value.code == "episode.no_policy"
     assert zombies() == []
 

@@ -50,14 +50,18 @@ void parallel_for(std::size_t count,
   });
 }
 
+// Made where it stays: TBB knows it by its address, and a copy of it limits nothing.
 struct ThreadLimit::Control {
+  explicit Control(std::size_t threads)
+      : limit(tbb::global_control::max_allowed_parallelism, threads) {}
+  Control(const Control&) = delete;
+  Control& operator=(const Control&) = delete;
+
   tbb::global_control limit;
 };
 
 ThreadLimit::ThreadLimit(int threads) {
-  if (threads <= 0) return;
-  control_ = std::make_unique<Control>(Control{tbb::global_control(
-      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))});
+  if (threads > 0) control_ = std::make_unique<Control>(static_cast<std::size_t>(threads));
 }
 ThreadLimit::~ThreadLimit() = default;
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <mutex>
 #include <set>
 #include <thread>
 
@@ -86,6 +88,31 @@ TEST(Parallel, EverySlotIsWrittenOnceForAnyThreadCount) {
     for (std::size_t i = 0; i < squares.size(); ++i)
       ASSERT_EQ(squares[i], i * i);
   }
+}
+
+// Threads that take part in a loop long enough for each to wake up.
+std::size_t threads_at_work() {
+  std::mutex adding;
+  std::set<std::thread::id> seen;
+  parallel_for(64, [&](std::size_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const std::scoped_lock lock(adding);
+    seen.insert(std::this_thread::get_id());
+  });
+  return seen.size();
+}
+
+TEST(ThreadLimit, HoldsWhileItLives) {
+  const int before = thread_count();
+  {
+    const ThreadLimit limit(1);
+    EXPECT_EQ(thread_count(), 1);
+    EXPECT_EQ(threads_at_work(), 1U);
+  }
+  EXPECT_EQ(thread_count(), before);
+  EXPECT_GE(before == 1 ? 2U : threads_at_work(), 2U);
+  const ThreadLimit none(0);
+  EXPECT_EQ(thread_count(), before);
 }
 
 TEST(CallInterrupt, StopsOneCallAndTheLoopsInIt) {
