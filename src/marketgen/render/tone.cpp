@@ -10,7 +10,7 @@
 namespace marketgen::render::raytrace {
 namespace {
 
-constexpr float mid_gain = 1.08F;  // of what lies between toe and shoulder
+constexpr float mid_gain = 1.12F;  // of what lies between toe and shoulder
 // Blacks lose more than half of their light, greys little.
 constexpr float toe_low = 0.012F, toe_high = 0.03F;
 constexpr float shoulder_from = 0.5F;  // of the screen's light

@@ -2,7 +2,7 @@
 //
 // The curve takes each channel by itself, so that print keeps its colour: a label in the light that
 // the picture is exposed for comes out nearly as its file has it. It has a soft toe, is straight
-// through the middle (18 % grey at 117 of 255) and bends from there (paper of 80 % at 219, a sheet
+// through the middle (18 % grey at 119 of 255) and bends from there (paper of 80 % at 220, a sheet
 // in twice the light at 242) to 12 times white.
 #pragma once
 #include <array>
