@@ -14,6 +14,7 @@ constexpr int off_wall_mm = 20;      // skirting and uneven walls behind a unit
 constexpr int wall_behind_mm = 100;  // a run with no floor so near behind it stands along a wall
 constexpr int over_gap_mm = 50;      // from a run's top to what hangs over it
 constexpr int below_ceiling_mm = 100;
+constexpr int highest_foot_mm = 2000;  // of Fixture::fields, base_mm
 
 Spot spot_of(const SpotSearch& search, const RectMm& rect, Side front) {
   return {rect, front, search.spec.height_mm};
@@ -127,7 +128,7 @@ std::vector<SpotGroup> spots_over_run(const SpotSearch& search) {
       top = module.run == face.run ? std::max(top, module.height_mm) : top;
     const IntRange& heights = search.spec.kind->height_range_mm;
     const int height = std::clamp(top + over_gap_mm + width, search.spec.height_mm, heights[1]);
-    if (height - width < top ||
+    if (height - width < top || height - width > highest_foot_mm ||
         height > search.build.design.plan.shell.ceiling_mm - below_ceiling_mm)
       continue;
     const int from = length.middle() - width / 2;
