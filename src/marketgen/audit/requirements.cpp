@@ -9,6 +9,7 @@
 #include "audit/metrics.h"
 #include "audit/requirement_facts.h"
 #include "audit/traffic.h"
+#include "layout/accessories.h"
 #include "layout/relations.h"
 #include "scene/assortment.h"
 
@@ -24,8 +25,7 @@ bool zone_is_there(const Facts& facts, const layout::LayoutZone& zone) {
   const catalog::FixtureRole role = usual != nullptr ? usual->role : catalog::FixtureRole::shelving;
   const auto& fixtures = facts.scene.layout.fixtures;
   for (std::size_t i = 0; i < fixtures.size(); ++i) {
-    const bool at_entrance = fixtures[i].run.find("/entrance/") != std::string::npos;
-    if (fixtures[i].zone != zone.id || at_entrance) continue;
+    if (fixtures[i].zone != zone.id || layout::is_accessory(fixtures[i])) continue;
     const catalog::FixtureKind* kind = facts.catalog.fixture_kind(fixtures[i].kind);
     const bool of_use = role == catalog::FixtureRole::shelving
                             ? facts.items_on_fixture[i] > 0

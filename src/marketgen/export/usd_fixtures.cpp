@@ -164,7 +164,7 @@ class UsdFixtureWriter {
     }
     if (articulated) write_anchor(path, world_from_fixture);
     for (const FixtureLink& body : bodies) {
-      if (moves(scene_, body)) write_joint(joint_of(scene_, body));
+      if (moves(scene_, body)) write_joint(body);
     }
     out_.close();
     return {};
@@ -219,7 +219,8 @@ class UsdFixtureWriter {
   }
 
   // UsdPhysics counts in degrees, a drive's stiffness and damping as well.
-  void write_joint(const scene::SceneJoint& joint) {
+  void write_joint(const FixtureLink& body) {
+    const scene::SceneJoint& joint = joint_of(scene_, body);
     const bool hinge = joint.kind == assets::JointKind::hinge;
     const double unit = hinge ? degrees : 1;
     const char* drive = hinge ? "angular" : "linear";

@@ -1,6 +1,7 @@
 #include "layout/aisles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -10,7 +11,6 @@
 namespace marketgen::layout {
 namespace {
 
-constexpr int reach_mm = 6000;       // farther away is open floor
 constexpr int nook_mm = 1300;        // a narrower stretch this short at an end is a nook of its own
 constexpr double nook_factor = 0.8;  // how much narrower it must be
 constexpr double same_share = 0.6;   // strips that cover so much of each other are one aisle
@@ -34,8 +34,8 @@ struct Obstacle {
 };
 
 struct Sight {
-  int distance_mm = reach_mm;  // to what stands there
-  int width_mm = reach_mm;     // the same, less the doors that open into it
+  int distance_mm = open_floor_mm;  // to what stands there
+  int width_mm = open_floor_mm;     // the same, less the doors that open into it
 };
 
 class Surroundings {
@@ -52,8 +52,8 @@ class Surroundings {
 
   Sight look(const RectMm& rect, Side side) const {
     const int wall = distance_beyond(rect, side, strip_beyond(bounds_, side, 1));
-    Sight sight{std::min(reach_mm, wall), std::min(reach_mm, wall)};
-    const RectMm ahead = strip_beyond(rect, side, reach_mm);
+    Sight sight{std::min(open_floor_mm, wall), std::min(open_floor_mm, wall)};
+    const RectMm ahead = strip_beyond(rect, side, open_floor_mm);
     for (const Obstacle& obstacle : obstacles_) {
       if (!marketgen::overlap(ahead, obstacle.rect)) continue;
       const int distance = distance_beyond(rect, side, obstacle.rect);
@@ -80,7 +80,7 @@ class Surroundings {
   std::vector<Span> stretches(const RectMm& rect, Side side) const {
     const Span whole = along(rect, side);
     std::vector<int> cuts{whole.from, whole.to};
-    const RectMm ahead = strip_beyond(rect, side, reach_mm);
+    const RectMm ahead = strip_beyond(rect, side, open_floor_mm);
     for (const Obstacle& obstacle : obstacles_) {
       if (!marketgen::overlap(ahead, obstacle.rect)) continue;
       const Span span = along(obstacle.rect, side);
@@ -209,14 +209,14 @@ void add_cross_strips(std::vector<Strip>& strips,
     const RectMm box = bounds_of_ends(line);
     const int distance = around.look(box, side).distance_mm;
     Strip strip;
-    strip.width_mm = reach_mm;
+    strip.width_mm = open_floor_mm;
     for (const RunEnd& end : line) {
       strip.width_mm = std::min(strip.width_mm, around.look(end.rect, side).width_mm);
     }
     // An endcap stands there, or it is a gap that nobody needs to pass: fronts have their own
     // aisles.
     const bool closed = distance < 1 || strip.width_mm < min_mm;
-    if (closed || distance >= reach_mm || along(box, side).length() < distance) continue;
+    if (closed || distance >= open_floor_mm || along(box, side).length() < distance) continue;
     strip.id = line.front().zone + "/cross-" + std::to_string(++numbers[line.front().zone]);
     strip.rect = strip_beyond(box, side, distance);
     strip.along_x = lies_along_x(side);
@@ -250,7 +250,7 @@ void add_lane_strips(std::vector<Strip>& strips,
           distance_beyond(rect, beside, other) < distance_beyond(rect, beside, *next))
         next = &other;
     }
-    if (next == nullptr || distance_beyond(rect, beside, *next) > reach_mm / 2) continue;
+    if (next == nullptr || distance_beyond(rect, beside, *next) > open_floor_mm / 2) continue;
     const int width = distance_beyond(rect, beside, *next);
     if (width <= 0) continue;
     strips.push_back({lane->id + "/passage",
@@ -330,6 +330,11 @@ void name_main_aisles(std::vector<Strip>& strips, const Design& design) {
 }
 
 }  // namespace
+
+int least_aisle_mm(const Design& design) {
+  const double habit_mm = tight_aisle_share * design.profile.secondary_aisle_mm;
+  return std::max(design.min_aisle_mm(), static_cast<int>(std::ceil(habit_mm)));
+}
 
 bool runs_along_x(const Aisle& aisle) {
   const RectMm rect = bounds_of(aisle.polygon_mm);

@@ -1,3 +1,5 @@
+#include "layout/entrance.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -5,67 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "layout/zone_build.h"
-
 namespace marketgen::layout {
 namespace {
 
-constexpr int reach_along_wall_mm = 6000;     // baskets farther off are not found
 constexpr int further_along_wall_mm = 24000;  // the second bay and more, in a row with the first
 constexpr int step_mm = 250;
 constexpr int wall_gap_mm = 20;
-
-const ZoneBuild* nearest_zone(const Build& build, PointMm point) {
-  const ZoneBuild* best = nullptr;
-  std::int64_t best_distance = 0;
-  for (const GroundBuild& ground : build.grounds) {
-    const RectMm& r = ground.ground.rect;
-    const std::int64_t dx = std::max({r.x0 - point[0], 0, point[0] - r.x1});
-    const std::int64_t dy = std::max({r.y0 - point[1], 0, point[1] - r.y1});
-    const std::int64_t distance = dx * dx + dy * dy;
-    if (best != nullptr && distance >= best_distance) continue;
-    best = &build.zones[ground.zone];
-    best_distance = distance;
-  }
-  return best;
-}
-
-// A unit beside the approach with its long side to the wall.
-struct Stand {
-  RectMm rect;
-  Side front;
-};
-
-// Trolleys are drawn out of the end of their bay, baskets are taken from the side that faces the
-// shop.
-std::optional<Stand> place_beside(const Build& build,
-                                  const Doorway& door,
-                                  const ModuleSpec& spec,
-                                  int reach_mm,
-                                  bool low_side_first) {
-  const Span approach = along(door.approach, door.wall);
-  const int width = spec.widths_mm.front();
-  const bool endwise = spec.depth_mm > width;
-  const int length = endwise ? spec.depth_mm : width;
-  const RectMm strip = strip_inside(
-      build.design.floor.bounds, door.wall, endwise ? width : spec.depth_mm, wall_gap_mm);
-  for (const bool low : {low_side_first, !low_side_first}) {
-    const Side toward_door = lies_along_x(door.wall) ? (low ? Side::east : Side::west)
-                                                     : (low ? Side::north : Side::south);
-    for (int away = 0; away <= reach_mm; away += step_mm) {
-      const int from = low ? approach.from - away - length : approach.to + away;
-      const Stand stand{cut_along(strip, door.wall, {from, from + length}),
-                        endwise ? toward_door : opposite(door.wall)};
-      if (!build.site.can_stand(stand.rect)) continue;
-      const int clear = build.design.min_aisle_mm();
-      if (build.site.is_clear(strip_beyond(stand.rect, stand.front, clear)) &&
-          build.site.is_clear(strip_beyond(stand.rect, opposite(door.wall), clear))) {
-        return stand;
-      }
-    }
-  }
-  return std::nullopt;
-}
 
 // The ids of the units of one kind: the first has the kind's own run, further ones are numbered.
 std::string run_of_unit(const ZoneBuild& owner, std::string_view kind, int number) {
@@ -97,7 +44,7 @@ void place_beside_door(Build& build, const Post& post, bool low_side_first) {
   if (owner == nullptr) return;
   const ModuleSpec spec = module_spec(build.design, *owner->zone, post.kind);
   const int reach = post.number == 1 ? reach_along_wall_mm : further_along_wall_mm;
-  const std::optional<Stand> stand = place_beside(build, post.door, spec, reach, low_side_first);
+  const std::optional<Stand> stand = stand_beside(build, post.door, spec, reach, low_side_first);
   if (!stand) return;
   Fixture unit = lone_unit(spec, *owner, stand->rect, post.number);
   unit.yaw_deg = yaw_facing(stand->front);
@@ -216,6 +163,50 @@ constexpr std::array<UsualEquipment, 3> usual_equipment{
     {{"trolley_bay", true}, {"basket_stack", false}, {"gate", false}}};
 
 }  // namespace
+
+const ZoneBuild* nearest_zone(const Build& build, PointMm point) {
+  const ZoneBuild* best = nullptr;
+  std::int64_t best_distance = 0;
+  for (const GroundBuild& ground : build.grounds) {
+    const RectMm& r = ground.ground.rect;
+    const std::int64_t dx = std::max({r.x0 - point[0], 0, point[0] - r.x1});
+    const std::int64_t dy = std::max({r.y0 - point[1], 0, point[1] - r.y1});
+    const std::int64_t distance = dx * dx + dy * dy;
+    if (best != nullptr && distance >= best_distance) continue;
+    best = &build.zones[ground.zone];
+    best_distance = distance;
+  }
+  return best;
+}
+
+std::optional<Stand> stand_beside(const Build& build,
+                                  const Doorway& door,
+                                  const ModuleSpec& spec,
+                                  int reach_mm,
+                                  bool low_side_first) {
+  const Span approach = along(door.approach, door.wall);
+  const int width = spec.widths_mm.front();
+  const bool endwise = spec.depth_mm > width;
+  const int length = endwise ? spec.depth_mm : width;
+  const RectMm strip = strip_inside(
+      build.design.floor.bounds, door.wall, endwise ? width : spec.depth_mm, wall_gap_mm);
+  for (const bool low : {low_side_first, !low_side_first}) {
+    const Side toward_door = lies_along_x(door.wall) ? (low ? Side::east : Side::west)
+                                                     : (low ? Side::north : Side::south);
+    for (int away = 0; away <= reach_mm; away += step_mm) {
+      const int from = low ? approach.from - away - length : approach.to + away;
+      const Stand stand{cut_along(strip, door.wall, {from, from + length}),
+                        endwise ? toward_door : opposite(door.wall)};
+      if (!build.site.can_stand(stand.rect)) continue;
+      const int clear = build.design.min_aisle_mm();
+      if (build.site.is_clear(strip_beyond(stand.rect, stand.front, clear)) &&
+          build.site.is_clear(strip_beyond(stand.rect, opposite(door.wall), clear))) {
+        return stand;
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 void place_entrance(Build& build) {
   const Design& design = build.design;

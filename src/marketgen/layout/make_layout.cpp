@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <map>
 #include <set>
 
+#include "layout/accessories.h"
 #include "layout/aisles.h"
 #include "layout/faces.h"
 #include "layout/finish.h"
@@ -11,6 +11,7 @@
 #include "layout/module_spec.h"
 #include "layout/overrides.h"
 #include "layout/reach.h"
+#include "layout/standing_site.h"
 #include "layout/zone_build.h"
 #include "layout/zone_ground.h"
 
@@ -59,54 +60,21 @@ void furnish_zones(Build& build) {
 std::vector<Fixture> furnish(const Design& design, Seed seed) {
   Build build = start_build(design, seed);
   furnish_zones(build);
-  return opened_up(design, build.site.take_fixtures());
-}
-
-// What a fixture that stays keeps free, as when it was placed.
-int kept_clear_mm(const Design& design, const plan::Zone& zone, const catalog::FixtureKind& kind) {
-  if (kind.generator == "checkout_lane") return 0;  // lanes keep their line clear: keep_line_clear
-  if (kind.role != catalog::FixtureRole::shelving) return design.min_aisle_mm();
-  return module_spec(design, zone, kind).clear_mm(design);
-}
-
-// Room to queue and to pack before and behind lanes that stay, and between them.
-void keep_line_clear(Site& site, const Design& design, const std::vector<Fixture>& lanes) {
-  const Doorway* exit = exit_of(design.floor, design.plan.shell);
-  const Side out = exit != nullptr ? exit->wall : Side::south;
-  RectMm line = footprint_of(lanes.front());
-  for (const Fixture& lane : lanes) {
-    const RectMm rect = footprint_of(lane);
-    line = {std::min(line.x0, rect.x0),
-            std::min(line.y0, rect.y0),
-            std::max(line.x1, rect.x1),
-            std::max(line.y1, rect.y1)};
-  }
-  const int clear = design.profile.checkout_clear_mm;
-  site.keep_clear(line);
-  site.keep_clear(strip_beyond(line, out, clear));
-  site.keep_clear(strip_beyond(line, opposite(out), clear));
+  return with_accessories(build, opened_up(design, build.site.take_fixtures()));
 }
 
 // Puts the fixtures of zones that are not furnished anew where they stood.
 void keep_fixtures(Build& build, const Layout& before) {
-  std::map<std::string, std::vector<Fixture>> lanes;  // by run
+  std::vector<Fixture> kept;
   for (const ZoneBuild& zone : build.zones) {
     if (!zone.stands) continue;
     for (const Fixture& stood : before.fixtures) {
       if (stood.zone != zone.zone->id) continue;
-      const catalog::FixtureKind* kind = build.design.catalog.fixture_kind(stood.kind);
-      Fixture fixture = stood;
-      change_finish(fixture, before.look, build.design.plan.look, build.design.catalog);
-      const bool at_entrance = stood.run.starts_with(stood.zone + "/entrance/");
-      if (at_entrance)
-        build.site.keep_clear(footprint_of(stood).grown(build.design.min_aisle_mm()));
-      if (kind != nullptr && kind->generator == "checkout_lane") lanes[stood.run].push_back(stood);
-      const int clear = kind == nullptr ? 0 : kept_clear_mm(build.design, *zone.zone, *kind);
-      build.site.keep(std::move(fixture), clear);
+      change_finish(
+          kept.emplace_back(stood), before.look, build.design.plan.look, build.design.catalog);
     }
   }
-  for (const auto& [run, line] : lanes)
-    keep_line_clear(build.site, build.design, line);
+  stand_again(build.site, build.design, kept);
 }
 
 std::vector<Fixture> furnish_round(const Design& design,
@@ -123,7 +91,7 @@ std::vector<Fixture> furnish_round(const Design& design,
                 [&](const GroupBuild& group) { return build.zones[group.zone].stands; });
   keep_fixtures(build, before);
   furnish_zones(build);
-  return opened_up(design, build.site.take_fixtures(), standing);
+  return with_accessories(build, opened_up(design, build.site.take_fixtures(), standing));
 }
 
 // Everything of the layout but its fixtures, and what depends on all of them.

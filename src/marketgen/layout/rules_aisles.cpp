@@ -10,7 +10,6 @@ namespace {
 constexpr int niche_mm = 3000;
 constexpr int longest_dead_end_mm = 6100;  // NFPA 101: 20 ft
 constexpr int long_aisle_mm = 3000;
-constexpr double tight_aisle_share = 0.8;
 
 std::string about(const Aisle& aisle, const std::string& what) {
   return "aisle " + aisle.id + " " + what;

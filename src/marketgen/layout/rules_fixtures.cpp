@@ -40,6 +40,12 @@ Findings fixture_overlap(const RuleFacts& facts) {
     order[i] = i;
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return facts.footprints[i].x0; });
   Findings found;
+  // What hangs over a fixture does not stand in it.
+  const auto hangs_over = [&](std::size_t i, std::size_t below) {
+    const catalog::FixtureKind* kind = facts.kinds[i];
+    return kind != nullptr && kind->mount != catalog::FixtureMount::floor &&
+           facts.layout.fixtures[i].base_mm >= facts.layout.fixtures[below].height_mm;
+  };
   const auto report = [&](std::size_t i, const RectMm& other, const std::string& name) {
     const auto common = marketgen::intersection(facts.footprints[i], other);
     if (!common) return;
@@ -53,6 +59,7 @@ Findings fixture_overlap(const RuleFacts& facts) {
   for (std::size_t a = 0; a < order.size(); ++a) {
     for (std::size_t b = a + 1; b < order.size(); ++b) {
       if (facts.footprints[order[b]].x0 >= facts.footprints[order[a]].x1) break;
+      if (hangs_over(order[a], order[b]) || hangs_over(order[b], order[a])) continue;
       report(order[a], facts.footprints[order[b]], facts.layout.fixtures[order[b]].id);
     }
     for (const RectMm& column : facts.design.floor.columns)

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "layout/accessories.h"
 #include "layout/module_spec.h"
 #include "layout/neighbours.h"
 #include "layout/relations.h"
@@ -186,8 +187,7 @@ Findings zone_empty(const RuleFacts& facts) {
     const plan::Zone* planned = plan::find_zone(facts.design.plan, zone.id);
     if (planned == nullptr || kinds_of(*planned, facts.catalog()).main == nullptr) continue;
     const bool furnished = std::ranges::any_of(facts.layout.fixtures, [&](const Fixture& fixture) {
-      const bool entrance = fixture.run.find("/entrance/") != std::string::npos;
-      return fixture.zone == zone.id && !entrance;
+      return fixture.zone == zone.id && !is_accessory(fixture);
     });
     if (furnished) continue;
     found.push_back({zone.id,

@@ -53,6 +53,8 @@ class Site {
   void add(Fixture fixture, int clear_mm);
   // The same for one that stood here before: where it is stocked from both sides, before both.
   void keep(Fixture fixture, int clear_mm);
+  // One that takes no floor: the wall carries it.
+  void hang(Fixture fixture) { fixtures_.push_back(std::move(fixture)); }
   void keep_clear(const RectMm& rect) { kept_clear_.push_back(rect); }
 
   // Distance from the rectangle's side to the nearest fixture, column or wall beyond it, at most

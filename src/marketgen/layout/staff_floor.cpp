@@ -7,16 +7,15 @@ namespace {
 
 constexpr std::string_view staff_zone = "backroom";  // of data/zone_types.json
 
-// How far its staff's floor reaches behind it; 0 without staff.
-int staff_depth_mm(const catalog::FixtureKind& kind) {
-  if (is_counter(kind)) return staff_aisle_mm;
-  return kind.is_desk() ? desk_staff_mm : 0;
-}
-
 }  // namespace
 
 bool is_counter(const catalog::FixtureKind& kind) {
   return kind.generator == "serve_over";
+}
+
+int staff_depth_mm(const catalog::FixtureKind& kind) {
+  if (is_counter(kind)) return staff_aisle_mm;
+  return kind.is_desk() ? desk_staff_mm : 0;
 }
 
 std::vector<StaffFloor> staff_floor(const Layout& layout, const catalog::Catalog& catalog) {

@@ -17,6 +17,9 @@ constexpr int desk_staff_mm = 800;  // behind a desk, for one person at work (Ne
 // Staff serves from behind it.
 bool is_counter(const catalog::FixtureKind& kind);
 
+// How far its staff's floor reaches behind it; 0 without staff.
+int staff_depth_mm(const catalog::FixtureKind& kind);
+
 struct StaffFloor {
   std::string of;        // id of the fixture or zone
   PolygonMm polygon_mm;  // counter-clockwise; fixtures and walls may stand in it

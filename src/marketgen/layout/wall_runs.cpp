@@ -20,18 +20,6 @@ struct WallJob {
   bool cold;
 };
 
-// Without the windows that a unit of this height would cover.
-std::vector<Span> without_windows(const Build& build, Side side, Span span, int height_mm) {
-  if (height_mm <= max_under_window_mm) return {span};
-  std::vector<Span> windows;
-  for (const Doorway& door : build.design.floor.doorways) {
-    const plan::Opening& opening = build.design.plan.shell.openings[door.opening];
-    if (opening.kind == plan::OpeningKind::window && door.wall == side)
-      windows.push_back(door.span);
-  }
-  return without(span, windows);
-}
-
 // Cold cabinets first, because they have the fewest places to go; then walls without the entrance;
 // then the longest.
 std::vector<WallJob> wall_jobs(const Build& build) {
@@ -176,6 +164,17 @@ std::vector<WallJob> group_jobs(const Build& build,
 }
 
 }  // namespace
+
+std::vector<Span> without_windows(const Build& build, Side side, Span span, int height_mm) {
+  if (height_mm <= max_under_window_mm) return {span};
+  std::vector<Span> windows;
+  for (const Doorway& door : build.design.floor.doorways) {
+    const plan::Opening& opening = build.design.plan.shell.openings[door.opening];
+    if (opening.kind == plan::OpeningKind::window && door.wall == side)
+      windows.push_back(door.span);
+  }
+  return without(span, windows);
+}
 
 void line_walls(Build& build) {
   for (const WallJob& job : wall_jobs(build))

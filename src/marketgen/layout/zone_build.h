@@ -63,6 +63,9 @@ struct Build {
   std::vector<GroupBuild> groups = {};      // in plan order
 };
 
+// What is left of a stretch of wall without the windows that a unit of this height would cover.
+std::vector<Span> without_windows(const Build& build, Side side, Span span, int height_mm);
+
 // Checkout lanes, self-checkouts, service desks: before anything else, because the flow depends on
 // them.
 void place_checkouts(Build& build);
@@ -78,5 +81,8 @@ void stand_groups(Build& build);
 void fill_floor(Build& build);
 // The same with the least lawful aisles, for zones that got nothing.
 void fill_empty_zones(Build& build);
+// The furnished zones' fixtures and, last of all, their accessories (layout/accessories.h). Zones
+// that stand have theirs.
+std::vector<Fixture> with_accessories(const Build& furnished, std::vector<Fixture> fixtures);
 
 }  // namespace marketgen::layout

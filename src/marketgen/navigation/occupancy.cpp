@@ -146,6 +146,25 @@ void fill_inside(OccupancyGrid& grid, const PolygonMm& floor, std::uint8_t value
   }
 }
 
+// The cells of the grid that meet `area`, as a grid of their own.
+OccupancyGrid cropped(const OccupancyGrid& grid, const RectMm& area) {
+  const CellSpan xs = cells_within(area.x0, area.x1, grid.bounds.x0, grid.cell_mm, grid.columns);
+  const CellSpan ys = cells_within(area.y0, area.y1, grid.bounds.y0, grid.cell_mm, grid.rows);
+  OccupancyGrid part;
+  part.cell_mm = grid.cell_mm;
+  part.columns = std::max(0, xs.to - xs.from + 1);
+  part.rows = std::max(0, ys.to - ys.from + 1);
+  const int x0 = grid.bounds.x0 + xs.from * grid.cell_mm;
+  const int y0 = grid.bounds.y0 + ys.from * grid.cell_mm;
+  part.bounds = {x0, y0, x0 + part.columns * grid.cell_mm, y0 + part.rows * grid.cell_mm};
+  for (int row = 0; row < part.rows; ++row) {
+    const auto first =
+        grid.blocked.begin() + static_cast<std::ptrdiff_t>(grid.index(xs.from, ys.from + row));
+    part.blocked.insert(part.blocked.end(), first, first + part.columns);
+  }
+  return part;
+}
+
 }  // namespace
 
 OccupancyGrid make_occupancy(const PolygonMm& floor,
@@ -172,6 +191,29 @@ OccupancyGrid with_blocked(OccupancyGrid grid, const std::vector<PolygonMm>& pol
   for (const PolygonMm& polygon : polygons)
     fill_inside(grid, polygon, 1);
   return grid;
+}
+
+OccupancyGrid with_obstacle(OccupancyGrid grid, const RectMm& obstacle, int clearance_mm) {
+  block_rectangle(grid, obstacle, clearance_mm);
+  return grid;
+}
+
+bool stays_joined(const OccupancyGrid& grid,
+                  const RectMm& obstacle,
+                  int clearance_mm,
+                  int reach_mm) {
+  OccupancyGrid part = cropped(grid, obstacle.grown(clearance_mm + reach_mm));
+  const Components before = find_components(part);
+  const Components after = find_components(with_obstacle(std::move(part), obstacle, clearance_mm));
+  std::vector<int> became(before.cells.size(), 0);  // by label before: the one label after
+  for (std::size_t cell = 0; cell < after.label.size(); ++cell) {
+    const int now = after.label[cell];
+    if (now == 0) continue;
+    int& known = became[static_cast<std::size_t>(before.label[cell])];
+    if (known != 0 && known != now) return false;
+    known = now;
+  }
+  return true;
 }
 
 std::optional<std::size_t> nearest_free(const OccupancyGrid& grid, PointMm point, int reach_mm) {

@@ -40,6 +40,9 @@ OccupancyGrid make_occupancy(const PolygonMm& floor,
 // The grid, with the cells blocked whose centres lie inside any of the polygons.
 OccupancyGrid with_blocked(OccupancyGrid grid, const std::vector<PolygonMm>& polygons);
 
+// The grid with one obstacle more, cells nearer than `clearance_mm` to it blocked.
+OccupancyGrid with_obstacle(OccupancyGrid grid, const RectMm& obstacle, int clearance_mm);
+
 // 4-connected components of the free cells: label per cell (0 = blocked, 1.. in scan order) and
 // cells per label.
 struct Components {
@@ -48,6 +51,14 @@ struct Components {
   int largest() const;     // label, 0 if there is none
 };
 Components find_components(const OccupancyGrid& grid);
+
+// Whether what is free round a new obstacle still hangs together once it stands, seen no farther
+// than `reach_mm` beyond what it blocks: then it cuts nothing off. Where the only way round is
+// longer than that, the answer is no.
+bool stays_joined(const OccupancyGrid& grid,
+                  const RectMm& obstacle,
+                  int clearance_mm,
+                  int reach_mm);
 
 // Free cell nearest to a point within `reach_mm`, as cell index.
 std::optional<std::size_t> nearest_free(const OccupancyGrid& grid, PointMm point, int reach_mm);

@@ -298,5 +298,15 @@ TEST(Occupancy, ALargeRoomWithManyCorners) {
   EXPECT_TRUE(grid.free(100, 3000));
 }
 
+TEST(Occupancy, AnObstacleThatLeavesAWayRoundItCutsNothingOff) {
+  // A corridor of 4 x 3 m for a base of 0.8 m: its centre moves in the middle 2.2 m.
+  const navigation::OccupancyGrid grid = navigation::make_occupancy(room_4x3, {}, 400, 50);
+  EXPECT_TRUE(navigation::stays_joined(grid, {1800, 0, 2200, 1200}, 400, 1500));
+  EXPECT_FALSE(navigation::stays_joined(grid, {1800, 0, 2200, 2800}, 400, 1500));  // 0.2 m left
+  const navigation::OccupancyGrid after =
+      navigation::with_obstacle(grid, {1800, 0, 2200, 2800}, 400);
+  EXPECT_EQ(navigation::find_components(after).cells.size(), 3U);  // two, and the blocked
+}
+
 }  // namespace
 }  // namespace marketgen
