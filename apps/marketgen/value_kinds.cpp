@@ -99,7 +99,7 @@ Result<std::vector<ValueKind>> value_kinds() {
   for (std::string& robot : robots)
     robot += "@";
   std::vector<ValueKind> kinds{{"EPISODES", Paths::files, set_names(data)},
-                               {"ROBOT", Paths::none, std::move(robots)},
+                               {"ROBOT", Paths::files, std::move(robots)},
                                {"TOOL", Paths::none, std::move(tools)}};
   for (std::vector<ValueKind>& more :
        std::vector{kinds_of_paths(), kinds_of_rows(rows), kinds_of_program()})

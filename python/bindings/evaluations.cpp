@@ -39,7 +39,8 @@ evaluation::EvaluationOptions options_of(const std::string& policy,
 }
 
 // `worker`: a command that calls serve_episodes(), or nothing. `limits_s`: for an answer of the
-// policy of processor time and, against hangs, of wall time; until a worker is ready.
+// policy of processor time and, against hangs, of wall time; until a worker is ready of processor
+// time.
 void evaluate(const std::string& episodes,
               const std::string& policy,
               const std::string& realism,

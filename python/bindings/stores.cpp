@@ -8,6 +8,7 @@
 #include "assets/usable_catalog.h"
 #include "binding.h"
 #include "intake/brief.h"
+#include "intake/conflicts.h"
 #include "intake/drawn_shell.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -91,15 +92,19 @@ StoreHandle generate(const std::string& prompt,
   return opened(folder, std::move(catalog));
 }
 
-// What Store.patches() and Store.edit() have of words: (market-patch/1, not understood, so
-// already).
+// What Store.patches() and Store.edit() have of words: (market-patch/1, not understood, so already,
+// given up: (what, for what, why, whether the words contradict themselves)).
 nb::tuple said(const StoreHandle& handle, const std::string& words) {
   const store::SaidPatches said = value_or_raise(without_interpreter(
       [&] { return store::patches_of_words(*handle.store, words, *handle.catalog); }));
   std::vector<std::string> unparsed;
   for (const intake::UnparsedWord& word : said.unparsed)
     unparsed.push_back(word.text);
-  return nb::make_tuple(io::write_json(said.patches), unparsed, said.so_already);
+  nb::list given_up;
+  for (const intake::Conflict& conflict : said.conflicts)
+    given_up.append(nb::make_tuple(
+        conflict.dropped, conflict.kept, conflict.why, intake::is_contradiction(conflict)));
+  return nb::make_tuple(io::write_json(said.patches), unparsed, said.so_already, given_up);
 }
 
 // The edited store, and the wishes of its prompt that are no longer met.

@@ -101,7 +101,7 @@ class Store:
 
     def patches(self, say: str) -> list[dict[str, Any]]:
         """What edit(say) would do, as market-patch/1 patches; nothing is written. Warnings and errors as there."""
-        return self._said(arguments.a_text("say", say))[0]
+        return self._said(arguments.a_text("say", say), strict=False)[0]
 
     def edit(
         self,
@@ -119,11 +119,11 @@ class Store:
         folder    to make; left out: FOLDER-edit-1, or the next number that is free
         patches   instead of words, market-patch/1 patches: [{"swap_leaves": {"a": "dairy", "b": "bakery"}}]
         previews  draw its pictures, too (seconds)
-        strict    raise brief.not_understood when a word was not understood
+        strict    raise brief.not_understood when a word was not understood, brief.contradiction when the words contradict themselves
         progress  as of generate()
 
-        Returns this store when it is so already. A StoreWarning says what was not understood, what is so already, and which
-        wishes of the prompt are no longer met. Raises Error layout.violation when a hard rule would be broken anew,
+        Returns this store when it is so already. A StoreWarning says what was not understood, what was given up for another
+        word, what is so already, and which wishes of the prompt are no longer met. Raises Error layout.violation when a hard rule would be broken anew,
         plan.* and json.* of patches, store.exists. Nothing is left behind when it fails or is interrupted.
         """
         say, strict = arguments.a_text("say", say), arguments.a_truth("strict", strict)
@@ -131,7 +131,7 @@ class Store:
         if (patches is None) == (say == ""):
             raise arguments.bad("patches" if say else "say", patches if say else say, "either words or patches")
         if patches is None:
-            said, unparsed = self._said(say)
+            said, unparsed = self._said(say, strict)
             if strict and unparsed:
                 raise Error("brief.not_understood", "say", f"not understood: {', '.join(map(repr, unparsed))}")
             if not said:
@@ -146,8 +146,12 @@ class Store:
             warnings.warn(f'no longer met: "{wish}"', StoreWarning, stacklevel=2)
         return Store(handle, self._catalogs)
 
-    def _said(self, words: str) -> tuple[list[dict[str, Any]], list[str]]:
-        document, unparsed, so_already = self._handle._said(words)
+    def _said(self, words: str, strict: bool) -> tuple[list[dict[str, Any]], list[str]]:
+        document, unparsed, so_already, given_up = self._handle._said(words)
+        for dropped, kept, why, contradicts in given_up:
+            if strict and contradicts:
+                raise Error("brief.contradiction", "say", f'"{dropped}" and "{kept}": {why}')
+            warnings.warn(f'given up: "{dropped}" for "{kept}": {why}', StoreWarning, stacklevel=3)
         for text in unparsed:
             warnings.warn(f'not understood: "{text}"', StoreWarning, stacklevel=3)
         for wish in so_already:

@@ -109,6 +109,11 @@ def test_edits_say_what_they_leave_out(store, tmp_path):
     assert [list(patch) for patch in patches] == [["set_look"]]
     with pytest.warns(marketgen.StoreWarning, match="zzyzx"), pytest.raises(marketgen.Error, match="brief.not_understood"):
         store.edit("concrete floor and zzyzx", tmp_path / "shop", strict=True)
+    with pytest.warns(marketgen.StoreWarning, match='given up: "oak floor" for "concrete floor"'):
+        patches = store.patches("oak floor, concrete floor")
+    assert patches[0]["set_look"]["floor"].startswith("concrete")
+    with pytest.raises(marketgen.Error, match='brief.contradiction.*"oak floor" and "concrete floor"'):
+        store.edit("oak floor, concrete floor", tmp_path / "shop", strict=True)
     with pytest.raises(marketgen.Error, match="plan.unknown_reference"):
         store.edit(patches=[{"drop_zone": {"zone": "nowhere"}}], folder=tmp_path / "shop")
     with pytest.raises(marketgen.Error, match="either words or patches"):

@@ -58,7 +58,8 @@ EpisodeRunner runner_in_worker(const EvaluationOptions& options, const std::stri
              const episodes::EpisodeSpec& spec) -> Result<episodes::EpisodeResult> {
     const auto began = std::chrono::steady_clock::now();
     if (!*worker) {
-      MARKETGEN_TRY(*worker, WorkerProcess::start(options.worker, work, options.start_limit_s));
+      const AnswerLimits until_ready{options.start_limit_s, options.answer.hang_s};
+      MARKETGEN_TRY(*worker, WorkerProcess::start(options.worker, work, until_ready));
     }
     auto result = (*worker)->run(io::write_json_line(spec), options.answer);
     if (result.ok() || (*worker)->alive()) return result;

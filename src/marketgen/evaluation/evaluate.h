@@ -24,7 +24,8 @@ struct EvaluationOptions {
   // Empty: episodes are run in this process, and a policy that hangs hangs all.
   std::vector<std::string> worker = {};
   AnswerLimits answer = {};    // of a policy in a worker
-  double start_limit_s = 120;  // of wall time until a worker is ready; 0 = none
+  // Of processor time until a worker is ready; 0 = none. `answer.hang_s` holds here, too.
+  double start_limit_s = 120;
   Shard shard = {};            // which of the episodes are run
   episodes::Realism realism = {};
   llm::ModelChoice model = {};  // how that of the policy is reached, if it has one

@@ -56,6 +56,12 @@ Error too_long(double limit_s) {
           fmt::format("gave no answer within {} s of wall time (--hang-limit-s)", limit_s)};
 }
 
+Error not_ready(const std::string& program, double limit_s, std::string_view of_what) {
+  return {"episode.no_policy",
+          program,
+          fmt::format("was not ready to run episodes after {} s of {}", limit_s, of_what)};
+}
+
 constexpr std::string_view answered = "answered ";
 
 // How much processor time an answer took, as the worker tells.
@@ -93,7 +99,7 @@ class WorkerProcess::Waiting {
 
 Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::vector<std::string>& command,
                                                             const std::string& task,
-                                                            double limit_s) {
+                                                            const AnswerLimits& limits) {
   io::Pipe in, out;
   if (!in.open() || !out.open())
     return Error{"usage.unavailable", command[0], std::strerror(errno)};
@@ -104,11 +110,10 @@ Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::vector<st
   fcntl(worker->to_, F_SETFL, O_NONBLOCK);
   in.close_end(0);
   out.close_end(1);
-  const Wait until_ready{
-      limit_s,
-      {"episode.no_policy",
-       command[0],
-       fmt::format("was not ready to run episodes after {} s (start_limit_s)", limit_s)}};
+  const Wait until_ready{limits.hang_s,
+                         not_ready(command[0], limits.hang_s, "wall time (hang_limit_s)"),
+                         limits.cpu_s,
+                         not_ready(command[0], limits.cpu_s, "processor time (start_limit_s)")};
   const auto unready = [&](const Error& error) {
     if (error.code != "episode.policy_crashed") return error;
     return Error{"episode.no_policy", command[0], "ended before it was ready to run episodes"};

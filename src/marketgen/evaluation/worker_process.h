@@ -14,7 +14,7 @@
 
 namespace marketgen::evaluation {
 
-// For one answer of a policy; 0: none.
+// For one answer of a policy, or until a worker is ready; 0: none.
 struct AnswerLimits {
   // Of processor time, on all threads of the worker: the same on a busy machine as on a quiet one.
   double cpu_s = 0;
@@ -25,12 +25,12 @@ struct AnswerLimits {
 
 class WorkerProcess {
  public:
-  // Tells it its `task`, a line of JSON, and waits until it is ready, at most `limit_s` of wall
-  // time. Errors: usage.unavailable when it cannot be started; episode.no_policy when it ends
-  // before it is ready (it has said why on standard error) or takes longer; internal.interrupted.
+  // Tells it its `task`, a line of JSON, and waits until it is ready, within `limits`. Errors:
+  // usage.unavailable when it cannot be started; episode.no_policy when it ends before it is ready
+  // (it has said why on standard error) or takes more; internal.interrupted.
   static Result<std::unique_ptr<WorkerProcess>> start(const std::vector<std::string>& command,
                                                       const std::string& task,
-                                                      double limit_s);
+                                                      const AnswerLimits& limits);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;

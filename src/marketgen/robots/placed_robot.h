@@ -2,13 +2,13 @@
 //
 //   ROW@X,Y[,HEADING][,KEY=VALUE]...
 //
-//   ROW           id of a row in data/robots
+//   ROW           id of a row in data/robots, or the file of one's own: mine/cart.json
 //   X,Y           of its base frame in the store frame, metres
 //   HEADING       where its X axis looks, degrees: 0 is east, 90 north; 0 when left out
 //   z=METRES      height of its base, 0 when left out: the floor
 //   posture=NAME  one of the row's; the row's first when left out, else every joint near 0
 //   JOINT=VALUE   over the posture's; radians or metres, or degrees as "45deg"
-//   SLOT=ROW      another tool: left_tool=suction-cup
+//   SLOT=ROW      another tool: left_tool=suction-cup; mine/hook.json
 #pragma once
 #include <filesystem>
 #include <string>

@@ -10,6 +10,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "robots/rotation.h"
+#include "robots/row_file.h"
 
 namespace marketgen::robots {
 namespace fs = std::filesystem;
@@ -301,6 +302,16 @@ Result<void> check_sources(const RobotRow& row, const std::string& part, const s
   return {};
 }
 
+Result<void> check_known(const fs::path& data, const std::string& id) {
+  MARKETGEN_TRY(const std::vector<std::string> ids, robot_ids(data));
+  if (std::find(ids.begin(), ids.end(), id) != ids.end()) return {};
+  return Error{"robot.unknown",
+               id,
+               fmt::format("there is no such robot or tool; there are: {}, and rows of your own by "
+                           "their files: mine.json",
+                           fmt::join(ids, ", "))};
+}
+
 }  // namespace
 
 Result<std::vector<std::string>> robot_ids(const fs::path& data) {
@@ -318,17 +329,17 @@ Result<std::vector<std::string>> robot_ids(const fs::path& data) {
 }
 
 Result<RobotRow> read_robot_row(const fs::path& data, const std::string& id) {
-  MARKETGEN_TRY(const std::vector<std::string> ids, robot_ids(data));
-  if (std::find(ids.begin(), ids.end(), id) == ids.end())
-    return Error{
-        "robot.unknown",
-        id,
-        fmt::format("there is no such robot or tool; there are: {}", fmt::join(ids, ", "))};
-  const std::string file = id + ".json";
-  MARKETGEN_TRY(const std::string text, io::read_file(data / "robots" / file, max_row_bytes));
+  if (!is_row_file(id)) {
+    MARKETGEN_CHECK(check_known(data, id));
+  }
+  const fs::path path = is_row_file(id) ? fs::path(id) : data / "robots" / (id + ".json");
+  const std::string file = is_row_file(id) ? id : path.filename().string();
+  MARKETGEN_TRY(const std::string text, io::read_file(path, max_row_bytes));
   MARKETGEN_TRY(RobotRow row, io::read_json<RobotRow>(text, file));
-  if (row.id != id)
-    return Error{"robot.bad_file", file + ":/id", "expected \"" + id + "\", as the file is called"};
+  if (row.id != path.stem())
+    return Error{"robot.bad_file",
+                 file + ":/id",
+                 "expected \"" + path.stem().string() + "\", as the file is called"};
   if (row.links.empty())
     return Error{"robot.bad_file", file + ":/links", "expected at least one link"};
   for (const LinkRow& link : row.links)

@@ -251,8 +251,8 @@ using RobotTools = std::map<std::string, std::string>;
 // Ids of the rows in `data`/robots, sorted; those of arms and tools too.
 Result<std::vector<std::string>> robot_ids(const std::filesystem::path& data);
 
-// One row as it stands. Errors: robot.unknown with the ids there are, those of read_json,
-// robot.bad_file when a source key is unknown or the id is not the file's name.
+// One row as it stands, or a file of one's own (row_file.h). Errors: robot.unknown with all ids,
+// those of read_file, read_json; robot.bad_file: an unknown source key, an id not the file's.
 Result<RobotRow> read_robot_row(const std::filesystem::path& data, const std::string& id);
 
 // The robot of a row, put together from its parts. `data` is usually data_folder(). Errors: those

@@ -111,10 +111,9 @@ Result<void> serve(const ServeOptions& options,
   MARKETGEN_TRY(const std::unique_ptr<ViewServer> server,
                 ViewServer::start(options, std::move(stores)));
   opened(server->address());
-  while (true) {
-    MARKETGEN_CHECK(check_interrupt());
+  while (check_interrupt().ok())
     std::this_thread::sleep_for(between_looks);
-  }
+  return {};
 }
 
 }  // namespace marketgen::server

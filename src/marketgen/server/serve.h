@@ -43,7 +43,7 @@ class ViewServer {
 };
 
 // `marketgen view`: calls `opened` with the address once it answers, then serves until it is
-// interrupted, and returns that. Errors: those of ViewServer::start and open_stores.
+// interrupted, its orderly end. Errors: of ViewServer::start, open_stores; internal.interrupted.
 Result<void> serve(const ServeOptions& options,
                    const std::vector<std::string>& folders,
                    catalog::Catalog rows,

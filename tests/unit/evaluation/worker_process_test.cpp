@@ -25,7 +25,7 @@ std::vector<std::string> script(const std::string& text) {
 
 Result<std::unique_ptr<evaluation::WorkerProcess>> started(
     const std::vector<std::string>& command) {
-  return evaluation::WorkerProcess::start(command, R"({"schema": "market-episodes/1"})", 20);
+  return evaluation::WorkerProcess::start(command, R"({"schema": "market-episodes/1"})", {20, 20});
 }
 
 episodes::EpisodeFile three_named() {
@@ -160,12 +160,22 @@ TEST(WorkerProcess, OneThatCannotBeginIsAnError) {
 TEST(WorkerProcess, OneThatIsNeverReadyIsEnded) {
   for (const std::size_t size : {10UL, 3'000'000UL}) {
     const auto worker = evaluation::WorkerProcess::start(
-        {"/bin/sh", "-c", "exec sleep 1000"}, std::string(size, 'x'), 0.5);
+        {"/bin/sh", "-c", "exec sleep 1000"}, std::string(size, 'x'), {0.3, 0.5});
     ASSERT_FALSE(worker.ok());
     EXPECT_EQ(worker.error().code, "episode.no_policy");
-    EXPECT_NE(worker.error().message.find("after 0.5 s"), std::string::npos)
+    EXPECT_NE(worker.error().message.find("after 0.5 s of wall time"), std::string::npos)
         << worker.error().message;
   }
+}
+
+// What counts is what it computes: a busy machine does not make it late.
+TEST(WorkerProcess, OneThatComputesTooMuchBeforeItIsReadyIsEnded) {
+  const auto busy = evaluation::WorkerProcess::start(script("while :; do :; done"), "", {0.3, 60});
+  ASSERT_FALSE(busy.ok());
+  EXPECT_EQ(busy.error().code, "episode.no_policy");
+  EXPECT_NE(busy.error().message.find("after 0.3 s of processor time"), std::string::npos)
+      << busy.error().message;
+  EXPECT_TRUE(evaluation::WorkerProcess::start(script("sleep 1; echo ready"), "", {0.9, 60}).ok());
 }
 
 TEST(WorkerProcess, ItIsToldTheHeaderAndTheEpisode) {
@@ -175,7 +185,7 @@ TEST(WorkerProcess, ItIsToldTheHeaderAndTheEpisode) {
        "-c",
        R"(read -r header; echo ready; read -r spec; printf 'error a.b\twhere\t%s %s\n' ${#header} "$spec")"},
       header,
-      20);
+      {20, 20});
   ASSERT_TRUE(worker.ok()) << to_string(worker.error());
   EXPECT_EQ((*worker)->run(R"({"id": "a\\b"})", {1, 1}).error().message,
             R"(300000 {"id": "a\\b"})");

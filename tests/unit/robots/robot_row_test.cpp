@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "support/committed_robot.h"
+#include "support/run_program.h"
 
 namespace marketgen {
 namespace {
@@ -111,6 +114,25 @@ TEST(RobotRows, UnknownNamesAreErrorsThatListTheKnownOnes) {
       robots::load_robot(committed_rows, "realman-rm65", {{"third_tool", "suction-cup"}});
   ASSERT_FALSE(slot.ok());
   EXPECT_NE(slot.error().message.find("left_tool"), std::string::npos);
+}
+
+// A row of one's own lies anywhere, and carries rows of ours.
+TEST(RobotRows, AFileOfOnesOwnIsARowToo) {
+  const ScratchFolder scratch;
+  const std::filesystem::path cart = scratch.path() / "cart.json";
+  std::ofstream(cart) << R"({"schema": "market-robot/1", "id": "cart", "name": "Cart",
+      "links": [{"name": "deck", "mass": 20, "inertia": {"xx": 1, "yy": 1, "zz": 1}}],
+      "frames": [{"name": "top", "link": "deck", "xyz": [0, 0, 0.4]}],
+      "parts": [{"row": "panda", "at": "top"}]})";
+  const auto robot = robots::load_robot(committed_rows, cart.string());
+  ASSERT_TRUE(robot.ok()) << to_string(robot.error());
+  EXPECT_EQ(robot->name, "cart");
+  EXPECT_GE(robot->find_dof("joint7"), 0);
+  std::filesystem::rename(cart, scratch.path() / "car.json");
+  const auto renamed = robots::load_robot(committed_rows, (scratch.path() / "car.json").string());
+  ASSERT_FALSE(renamed.ok());
+  EXPECT_EQ(renamed.error().code, "robot.bad_file");
+  EXPECT_FALSE(robots::load_robot(committed_rows, cart.string()).ok());
 }
 
 TEST(RobotRows, SpheresCoverEveryCapsule) {  // points on each capsule's surface lie in some sphere
