@@ -97,7 +97,7 @@ test("keys drive the base and move the arm, the gripper closes, and the log lead
   const [log] = gunzipSync(readFileSync(file)).toString().split("\n").map((line) => line && JSON.parse(line));
   assert.equal(log.schema, "market-drive/1");
   assert.equal(log.over, true);
-  assert.equal(log.actions.length / log.action_names.length, await step(page));
+  assert.equal(log.actions.length / log.action_names.length, (await step(page)) + 1, "the stop takes no time");
   assert.deepEqual(faults, []);
   await close();
 

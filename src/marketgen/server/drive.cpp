@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/interrupt.h"
+#include "base/text.h"
 #include "episodes/track_entry.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -23,8 +24,10 @@ constexpr std::chrono::seconds pause_time{1};  // between two steps that are not
 constexpr int max_logs_of_one = 10'000;
 constexpr const char* message_name = "message";  // in errors
 
+// A reader's message may quote half a letter of what a page has sent; notes are texts.
 DriveNote error_note(const Error& error) {
-  return {"error", false, false, {}, error.code, fmt::format("{}: {}", error.where, error.message)};
+  const std::string message = fmt::format("{}: {}", error.where, error.message);
+  return {"error", false, false, {}, error.code, is_utf8(message) ? message : "is no such message"};
 }
 
 Error no_episode(const std::string& where) {
