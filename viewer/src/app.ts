@@ -220,7 +220,7 @@ export class App {
   }
 
   private key(event: KeyboardEvent): boolean {
-    const onButton = (event.target as HTMLElement).closest("button, [role=option]") !== null;
+    const onButton = (event.target as HTMLElement).closest("button, a, [role=option]") !== null;
     const mode = modes[Number(event.key) - 1];
     if (mode) this.enter(mode);
     else if (event.key === "/") this.search.focus();

@@ -154,7 +154,7 @@ Drive::Turn Drive::next_turn() {
     turn.end = ending_;
     turn.order = std::exchange(order_, std::nullopt);
     turn.verbs = std::exchange(verbs_, {});
-    turn.steps = runs && now >= due_;
+    turn.steps = runs && now >= due_ && !turn.order && turn.verbs.empty();  // these may end it
     if (turn.steps) {
       turn.command = command_now(now);
       due_ = std::max(due_ + control_step, now);  // what was missed is not made up for

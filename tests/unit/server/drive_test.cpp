@@ -182,6 +182,7 @@ TEST_F(Driven, ALogLeadsToTheSameStateAgain) {
   ASSERT_TRUE(wait_until([&] { return seat.page->head().contains("verdict"); }));
   const Json last = seat.page->head();
   EXPECT_EQ(last["runs"], false);
+  EXPECT_EQ(status()["phase"], "driving") << "it is still shown";
   EXPECT_EQ(last["verdict"]["success"], false);
   seat.say({{"verb", "save"}});
   ASSERT_TRUE(wait_until([&] { return !seat.page->note("saved").is_null(); }));

@@ -3,7 +3,7 @@ import { element } from "../ui/dom";
 import { timeText, type ReplayWords } from "../replay/words";
 import type { Controls } from "./controls";
 import type { DriveEpisode, DriveMoment, Verb } from "./contract";
-import { driveTexts, say, type DriveKey } from "./strings";
+import { say, type DriveKey } from "./strings";
 
 const realTime = 0.95; // of real time: what is slower is said
 
@@ -112,8 +112,9 @@ export class DrivePanel {
   }
 
   private nameOfArm(arm: number): string {
-    const prefix = this.episode.arms[arm] ?? "";
-    return prefix in driveTexts.en ? this.say(prefix as DriveKey) : prefix;
+    const name = this.episode.arms[arm] ?? ""; // "left_tool_"
+    const side = /^(left|right)_/.exec(name)?.[0];
+    return side ? this.say(side as DriveKey) : name;
   }
 
   private draw(): void {
