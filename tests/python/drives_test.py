@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import marketgen
-from marketgen import record as command
+from marketgen.record import main
 
 CHECKOUT = "MarketGen/CheckoutUnloading-v1"
 GRID = 1 / 1024  # of a drive's numbers
@@ -61,7 +61,7 @@ def logs(env, tmp_path_factory):
 
 def test_a_dataset_of_drives_is_what_was_driven(logs, tmp_path, capsys):
     folder = tmp_path / "driven"
-    assert command.main(["--teleop", *map(str, logs), "-o", str(folder), "--cameras", "none", "--quiet"]) == 0
+    assert main(["--teleop", *map(str, logs), "-o", str(folder), "--cameras", "none", "--quiet"]) == 0
     assert "2 episodes" in capsys.readouterr().out
     import pyarrow.parquet
 
@@ -82,7 +82,7 @@ def test_a_dataset_of_drives_is_what_was_driven(logs, tmp_path, capsys):
     assert settings["control_mode"] == "pd_ee_delta_pose"
     episodes = f"{folder}.episodes.jsonl"
     assert marketgen.replay_check(folder, episodes) == 25
-    assert command.main([episodes, "--check", str(folder), "--quiet"]) == 0
+    assert main([episodes, "--check", str(folder), "--quiet"]) == 0
 
 
 def test_a_log_that_leads_elsewhere_is_refused(logs, tmp_path):
@@ -104,6 +104,6 @@ def test_a_log_that_leads_elsewhere_is_refused(logs, tmp_path):
     ([], "usage.bad_flag"),
 ])
 def test_what_does_not_go_together_is_said(words, code, logs, tmp_path, capsys):
-    status = command.main([*(word.format(a=logs[0]) for word in words), "-o", str(tmp_path / "none"), "--quiet"])
+    status = main([*(word.format(a=logs[0]) for word in words), "-o", str(tmp_path / "none"), "--quiet"])
     assert status == 2
     assert code in capsys.readouterr().err
