@@ -135,7 +135,11 @@ Result<void> CocoTruth::check_price_tag(const ReadCocoAnnotation& read,
            std::abs(read.price - label.price_cents / 100.0) < cent;
   });
   if (!hangs_there)
-    return mismatch(where, fmt::format("no tag of \"{}\" at {} hangs there", read.sku, read.price));
+    return mismatch(where,
+                    fmt::format("no {} of \"{}\" at {} hangs there",
+                                read.promotion ? "offer's tag" : "tag",
+                                read.sku,
+                                read.price));
   const bool other = block->sku != read.sku;
   const bool dated = !other && std::abs(read.price - block->price) > cent;
   if (read.fault != (other   ? "wrong_product"

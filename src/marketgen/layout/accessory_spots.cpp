@@ -182,7 +182,7 @@ std::vector<SpotGroup> spots_way_out(const SpotSearch& search) {
 int clear_before_mm(const SpotSearch& search) {
   if (search.spec.kind->role == catalog::FixtureRole::shelving)
     return search.spec.clear_mm(search.build.design);
-  return std::max(search.build.design.min_aisle_mm(),
+  return std::max(search.build.design.min_aisle_mm() + search.spec.door_swing_mm(),
                   static_cast<int>(search.spec.kind->front_clearance_mm));
 }
 

@@ -32,7 +32,7 @@ double share_of(const scene::Scene& scene, scene::TagFault fault) {
 
 TEST(PriceTags, HaveNoFaultUnlessThePlanAsksForOne) {
   const scene::Scene scene = tidy_shop();
-  ASSERT_GT(scene.price_labels.size(), 300U);
+  ASSERT_GT(scene.price_labels.size(), 150U);
   EXPECT_EQ(share_of(scene, scene::TagFault::none), 1);
   EXPECT_EQ(scene::scene_hash(shop_with({})), scene::scene_hash(scene));
 }
