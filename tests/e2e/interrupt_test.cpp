@@ -24,7 +24,7 @@ constexpr double soon_s = 8;
 
 struct Work {
   Words arguments;
-  bool is_long = true;  // it would go on for more than a few seconds
+  bool is_long = true;   // it would go on for more than a few seconds
   bool ends_so = false;  // it has done what it was asked for when it is interrupted
 };
 

@@ -23,10 +23,10 @@ struct EvaluationOptions {
   // A command whose process serves episodes (evaluation/episode_worker.h); one runs for each job.
   // Empty: episodes are run in this process, and a policy that hangs hangs all.
   std::vector<std::string> worker = {};
-  AnswerLimits answer = {};    // of a policy in a worker
+  AnswerLimits answer = {};  // of a policy in a worker
   // Of processor time until a worker is ready; 0 = none. `answer.hang_s` holds here, too.
   double start_limit_s = 120;
-  Shard shard = {};            // which of the episodes are run
+  Shard shard = {};  // which of the episodes are run
   episodes::Realism realism = {};
   llm::ModelChoice model = {};  // how that of the policy is reached, if it has one
   bool record_motion = false;   // motion/ID.bin.gz of each episode that is run (motion_recorder.h)

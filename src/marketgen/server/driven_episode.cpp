@@ -18,8 +18,8 @@ constexpr std::uint32_t count_every = 5;  // steps: goals take a look at where e
 
 // The header of a log: the rows that its episode needs, of its store.
 episodes::EpisodeFile file_of_one(const episodes::EpisodeHeader& header,
-                              const std::vector<catalog::Product>& products,
-                              const episodes::EpisodeSpec& spec) {
+                                  const std::vector<catalog::Product>& products,
+                                  const episodes::EpisodeSpec& spec) {
   episodes::EpisodeFile file{header, {spec}};
   const std::set<std::string> skus = episodes::skus_of(spec);
   file.header.episodes = 1;
