@@ -144,7 +144,7 @@ TEST_F(WebSocket, CutsOffWhoDoesNotKeepToIt) {
   for (const std::string& bytes : {frame(binary_frame, "numbers"),
                                    frame(text_frame, std::string(4097, 'x')),
                                    unmasked,
-                                   std::string("\xff\xff\xff\xff"),
+                                   std::string(20, '\xff'),
                                    frame(text_frame, "\xc3\x28")}) {
     RawClient client(port_);
     open(client);
@@ -152,16 +152,16 @@ TEST_F(WebSocket, CutsOffWhoDoesNotKeepToIt) {
     const auto [kind, why] = take(client);
     EXPECT_TRUE(kind == close_frame || kind == 0) << static_cast<int>(kind);
   }
-  RawClient loud(port_);
-  open(loud);
-  for (int i = 0; i < 400; ++i)
-    loud.send(frame(text_frame, "a"));
-  unsigned char kind = text_frame;
-  int said = 0;
-  for (; kind == text_frame; ++said)
-    kind = take(loud).first;
-  EXPECT_LE(said, 401);
-  EXPECT_NE(kind, text_frame);
+  {
+    RawClient loud(port_);
+    open(loud);
+    for (int i = 0; i < 400; ++i)
+      loud.send(frame(text_frame, "a"));
+    unsigned char kind = text_frame;
+    for (int said = 0; kind == text_frame && said < 400; ++said)
+      kind = take(loud).first;
+    EXPECT_NE(kind, text_frame) << "not all that was sent was answered";
+  }
   EXPECT_TRUE(all_gone());
 }
 
