@@ -18,6 +18,12 @@
 namespace marketgen {
 namespace {
 
+// What a wall carries hangs over what stands before it: a mirror over shelves.
+bool hangs_over(const layout::Fixture& upper, const layout::Fixture& lower) {
+  return committed_catalog().fixture_kind(upper.kind)->mount == catalog::FixtureMount::wall &&
+         upper.base_mm >= lower.height_mm;
+}
+
 void expect_sound(const layout::Layout& layout, const plan::Plan& plan, std::uint64_t seed) {
   const layout::Floor floor = layout::make_floor(plan.shell);
   std::vector<RectMm> rects;
@@ -36,8 +42,11 @@ void expect_sound(const layout::Layout& layout, const plan::Plan& plan, std::uin
   }
   for (std::size_t i = 0; i < rects.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      EXPECT_FALSE(overlap(rects[i], rects[k])) << "seed " << seed << ": " << layout.fixtures[i].id
-                                                << " and " << layout.fixtures[k].id << " overlap";
+      const bool apart = hangs_over(layout.fixtures[i], layout.fixtures[k]) ||
+                         hangs_over(layout.fixtures[k], layout.fixtures[i]);
+      EXPECT_FALSE(!apart && overlap(rects[i], rects[k]))
+          << "seed " << seed << ": " << layout.fixtures[i].id << " and " << layout.fixtures[k].id
+          << " overlap";
     }
   }
 }
