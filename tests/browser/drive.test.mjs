@@ -129,13 +129,3 @@ test("a page that goes leaves a robot that stands, and the next one takes over; 
   assert.deepEqual(second.faults, []);
   await second.close();
 });
-
-test("on a phone, in the dark and in Chinese everything has its place", async () => {
-  const { page, faults, close } = await driving({ viewport: { width: 390, height: 760 }, locale: "zh-CN", colorScheme: "dark", hasTouch: true, isMobile: true });
-  await take(page, "drive-phone");
-  assert.match(await page.locator(".driving h2").first().textContent(), /目标/);
-  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-  assert.ok(wide <= 390, `${wide} px wide`);
-  assert.deepEqual(faults, []);
-  await close();
-});
