@@ -238,7 +238,7 @@ def test_commands_in_help_and_errors_exist():
 
 
 def python_blocks(page):
-    """Of pages whose blocks are run one after the other; tutorials are run as a reader does: tests/tools/tutorials_test.sh."""
+    """Of pages whose blocks are run one after the other; tutorials are run as a reader does: tools/check_tutorials."""
     return [] if TUTORIALS in page.parents else [block for block in blocks_of(page) if block.language == "python"]
 
 
