@@ -131,6 +131,13 @@ std::optional<skills::HingedDoor> hinged_door(const scene::Scene& scene, std::ui
   return door;
 }
 
+Result<skills::HingedDoor> known_door(const scene::Scene& scene, std::uint32_t joint) {
+  if (auto door = hinged_door(scene, joint)) return *std::move(door);
+  return Error{"collect.no_door",
+               scene::joint_id(scene, scene.joints[joint]),
+               "it is no door on an upright hinge with a bar"};
+}
+
 std::optional<std::uint32_t> door_before(const scene::Scene& scene, std::uint32_t product) {
   const scene::SceneProduct& row = scene.products[product];
   if (row.facing == scene::no_facing) return std::nullopt;
@@ -170,12 +177,8 @@ Result<skills::DoorQuestion> door_question(const GoodsNow& store,
                                            std::vector<double> driving) {
   const scene::Scene& scene = store.scene();
   skills::DoorQuestion question;
-  question.where =
-      scene.layout.fixtures[scene.joints[joint].fixture].id + "/" + scene.joints[joint].name;
-  auto door = hinged_door(scene, joint);
-  if (!door)
-    return Error{"collect.no_door", question.where, "it is no door on an upright hinge with a bar"};
-  question.door = *std::move(door);
+  question.where = scene::joint_id(scene, scene.joints[joint]);
+  MARKETGEN_TRY(question.door, known_door(scene, joint));
   question.position_rad = store.joint(joint);
   question.driving = std::move(driving);
   const Vec3 middle = question.door.point_at(0,

@@ -13,6 +13,9 @@ namespace marketgen::collect {
 // panes, leaves that swing both ways or have no upright round bar before them.
 std::optional<skills::HingedDoor> hinged_door(const scene::Scene& scene, std::uint32_t joint);
 
+// The same where it must be one. Error: collect.no_door, with the joint.
+Result<skills::HingedDoor> known_door(const scene::Scene& scene, std::uint32_t joint);
+
 // The door that stands before a product when it is shut, a row of Scene::joints, seen from the
 // front of its shelf. None where there is none that hinged_door() knows.
 std::optional<std::uint32_t> door_before(const scene::Scene& scene, std::uint32_t product);

@@ -1,5 +1,6 @@
 #include "export/coco_annotator.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "assets/print/label.h"
@@ -37,7 +38,7 @@ std::vector<CocoCategory> coco_categories(const scene::Scene& scene) {
     if (!product.ean.empty()) category.gtin = product.ean;
     categories.push_back(std::move(category));
   }
-  for (const std::string_view name : {coco_gap, coco_price_tag, coco_missing_tag})
+  for (const std::string_view name : coco_shelf_categories)
     categories.push_back({next(), std::string(name), std::string(coco_shelf), {}, {}, {}});
   return categories;
 }
@@ -115,9 +116,14 @@ void CocoAnnotator::place(CocoAnnotation& annotation, std::uint32_t facing) cons
   annotation.place = {row.fixture, coco_side(row.side), row.bay, row.level + 1, row.position + 1};
 }
 
+int CocoAnnotator::shelf_category(std::string_view name) const {
+  const auto at = std::ranges::find(coco_shelf_categories, name) - coco_shelf_categories.begin();
+  return static_cast<int>(scene_.catalog.size()) + static_cast<int>(at) + 1;
+}
+
 CocoAnnotation CocoAnnotator::gap(const ShelfPanel& panel) const {
   CocoAnnotation annotation;
-  annotation.category_id = static_cast<int>(scene_.catalog.size()) + 1;
+  annotation.category_id = shelf_category(coco_gap);
   annotation.sku = planogram_[panel.facing].sku;
   place(annotation, panel.facing);
   if (panel.column) annotation.column = *panel.column + 1;
@@ -128,7 +134,7 @@ CocoAnnotation CocoAnnotator::price_tag(const ShelfPanel& panel) const {
   const scene::PriceLabel& label = scene_.price_labels[panel.label];
   const catalog::Product product = scene::product_on_tag(scene_, label);
   CocoAnnotation annotation;
-  annotation.category_id = static_cast<int>(scene_.catalog.size()) + 2;
+  annotation.category_id = shelf_category(coco_price_tag);
   annotation.sku = product.sku;
   place(annotation, panel.facing);
   annotation.text = assets::price_tag_text(product, label.promotion != 0);
@@ -143,7 +149,7 @@ CocoAnnotation CocoAnnotator::price_tag(const ShelfPanel& panel) const {
 
 CocoAnnotation CocoAnnotator::missing_tag(const ShelfPanel& panel) const {
   CocoAnnotation annotation;
-  annotation.category_id = static_cast<int>(scene_.catalog.size()) + 3;
+  annotation.category_id = shelf_category(coco_missing_tag);
   annotation.sku = planogram_[panel.facing].sku;
   place(annotation, panel.facing);
   return annotation;

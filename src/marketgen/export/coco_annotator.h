@@ -38,6 +38,7 @@ class CocoAnnotator {
                                     const std::map<std::uint32_t, int>& silhouettes) const;
   CocoAnnotation item(std::uint32_t product) const;
   void place(CocoAnnotation& annotation, std::uint32_t facing) const;
+  int shelf_category(std::string_view name) const;  // of coco_shelf_categories
   CocoAnnotation gap(const ShelfPanel& panel) const;
   CocoAnnotation price_tag(const ShelfPanel& panel) const;
   CocoAnnotation missing_tag(const ShelfPanel& panel) const;

@@ -24,6 +24,9 @@ constexpr std::string_view coco_color_folder = "color", coco_depth_folder = "dep
 constexpr std::string_view coco_gap = "gap", coco_price_tag = "price_tag",
                            coco_missing_tag = "missing_price_tag", coco_shelf = "shelf";
 
+// Behind the SKUs, in this order.
+constexpr std::array coco_shelf_categories{coco_gap, coco_price_tag, coco_missing_tag};
+
 // Of a module: 1 is its back.
 inline std::string coco_side(int side) {
   return side == 0 ? "front" : "back";

@@ -55,7 +55,7 @@ const scene::PlanogramRow* CocoTruth::row_at(const std::optional<ReadCocoPlace>&
 
 Result<void> CocoTruth::check_categories(const ReadCoco& coco, const std::string& where) const {
   std::map<std::string, std::string> wanted;
-  for (const std::string_view name : {coco_gap, coco_price_tag, coco_missing_tag})
+  for (const std::string_view name : coco_shelf_categories)
     wanted[std::string(name)] = coco_shelf;
   for (const catalog::Product& product : scene_.catalog)
     wanted[product.sku] = product.category;

@@ -210,7 +210,7 @@ Result<void> compare_free_bodies(const scene::Scene& scene,
 ExportedJoint wanted_joint(const scene::Scene& scene, const scene::SceneJoint& joint) {
   const Pose world =
       scene::world_from_fixture(scene, joint.fixture) * scene::fixture_from_joint(joint);
-  return {joint_name(scene, joint),
+  return {scene::joint_id(scene, joint),
           joint.kind,
           world.position,
           rotate(world.rotation, {0, 0, 1}),

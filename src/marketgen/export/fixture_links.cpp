@@ -43,10 +43,6 @@ std::string part_id(const scene::Scene& scene, std::uint32_t part) {
   return scene.layout.fixtures[scene.parts[part].fixture].id + "/" + part_name(scene, part);
 }
 
-std::string joint_name(const scene::Scene& scene, const scene::SceneJoint& joint) {
-  return scene.layout.fixtures[joint.fixture].id + "/" + joint.name;
-}
-
 double hold_open_factor(const scene::SceneJoint& joint) {
   if (joint.hold_open == 0) return 0;
   const double reach = double(joint.hold_open) - double(joint.spring_rest);

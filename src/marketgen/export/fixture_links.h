@@ -36,8 +36,6 @@ bool moves(const scene::Scene& scene, const FixtureLink& link);
 std::string part_name(const scene::Scene& scene, std::uint32_t part);
 // "<fixture id>/<part>", unique in the store.
 std::string part_id(const scene::Scene& scene, std::uint32_t part);
-// "<fixture id>/<joint>".
-std::string joint_name(const scene::Scene& scene, const scene::SceneJoint& joint);
 // The factor of x^3 in the spring's force -k x - factor x^3.
 double hold_open_factor(const scene::SceneJoint& joint);
 // Wheels: engines take limits of no more than two turns.

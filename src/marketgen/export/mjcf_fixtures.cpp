@@ -62,7 +62,7 @@ class FixtureWriter {
     const Pose frame = scene::fixture_from_joint(joint);
     out_.line(depth,
               "<body name=\"{}\"{}>",
-              joint_name(scene_, joint),
+              scene::joint_id(scene_, joint),
               mjcf_pose(owner_from_fixture * frame));
     if (joint.kind != assets::JointKind::belt) write_joint(depth + 1, joint);
     const Pose body_from_fixture = inverse(frame);
@@ -89,7 +89,7 @@ class FixtureWriter {
     out_.line(depth,
               "<joint name=\"{}\" type=\"{}\" axis=\"0 0 1\" range=\"{} {}\" frictionloss=\"{}\" "
               "damping=\"{}\"{}/>",
-              joint_name(scene_, joint),
+              scene::joint_id(scene_, joint),
               name_of(joint.kind),  // MuJoCo's names are ours
               joint.lower,
               joint.upper,
@@ -129,7 +129,7 @@ void write_mjcf_joint_numbers(XmlText& out,
     if (joint.gasket > 0)
       out.line(2,
                "<numeric name=\"{}/gasket\" data=\"{} {}\"/>",
-               joint_name(scene, joint),
+               scene::joint_id(scene, joint),
                joint.gasket,
                joint.gasket_reach);
     if (joint.kind != assets::JointKind::belt) continue;
@@ -137,7 +137,7 @@ void write_mjcf_joint_numbers(XmlText& out,
         scene::world_from_fixture(scene, joint.fixture) * scene::fixture_from_joint(joint);
     out.line(2,
              "<numeric name=\"{}\" data=\"{} {} {}\"/>",
-             joint_name(scene, joint),
+             scene::joint_id(scene, joint),
              xml_vector(rotate(world.rotation, {0, 0, 1})),
              joint.lower,
              joint.upper);

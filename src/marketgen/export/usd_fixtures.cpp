@@ -181,8 +181,8 @@ class UsdFixtureWriter {
     else if (articulated)
       metadata.emplace_back("prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]");
     if (!is_base)
-      metadata.push_back(
-          fmt::format("displayName = {}", usd_quoted(joint_name(scene_, joint_of(scene_, body)))));
+      metadata.push_back(fmt::format("displayName = {}",
+                                     usd_quoted(scene::joint_id(scene_, joint_of(scene_, body)))));
     out_.open(fmt::format("def \"{}\"", name), metadata);
     if (!is_base) {
       const scene::SceneJoint& joint = joint_of(scene_, body);
@@ -228,7 +228,7 @@ class UsdFixtureWriter {
                           hinge ? "Revolute" : "Prismatic",
                           names_.of("joint/" + joint.name)),
               {fmt::format("prepend apiSchemas = [\"PhysicsDriveAPI:{}\"]", drive),
-               fmt::format("displayName = {}", usd_quoted(joint_name(scene_, joint)))});
+               fmt::format("displayName = {}", usd_quoted(scene::joint_id(scene_, joint)))});
     out_.line(
         "float drive:{}:physics:damping = {}", drive, static_cast<float>(joint.damping / unit));
     out_.line(

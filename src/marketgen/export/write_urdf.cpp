@@ -14,6 +14,7 @@
 #include "export/urdf_names.h"
 #include "export/xml_text.h"
 #include "physics/goods/standing_goods.h"
+#include "scene/articulation.h"
 #include "scene/placements.h"
 
 // The store as one tree: the room, fixtures fixed to it, doors and lids on their joints, every item
@@ -148,7 +149,7 @@ class UrdfWriter {
   }
 
   std::string link_name(const scene::SceneJoint& joint) const {
-    return joint_name(scene_, joint) + std::string(urdf_link);
+    return scene::joint_id(scene_, joint) + std::string(urdf_link);
   }
 
   void write_link(const FixtureLink& link, const std::string& name) {
@@ -173,7 +174,7 @@ class UrdfWriter {
 
   // A belt stands still; what URDF has no words for stands in elements of our own.
   void write_joint(const scene::SceneJoint& joint, const Pose& parent_from_link) {
-    const std::string name = joint_name(scene_, joint);
+    const std::string name = scene::joint_id(scene_, joint);
     const std::string_view type = joint_type(joint);
     const std::string parent =
         joint.parent < 0 ? scene_.layout.fixtures[joint.fixture].id

@@ -43,14 +43,10 @@ double AisleOracle::time_for_doors_s() const {
 Result<AisleOracle::OpenedDoor> AisleOracle::opened_at(std::uint32_t joint,
                                                        double position_rad) const {
   const episodes::AisleStore& store = world_->store();
-  auto door = collect::hinged_door(store.scene, joint);
-  if (!door)
-    return Error{"collect.no_door",
-                 store.scene.joints[joint].name,
-                 "it is no door on an upright hinge with a bar"};
-  MARKETGEN_TRY(auto ways, store.ways_past(*door, position_rad));
+  MARKETGEN_TRY(skills::HingedDoor door, collect::known_door(store.scene, joint));
+  MARKETGEN_TRY(auto ways, store.ways_past(door, position_rad));
   return OpenedDoor{joint,
-                    *std::move(door),
+                    std::move(door),
                     position_rad,
                     std::make_shared<const navigation::VisibilityGraph>(std::move(ways))};
 }
@@ -76,20 +72,22 @@ Result<collect::CollectOptions> AisleOracle::options_from_afar(std::uint32_t pro
   return options;
 }
 
+// To where it stands for what `plan_way` plans.
+Result<void> AisleOracle::drive_to_door(std::uint32_t joint, DoorPlanning plan_way, Seed seed) {
+  MARKETGEN_TRY(const skills::DoorQuestion question,
+                world_->store().door_question(goods_now(), joint));
+  MARKETGEN_TRY(const skills::DoorPlan plan, plan_way(robot_, question, seed));
+  MARKETGEN_TRY(auto way, way_of(plan.world_from_base));
+  memory_.executor.drive(std::move(way));
+  return {};
+}
+
 // ---- Opening ----
 
 bool AisleOracle::go_to_door(std::uint32_t joint, std::uint32_t product) {
   if (refused_doors_.contains(joint)) return false;
-  const Seed seed = next_seed("door");
-  const auto begin = [&]() -> Result<void> {
-    MARKETGEN_TRY(const skills::DoorQuestion question,
-                  world_->store().door_question(goods_now(), joint));
-    MARKETGEN_TRY(const skills::DoorPlan plan, skills::plan_open_door(robot_, question, seed));
-    MARKETGEN_TRY(auto way, way_of(plan.world_from_base));
-    memory_.executor.drive(std::move(way));
-    return {};
-  };
-  if (const auto begun = begin(); !begun.ok()) {
+  const auto begun = drive_to_door(joint, skills::plan_open_door, next_seed("door"));
+  if (!begun.ok()) {
     note_plan(product, begun.error());
     refused_doors_.insert(joint);
     return false;
@@ -132,7 +130,7 @@ Result<void> AisleOracle::check_opened() {
   return {};
 }
 
-// For now, or for good.
+// It is tried again, unless it was tried as often as it may be.
 void AisleOracle::give_up_door() {
   memory_.phase = Phase::choose;
   if (++memory_.door_tries[memory_.door] >= max_door_tries) refused_doors_.insert(memory_.door);
@@ -141,16 +139,8 @@ void AisleOracle::give_up_door() {
 // ---- Shutting ----
 
 Result<void> AisleOracle::go_to_leaf() {
-  const Seed seed = next_seed("leaf");
-  const auto begin = [&]() -> Result<void> {
-    MARKETGEN_TRY(const skills::DoorQuestion question,
-                  world_->store().door_question(goods_now(), memory_.open->joint));
-    MARKETGEN_TRY(const skills::DoorPlan plan, skills::plan_shut_door(robot_, question, seed));
-    MARKETGEN_TRY(auto way, way_of(plan.world_from_base));
-    memory_.executor.drive(std::move(way));
-    return {};
-  };
-  if (const auto begun = begin(); !begun.ok()) {
+  const auto begun = drive_to_door(memory_.open->joint, skills::plan_shut_door, next_seed("leaf"));
+  if (!begun.ok()) {
     say("no way to shut it: " + to_string(begun.error()));
     note(episodes::FailureCode::no_path);
     memory_.done = true;
@@ -213,8 +203,7 @@ Result<void> AisleOracle::fold_arms() {
       memory_.done = true;
       return {};
     }
-    for (std::size_t j = 0; j < hand.arm->dofs.size(); ++j)
-      state[static_cast<std::size_t>(hand.arm->dofs[j])] = question.stow[j];
+    state = skills::with_arm(*hand.arm, std::move(state), question.stow);
     memory_.executor.stow(hand.arm->name, std::move(*way));
   }
   return {};

@@ -119,6 +119,10 @@ class AisleOracle : public agent::Policy {
   bool is_behind_open_door(std::uint32_t product) const;
   Result<OpenedDoor> opened_at(std::uint32_t joint, double position_rad) const;
   Result<motion::BaseFollower> way_of(const Pose& world_from_base) const;
+  using DoorPlanning = Result<skills::DoorPlan> (*)(const robots::Robot&,
+                                                    const skills::DoorQuestion&,
+                                                    Seed);
+  Result<void> drive_to_door(std::uint32_t joint, DoorPlanning plan_way, Seed seed);
   bool go_to_door(std::uint32_t joint, std::uint32_t product);
   Result<void> open_door();
   Result<void> check_opened();

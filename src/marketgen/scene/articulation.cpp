@@ -54,6 +54,10 @@ Pose fixture_from_joint(const SceneJoint& joint) {
   return {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}};
 }
 
+std::string joint_id(const Scene& scene, const SceneJoint& joint) {
+  return scene.layout.fixtures[joint.fixture].id + "/" + joint.name;
+}
+
 std::vector<double> masses_of(const Scene& scene,
                               const SceneJoint& joint,
                               const std::vector<std::uint32_t>& parts) {

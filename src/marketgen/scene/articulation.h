@@ -3,6 +3,7 @@
 // Scene::parts stand with every joint at position 0. A position is in radians for a hinge, metres
 // for a slide, metres per second for a belt, whose parts stand still.
 #pragma once
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,9 @@
 namespace marketgen::scene {
 
 Pose fixture_from_joint(const SceneJoint& joint);  // at position 0
+
+// "FIXTURE/JOINT", unique in the store.
+std::string joint_id(const Scene& scene, const SceneJoint& joint);
 
 // How the mass of what a joint moves is spread over its parts (rows of Scene::parts): by volume,
 // in kg, in the order of `parts`.

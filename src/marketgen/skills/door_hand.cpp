@@ -32,14 +32,6 @@ std::vector<int> finger_links(const robots::Robot& robot, const Hand& hand) {
   return links;
 }
 
-std::vector<double> with_arm(const robots::JointGroup& arm,
-                             std::vector<double> state,
-                             const motion::Configuration& q) {
-  for (std::size_t j = 0; j < arm.dofs.size(); ++j)
-    state[static_cast<std::size_t>(arm.dofs[j])] = q[j];
-  return state;
-}
-
 motion::ArmPlanOptions free_options() {
   motion::ArmPlanOptions options;
   options.speed = free_speed;
@@ -62,6 +54,14 @@ Result<motion::JointTrajectory> backwards(const motion::ArmModel& model,
 }
 
 }  // namespace
+
+std::vector<double> with_arm(const robots::JointGroup& arm,
+                             std::vector<double> state,
+                             const motion::Configuration& q) {
+  for (std::size_t j = 0; j < arm.dofs.size(); ++j)
+    state[static_cast<std::size_t>(arm.dofs[j])] = q[j];
+  return state;
+}
 
 bool is_clear_of_leaf(const robots::Robot& robot,
                       const std::vector<double>& state,

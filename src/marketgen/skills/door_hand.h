@@ -16,6 +16,11 @@
 
 namespace marketgen::skills {
 
+// The robot's state with the arm in another posture.
+std::vector<double> with_arm(const robots::JointGroup& arm,
+                             std::vector<double> state,
+                             const motion::Configuration& q);
+
 // Where the robot stands, and what it must not meet there but the leaf.
 struct DoorStand {
   Pose world_from_base;

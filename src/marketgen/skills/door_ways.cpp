@@ -224,7 +224,7 @@ class DoorPlanner {
                                double z) {
     Error error{"robot.unreachable", question_.where, "no other arm comes behind the leaf"};
     DoorStand stand = stand_of(plan);
-    stand.at_reach = with_posture_of(hands_[puller], pull.at_end, stand.state);
+    stand.at_reach = with_arm(*hands_[puller].hand().arm, stand.state, pull.at_end);
     const double to = std::min(door_.hold_rad + past_hold_rad, door_.open_rad);
     for (std::size_t pusher = 0; pusher < hands_.size(); ++pusher) {
       if (pusher == puller) continue;
@@ -253,17 +253,8 @@ class DoorPlanner {
     DoorStand stand = stand_of(plan);
     for (const DoorHand& hand : hands_)
       if (hand.hand().arm->name == push.group)
-        stand.state = with_posture_of(hand, push.at_start, stand.state);
+        stand.state = with_arm(*hand.hand().arm, stand.state, push.at_start);
     return hands_[puller].leave(stand, pull.at_end, pull.end_rad, next_seed("let go"));
-  }
-
-  static std::vector<double> with_posture_of(const DoorHand& hand,
-                                             const motion::Configuration& q,
-                                             std::vector<double> state) {
-    const std::vector<int>& dofs = hand.hand().arm->dofs;
-    for (std::size_t j = 0; j < dofs.size(); ++j)
-      state[static_cast<std::size_t>(dofs[j])] = q[j];
-    return state;
   }
 
   // ---- Pressing ----
