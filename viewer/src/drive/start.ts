@@ -26,7 +26,7 @@ interface Watched {
 
 // The link of a store's page to the drive.
 export function offerDriving(place: Pick<DrivePlace, "store" | "token">, speech: Speech, into: Element | null): void {
-  const link = element("a", { class: "to-episodes to-drive", attributes: { href: driveLink(place) } });
+  const link = element("a", { class: "to-drive", attributes: { href: driveLink(place) } });
   speech.bind(() => (link.textContent = say(speech.language, "drive")));
   into?.append(link);
 }
