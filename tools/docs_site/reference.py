@@ -18,7 +18,7 @@ GROUPS = {
     "Stores": ["generate", "open_store", "Store", "View"],
     "Pictures": ["Renderer", "Camera", "Frame", "render_batch", "camera_from_dict", "camera_to_dict"],
     "Evaluation": ["evaluate", "Evaluation", "Policy", "policies", "merge", "leaderboard", "tables", "read_motion", "write_episodes"],
-    "Demonstrations": ["record", "Recording", "replay_check"],
+    "Demonstrations": ["record", "record_drives", "Recording", "replay_check"],
     "Photos": ["read_photo"],
     "Errors": ["Error", "StoreWarning", "IsolationWarning"],
 }
