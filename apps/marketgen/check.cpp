@@ -74,7 +74,13 @@ Result<int> check(const CheckFlags& flags) {
   for (const audit::RequirementResult& r : output.requirements) {
     if (!r.met) say("wish  not met              \"{}\": {}\n", r.text, r.why);
   }
-  say("{} {}: {} rules broken\n", output.ok ? "ok" : "FAILED", flags.path, output.rules.size());
+  const auto hard = std::ranges::count(
+      output.rules, layout::Severity::hard, &layout::Violation::severity);
+  say("{} {}: {} hard and {} soft rules broken\n",
+      output.ok ? "ok" : "FAILED",
+      flags.path,
+      hard,
+      std::ssize(output.rules) - hard);
   return output.ok ? 0 : 1;
 }
 

@@ -31,17 +31,15 @@ constexpr std::array<LedgerLine, 10> ledger_lines{
      {"base drove into something", &episodes::SideEffects::base_collisions},
      {"protective stops", &episodes::SideEffects::protective_stops}}};
 
-std::string ledger_row(const LedgerLine& line,
-                       const std::vector<episodes::EpisodeResult>& results) {
+std::string ledger_row(std::string_view name, const std::vector<int>& counts) {
   int sum = 0, in = 0, most = 0;
-  for (const episodes::EpisodeResult& result : results) {
-    const int count = result.side_effects.*line.count;
+  for (const int count : counts) {
     sum += count;
     in += count > 0 ? 1 : 0;
     most = std::max(most, count);
   }
   return fmt::format("<tr><td>{}</td><td class=\"value\">{}</td><td>{}</td><td>{}</td></tr>",
-                     line.name,
+                     name,
                      sum,
                      in,
                      most);
@@ -130,8 +128,16 @@ std::string ledger_table(const std::vector<episodes::EpisodeResult>& results) {
   std::string out =
       "<h2>Side effects</h2><table><tr><th>what</th><th>in all</th><th>in how many episodes</th>"
       "<th>most in one</th></tr>";
-  for (const LedgerLine& line : ledger_lines)
-    out += ledger_row(line, results);
+  for (const LedgerLine& line : ledger_lines) {
+    std::vector<int> counts;
+    for (const episodes::EpisodeResult& result : results)
+      counts.push_back(result.side_effects.*line.count);
+    out += ledger_row(line.name, counts);
+  }
+  std::vector<int> doors;  // of episodes that have some
+  for (const episodes::EpisodeResult& result : results)
+    if (result.side_effects.doors_open) doors.push_back(*result.side_effects.doors_open);
+  if (!doors.empty()) out += ledger_row("doors left open", doors);
   double hardest_n = 0;
   int void_ones = 0;
   for (const episodes::EpisodeResult& result : results) {

@@ -79,6 +79,7 @@ export interface SideEffects {
   readonly basket_tilt_deg: number;
   readonly base_collisions: number;
   readonly protective_stops: number;
+  readonly doors_open?: number; // of episodes with doors
 }
 
 export interface Replay {

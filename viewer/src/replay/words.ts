@@ -41,6 +41,7 @@ export class ReplayWords {
       [this.say("tilt"), this.say("degrees", { value: speech.number(effects.basket_tilt_deg, 1) })],
       [this.say("collisions"), speech.number(effects.base_collisions)],
       [this.say("stops"), speech.number(effects.protective_stops)],
+      ...(effects.doors_open === undefined ? [] : [[this.say("doorsOpen"), speech.number(effects.doors_open)] as const]),
     ];
   }
 
