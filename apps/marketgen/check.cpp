@@ -74,8 +74,8 @@ Result<int> check(const CheckFlags& flags) {
   for (const audit::RequirementResult& r : output.requirements) {
     if (!r.met) say("wish  not met              \"{}\": {}\n", r.text, r.why);
   }
-  const auto hard = std::ranges::count(
-      output.rules, layout::Severity::hard, &layout::Violation::severity);
+  const auto hard =
+      std::ranges::count(output.rules, layout::Severity::hard, &layout::Violation::severity);
   say("{} {}: {} hard and {} soft rules broken\n",
       output.ok ? "ok" : "FAILED",
       flags.path,

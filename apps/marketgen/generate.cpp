@@ -20,8 +20,8 @@ namespace {
 struct GenerateFlags {
   CommonFlags common;
   std::vector<std::string> words;
-  std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, skin,
-      planner = "offline", folder, record;
+  std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, country,
+      skin, planner = "offline", folder, record;
   std::vector<std::string> catalogs, images;
   planners::PlannerAccess planner_access;
   int count = 1;
@@ -59,6 +59,9 @@ Result<intake::Brief> brief_of(const GenerateFlags& flags) {
     return Error{"usage.bad_flag",
                  "--floor-plan",
                  "a plan has its shell already: give one of --plan and --floor-plan"};
+  if (!flags.plan_file.empty() && !flags.country.empty())
+    return Error{
+        "usage.bad_flag", "--country", "a plan says everything itself: write \"country\" into it"};
   if (!flags.floor_plan_scale.empty() && flags.floor_plan.empty())
     return Error{
         "usage.bad_flag", "--floor-plan-scale", "there is no --floor-plan whose scale it would be"};
@@ -74,6 +77,7 @@ Result<intake::Brief> brief_of(const GenerateFlags& flags) {
   }
   if (!flags.profile.empty()) brief.profile = flags.profile;
   if (!flags.style.empty()) brief.style = flags.style;
+  if (!flags.country.empty()) brief.country = flags.country;
   if (!flags.skin.empty()) brief.skin = flags.skin;
   brief.planner = flags.planner;
   return brief;
@@ -302,6 +306,12 @@ Run add_generate(CLI::App& app) {
       ->type_name("PROFILE");
   command->add_option("--style", flags->style, "look, e.g. scandinavian, industrial, warm-deli")
       ->type_name("STYLE");
+  command
+      ->add_option("--country",
+                   flags->country,
+                   "whose money and units price tags have, e.g. us, gb, cn, jp; by itself euro, or "
+                   "what the kind of shop says (\"American supermarket\")")
+      ->type_name("COUNTRY");
   command
       ->add_option("--skin",
                    flags->skin,

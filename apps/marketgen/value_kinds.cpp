@@ -5,6 +5,7 @@
 #include "assets/product_model.h"
 #include "base/text.h"
 #include "bench/bench.h"
+#include "catalog/country.h"
 #include "command.h"
 #include "episodes/episode_sets.h"
 #include "episodes/realism_rows.h"
@@ -72,6 +73,7 @@ std::vector<ValueKind> kinds_of_paths() {
 std::vector<ValueKind> kinds_of_rows(const catalog::Catalog& rows) {
   using namespace catalog;
   return {{"CATEGORY", Paths::none, ids_in(rows.categories, &CategoryRow::id)},
+          {"COUNTRY", Paths::none, ids_in(countries(), &Country::id)},
           {"MATERIAL", Paths::none, ids_in(rows.materials, &MaterialRow::id)},
           {"PROFILE", Paths::none, ids_in(rows.profiles, &ProfileRow::id)},
           {"SHAPE", Paths::none, ids_in(assets::archetypes(), &assets::ArchetypeInfo::name)},

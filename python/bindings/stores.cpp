@@ -55,6 +55,7 @@ StoreHandle generate(const std::string& prompt,
                      const std::string& size,
                      const std::optional<std::string>& profile,
                      const std::optional<std::string>& style,
+                     const std::optional<std::string>& country,
                      const std::optional<std::string>& plan,
                      const std::optional<std::string>& floor_plan,
                      const std::optional<std::string>& floor_plan_scale,
@@ -75,6 +76,7 @@ StoreHandle generate(const std::string& prompt,
   options.planner = access;
   options.brief.profile = profile;
   options.brief.style = style;
+  options.brief.country = country;
   options.brief.floor_plan = floor_plan;
   options.brief.floor_plan_scale = floor_plan_scale;
   options.brief.image_files = images;

@@ -30,7 +30,7 @@ class IsolationWarning(UserWarning):
 # The library says what mends an error in the words of the command line. Flags that are switches here, and those whose value is
 # said with them; every other flag is an argument of the same name.
 _SWITCHES = ("resume", "strict", "previews")
-_WITH_VALUE = ("camera", "control-mode", "denoise", "mode", "planner", "profile", "quality", "style")
+_WITH_VALUE = ("camera", "control-mode", "country", "denoise", "mode", "planner", "profile", "quality", "style")
 _OTHER_NAMES = {"act-limit-s": "act_limit_s", "truth": "policy"}
 _FLAG = re.compile(r"(?<![\w-])--([a-z][a-z0-9-]*)(?: ([a-z][a-z0-9.]*(?::[a-z0-9.-]*[a-z0-9])?))?")
 _QUOTED = re.compile(r'("[^"]*")')  # commands for the shell, and what somebody wrote: as they are

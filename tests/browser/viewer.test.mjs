@@ -186,7 +186,7 @@ test("a line of shelves is seen from the front, and a facing of it opens its pro
   await blocks.first().waitFor({ timeout: patience });
   assert.ok((await blocks.count()) > 5);
   const [, sku, facts] = (await blocks.first().getAttribute("title")).split("\n");
-  assert.match(facts, /^\d+ × € \d+\.\d\d$/);
+  assert.match(facts, /^\d+ × €\d+\.\d\d$/);
   await blocks.first().focus();
   await page.keyboard.press("Enter");
   await page.locator(".card dd", { hasText: sku }).waitFor({ timeout: patience });
@@ -204,7 +204,7 @@ test("products are coloured by what they cost, with a legend, and are themselves
   await page.locator("canvas").focus();
   await page.keyboard.press("l");
   await page.getByLabel("Colour the products by").selectOption("price");
-  assert.match(await page.locator(".legend").textContent(), /^≤ € \d+\.\d\d≥ € \d+\.\d\d$/);
+  assert.match(await page.locator(".legend").textContent(), /^≤ €\d+\.\d\d≥ €\d+\.\d\d$/);
   assert.equal(await page.evaluate(() => (window.marketgen.app.writeAddress(), /heat=price/.test(location.hash))), true);
   await page.waitForTimeout(1500);
   await take(page, "heat");

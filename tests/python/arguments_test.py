@@ -28,6 +28,8 @@ GENERATE = [
     ("profile", "supermarkt-eu"),
     ("profile", 7),
     ("style", "scandinavia"),
+    ("country", "uss"),
+    ("country", 3),
     ("plan", 5),
     ("floor_plan", 5),
     ("floor_plan_scale", 3),

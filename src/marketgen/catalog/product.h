@@ -111,9 +111,10 @@ struct Product {
   std::string net;         // "330 ml", "6 x 1.5 l", "500 g", "each"
   double unit_amount = 1;  // amount in unit_of_measure: 0.33
   std::string unit_of_measure = "kg";  // l, kg, or piece: the unit price is price / unit_amount
-  double price = 1.0;                  // euro
-  int shelf_life_days = 365;           // from delivery to the date printed on the pack
-  std::string family;                  // look-alikes share it: same brand, other variant or size
+  double price = 1.0;                  // in the money of `country`
+  std::optional<std::string> country = {};  // catalog/countries.inc; absent: euro, metric units
+  int shelf_life_days = 365;                // from delivery to the date printed on the pack
+  std::string family;  // look-alikes share it: same brand, other variant or size
   LabelStyle label;
   std::optional<Contents> contents;  // absent: nothing is seen
 
@@ -159,7 +160,15 @@ struct Product {
             "net quantity in unit_of_measure",
             range(0.0001, 1000)),
       field("unit_of_measure", &Product::unit_of_measure, "l, kg or piece", at_most_bytes(8)),
-      field("price", &Product::price, "shelf price in euro", range(0.01, 1000)),
+      field("price",
+            &Product::price,
+            "shelf price, in euro where no country is named",
+            range(0.01, 200000)),
+      field("country",
+            &Product::country,
+            "country whose money the price is in and whose units the tag has: eu, us, gb, cn, jp, "
+            "ch, se, pl, ca or au; absent: eu",
+            reference()),
       field("shelf_life_days",
             &Product::shelf_life_days,
             "days from delivery to the date printed on the pack",

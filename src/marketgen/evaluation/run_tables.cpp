@@ -38,11 +38,8 @@ std::string ledger_row(std::string_view name, const std::vector<int>& counts) {
     in += count > 0 ? 1 : 0;
     most = std::max(most, count);
   }
-  return fmt::format("<tr><td>{}</td><td class=\"value\">{}</td><td>{}</td><td>{}</td></tr>",
-                     name,
-                     sum,
-                     in,
-                     most);
+  return fmt::format(
+      "<tr><td>{}</td><td class=\"value\">{}</td><td>{}</td><td>{}</td></tr>", name, sum, in, most);
 }
 
 // ---- Time lines; SVG user units are CSS pixels. ----

@@ -142,7 +142,7 @@ struct CocoAnnotation {
             "of a misplaced item, and of the tag of a wrong product: that SKU"),
       field("column", &CocoAnnotation::column, "of a gap in its block, from the left; none: all"),
       field("text", &CocoAnnotation::text, "lines on the tag"),
-      field("price", &CocoAnnotation::price, "on the tag, euro"),
+      field("price", &CocoAnnotation::price, "on the tag, in the store's money"),
       field("promotion", &CocoAnnotation::promotion, "the tag is an offer's"),
       field("fault", &CocoAnnotation::fault, "of a tag: wrong_price or wrong_product"));
 };

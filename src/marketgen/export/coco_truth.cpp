@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "catalog/country.h"
 #include "export/coco_document.h"
 #include "export/exporter.h"
 #include "scene/placements.h"
@@ -148,8 +149,10 @@ Result<void> CocoTruth::check_price_tag(const ReadCocoAnnotation& read,
       read.planogram_sku != (other ? block->sku : ""))
     return mismatch(where,
                     fmt::format("the planogram has \"{}\" for {} there", block->sku, block->price));
-  if (std::ranges::find(read.text, fmt::format("{:.2f} \u20ac", read.price)) == read.text.end())
-    return mismatch(where, fmt::format("its text does not say {:.2f} \u20ac", read.price));
+  const std::string printed =
+      catalog::price_text(read.price, catalog::country_of(scene_.catalog.front()));
+  if (std::ranges::find(read.text, printed) == read.text.end())
+    return mismatch(where, fmt::format("its text does not say {}", printed));
   return {};
 }
 

@@ -60,7 +60,7 @@ struct PlanogramPosition {
       field("units", &PlanogramPosition::units, "packs that stand there"),
       field("orientation", &PlanogramPosition::orientation, "side that faces the shopper"),
       field("merchandising", &PlanogramPosition::merchandising, "how packs are kept"),
-      field("price", &PlanogramPosition::price, "euro"),
+      field("price", &PlanogramPosition::price, "in the store's money"),
       field("promotion", &PlanogramPosition::promotion, "has a promotion label"));
 };
 

@@ -29,6 +29,7 @@ struct Brief {
   std::optional<std::array<int, 2>> size_mm;    // --size
   std::optional<std::string> profile;           // --profile
   std::optional<std::string> style;             // --style
+  std::optional<std::string> country;           // --country
   std::string planner = "offline";              // --planner
   std::optional<std::string> skin;              // --skin: the style whose look the store gets
   std::optional<std::string> floor_plan;        // --floor-plan: SVG, DXF, PNG or JPEG
@@ -46,6 +47,7 @@ struct Brief {
                  field("size_mm", &Brief::size_mm, "size given by a flag", range(0, 1e6)),
                  field("profile", &Brief::profile, "profile given by a flag"),
                  field("style", &Brief::style, "style given by a flag"),
+                 field("country", &Brief::country, "country given by a flag"),
                  field("planner", &Brief::planner, "who plans"),
                  field("skin", &Brief::skin, "style that sets materials, colours and light only"),
                  field("floor_plan", &Brief::floor_plan, "drawing of the shell"),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "catalog/country.h"
 #include "intake/brief.h"
 #include "intake/drawn_shell.h"
 #include "intake/photos_file.h"
@@ -70,6 +71,8 @@ Result<void> check_brief(const Brief& brief, const catalog::Catalog& catalog) {
     MARKETGEN_CHECK(check_store_size((*brief.size_mm)[0], (*brief.size_mm)[1], "--size"));
   }
   MARKETGEN_CHECK(check_known(catalog.profiles, "profile", brief.profile, "--profile"));
+  if (brief.country)
+    MARKETGEN_CHECK(catalog::check_country(*brief.country, "catalog.unknown_kind", "--country"));
   return check_known(catalog.styles, "style", brief.style, "--style");
 }
 

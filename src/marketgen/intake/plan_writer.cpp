@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "intake/fixture_wishes.h"
+#include "intake/goods_words.h"
 #include "intake/plan_look.h"
 #include "intake/plan_provenance.h"
 #include "intake/plan_zones.h"
@@ -134,12 +136,27 @@ void fit_under_ceiling(plan::Plan& plan) {
   }
 }
 
+// The flag's, or that of a kind of shop that is named by its country: "American supermarket".
+std::optional<std::string> country_of(const PlanSources& sources) {
+  if (sources.brief.country) return sources.brief.country;
+  const plan::Requirement* shop = sources.understanding.find(plan::RequirementKind::profile);
+  if (shop == nullptr) return std::nullopt;
+  const std::string words = lower_ascii(shop->text);
+  if (names_any(words, {"american", "us", "\u7f8e\u56fd", "\u7f8e\u5f0f"})) return "us";
+  if (names_any(
+          words,
+          {"chinese", "china", "shanghai", "beijing", "shenzhen", "\u4e2d\u56fd", "\u4e2d\u5f0f"}))
+    return "cn";
+  return std::nullopt;
+}
+
 }  // namespace
 
 plan::Plan write_plan(const PlanSources& sources) {
   plan::Plan plan;
   if (sources.understanding.name) plan.name = sources.understanding.name->text;
   plan.profile = sources.program.profile->id;
+  plan.country = country_of(sources);
   plan.shell = shell_of(sources);
   add_lacking_exits(plan.shell, sources);
   plan.look = look_of(sources);

@@ -420,6 +420,7 @@ struct Plan {
   std::string schema = "market-plan/1";
   std::string name = "Market";
   std::string profile = "supermarket-eu";
+  std::optional<std::string> country;
   Shell shell;
   Look look;
   std::vector<Node> nodes;
@@ -434,6 +435,10 @@ struct Plan {
       field("schema", &Plan::schema, "schema tag", constant("market-plan/1")),
       field("name", &Plan::name, "the store's name", at_most_bytes(120)),
       field("profile", &Plan::profile, "limits and habits of this kind of shop", reference()),
+      field("country",
+            &Plan::country,
+            "whose money and units price tags have; absent: euro and metric units",
+            reference()),
       field("shell", &Plan::shell, "the room", required()),
       field("look", &Plan::look, "materials and light"),
       field("nodes",

@@ -1,5 +1,7 @@
 #include "plan/validation.h"
 
+#include "catalog/country.h"
+
 namespace marketgen::plan {
 namespace {
 
@@ -83,6 +85,9 @@ Result<void> check_names(const PlanCheck& check) {
                              "profile",
                              check.plan.profile,
                              check.at("/profile")));
+  if (check.plan.country)
+    MARKETGEN_CHECK(catalog::check_country(
+        *check.plan.country, "plan.unknown_reference", check.at("/country")));
   MARKETGEN_CHECK(check_look(check));
   for (std::size_t i = 0; i < check.plan.zones.size(); ++i) {
     MARKETGEN_CHECK(check_zone_names(check, i));

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "catalog/country.h"
 #include "layout/module_spec.h"
 #include "scene/bays.h"
 #include "scene/placements.h"
@@ -322,8 +323,12 @@ void compact_catalog(Scene& scene, const catalog::Catalog& catalog) {
 
 Result<Scene> build_scene(const layout::Layout& layout,
                           const plan::Plan& plan,
-                          const catalog::Catalog& catalog,
+                          const catalog::Catalog& rows,
                           Seed seed) {
+  const catalog::Country* country = plan.country ? catalog::find_country(*plan.country) : nullptr;
+  const catalog::Catalog local =
+      country != nullptr ? catalog::localized(rows, *country) : catalog::Catalog{};
+  const catalog::Catalog& catalog = country != nullptr ? local : rows;
   Scene scene;
   scene.seed = seed.value();
   scene.layout = layout;

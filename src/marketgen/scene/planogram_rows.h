@@ -45,7 +45,7 @@ struct PlanogramRow {
       field("facings", &PlanogramRow::facings, "packs side by side"),
       field("depth_count", &PlanogramRow::depth_count, "packs one behind another"),
       field("stack", &PlanogramRow::stack, "packs on one another"),
-      field("price", &PlanogramRow::price, "euro"),
+      field("price", &PlanogramRow::price, "in the store's money"),
       field("run", &PlanogramRow::run, "line of fixtures"),
       field("bay", &PlanogramRow::bay, "number of its bay on this side of the run, from the left"),
       field("bay_width_mm", &PlanogramRow::bay_width_mm, "of the bay's front"),

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "catalog/country.h"
+
 namespace marketgen::scene {
 namespace {
 
@@ -12,11 +14,12 @@ constexpr double gap_between_tags_m = 0.002;
 // What a price was before it changed, as a share of what it is.
 constexpr std::array<double, 6> old_prices = {0.8, 0.85, 0.9, 1.1, 1.15, 1.25};
 
-std::uint32_t old_price_cents(std::uint32_t cents, Stream& draw) {
+std::uint32_t old_price_cents(std::uint32_t cents, const catalog::Country& country, Stream& draw) {
   const double share = old_prices[static_cast<std::size_t>(
       draw.integer(0, static_cast<int>(old_prices.size()) - 1))];
-  const auto old = static_cast<std::uint32_t>(std::lround(cents * share));
-  return old == cents ? cents + 1 : old;  // of very low prices
+  const std::uint32_t coin = country.minor_digits > 0 ? 1 : 100;
+  const auto old = static_cast<std::uint32_t>(std::lround(cents * share / coin)) * coin;
+  return old == cents ? cents + coin : old;  // of very low prices
 }
 
 struct ShelfTags {
@@ -35,7 +38,8 @@ struct ShelfTags {
 
 class TagFaults {
  public:
-  TagFaults(const Scene& scene, Seed seed) : scene_(scene), seed_(seed) {}
+  TagFaults(const Scene& scene, Seed seed, const catalog::Country& country)
+      : scene_(scene), seed_(seed), country_(country) {}
 
   void add(const ShelfTags& shelf, const plan::PriceTagSpec& faults) {
     for (const PriceLabel& right : shelf.tags)
@@ -52,12 +56,12 @@ class TagFaults {
       const PriceLabel& other = shelf.other_than(tag, draw);
       tag.sku = other.sku, tag.promotion = other.promotion, tag.price_cents = other.price_cents;
     } else if (draw.chance(faults.wrong_price)) {
-      tag.price_cents = old_price_cents(tag.price_cents, draw);
+      tag.price_cents = old_price_cents(tag.price_cents, country_, draw);
     } else if (draw.chance(faults.doubled) && has_room_for_two(tag)) {
       PriceLabel old = tag;
       const auto aside_m = static_cast<float>((tag.width_m + gap_between_tags_m) / 2);
       tag.x_m -= aside_m, old.x_m += aside_m;
-      old.price_cents = old_price_cents(tag.price_cents, draw);
+      old.price_cents = old_price_cents(tag.price_cents, country_, draw);
       kept_.push_back(tag);
       kept_.push_back(old);
       return;
@@ -79,6 +83,7 @@ class TagFaults {
 
   const Scene& scene_;
   Seed seed_;
+  const catalog::Country& country_;
   std::vector<PriceLabel> kept_;
 };
 
@@ -120,7 +125,8 @@ TagFault fault_of(const Scene& scene, const PriceLabel& label) {
 void fault_price_tags(Scene& scene, const plan::Plan& plan, Seed seed) {
   const auto has_faults = [](const plan::Zone& zone) { return zone.stock.price_tags.has_value(); };
   if (std::ranges::none_of(plan.zones, has_faults)) return;
-  TagFaults made(scene, seed);
+  const catalog::Country* country = plan.country ? catalog::find_country(*plan.country) : nullptr;
+  TagFaults made(scene, seed, country != nullptr ? *country : catalog::countries().front());
   for (std::size_t row = 0; row < scene.price_labels.size();) {
     ShelfTags shelf;
     const std::uint32_t number = scene.price_labels[row].shelf;

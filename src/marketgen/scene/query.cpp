@@ -8,7 +8,7 @@
 
 #include "base/safe_line.h"
 #include "base/text.h"
-#include "catalog/unit_price.h"
+#include "catalog/country.h"
 #include "io/csv.h"
 #include "io/json.h"
 #include "scene/placements.h"
@@ -57,7 +57,7 @@ struct ZoneQueryRow {
 struct PriceQueryRow {
   std::string sku, ean, name, net;
   double price = 0, unit_price = 0;
-  std::string per;
+  std::string per, currency;
   bool promotion = false;
   std::uint64_t labels = 0, products = 0;
   static constexpr auto fields =
@@ -65,9 +65,10 @@ struct PriceQueryRow {
                  field("ean", &PriceQueryRow::ean, "EAN-13"),
                  field("name", &PriceQueryRow::name, "name"),
                  field("net", &PriceQueryRow::net, "net quantity"),
-                 field("price", &PriceQueryRow::price, "euro"),
-                 field("unit_price", &PriceQueryRow::unit_price, "euro per unit"),
+                 field("price", &PriceQueryRow::price, "in `currency`"),
+                 field("unit_price", &PriceQueryRow::unit_price, "in `currency`, a unit"),
                  field("per", &PriceQueryRow::per, "unit"),
+                 field("currency", &PriceQueryRow::currency, "ISO 4217"),
                  field("promotion", &PriceQueryRow::promotion, "has a promotion label"),
                  field("labels", &PriceQueryRow::labels, "price labels"),
                  field("products", &PriceQueryRow::products, "items"));
@@ -157,13 +158,15 @@ std::vector<ZoneQueryRow> zone_rows(const Scene& scene) {
 std::vector<PriceQueryRow> price_rows(const Scene& scene) {
   std::vector<PriceQueryRow> rows;
   for (const catalog::Product& p : scene.catalog) {
+    const catalog::UnitPrice unit = catalog::unit_price(p);
     rows.push_back({p.sku,
                     p.ean,
                     full_name(p),
                     p.net,
                     p.price,
-                    rounded(catalog::unit_price(p), 0.01),
-                    p.unit_of_measure,
+                    rounded(unit.price, 0.01),
+                    std::string(unit.per),
+                    std::string(catalog::country_of(p).currency),
                     false,
                     0,
                     0});

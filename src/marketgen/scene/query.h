@@ -30,7 +30,7 @@ struct ProductQueryRow {
                  field("y_m", &ProductQueryRow::y_m, "north"),
                  field("z_m", &ProductQueryRow::z_m, "up"),
                  field("yaw_deg", &ProductQueryRow::yaw_deg, "0 = front faces south"),
-                 field("price", &ProductQueryRow::price, "euro"),
+                 field("price", &ProductQueryRow::price, "in the store's money"),
                  field("misplaced", &ProductQueryRow::misplaced, "stands in the wrong place"));
 };
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "catalog/unit_price.h"
+#include "catalog/country.h"
 #include "io/file.h"
 #include "scene/placements.h"
 
@@ -26,8 +26,10 @@ void add_row(ProductCard& card, const catalog::Product& p) {
   card.subcategory = p.subcategory;
   card.net = p.net;
   card.price = p.price;
-  card.unit_price = catalog::unit_price(p);
-  card.unit_of_measure = p.unit_of_measure;
+  card.currency = catalog::country_of(p).currency;
+  const catalog::UnitPrice unit = catalog::unit_price(p);
+  card.unit_price = unit.price;
+  card.unit_of_measure = unit.per;
   card.size_mm = p.size_mm;
   card.mass_kg = p.mass_kg;
   card.friction = p.friction;

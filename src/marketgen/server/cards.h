@@ -54,6 +54,7 @@ struct ProductCard {
   std::uint32_t sku_row = 0;
   std::string sku, ean, plu, name, name_zh, brand, variant, description, category, subcategory, net;
   double price = 0;
+  std::string currency;
   bool promotion = false;
   double unit_price = 0;
   std::string unit_of_measure;
@@ -90,10 +91,11 @@ struct ProductCard {
       field("category", &ProductCard::category, "category"),
       field("subcategory", &ProductCard::subcategory, "shelf group"),
       field("net", &ProductCard::net, "net quantity as printed"),
-      field("price", &ProductCard::price, "euro"),
+      field("price", &ProductCard::price, "in `currency`"),
+      field("currency", &ProductCard::currency, "ISO 4217"),
       field("promotion", &ProductCard::promotion, "it is on offer"),
-      field("unit_price", &ProductCard::unit_price, "euro per unit"),
-      field("unit_of_measure", &ProductCard::unit_of_measure, "l, kg or piece"),
+      field("unit_price", &ProductCard::unit_price, "in `currency`, a unit"),
+      field("unit_of_measure", &ProductCard::unit_of_measure, "l, kg, piece, oz, lb or fl oz"),
       field("size_mm", &ProductCard::size_mm, "width, depth, height"),
       field("mass_kg", &ProductCard::mass_kg, "gross mass"),
       field("friction", &ProductCard::friction, "on a painted steel shelf"),

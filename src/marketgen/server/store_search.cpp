@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "catalog/country.h"
 #include "scene/query.h"
 
 namespace marketgen::server {
@@ -47,6 +48,7 @@ Result<SearchAnswer> StoreSearch::find(const scene::Scene& scene,
                    scene::full_name(product),
                    hit.score,
                    row->price,
+                   std::string(catalog::country_of(*row).currency),
                    {}};
     line.products = items_of(scene, line.sku_row);
     if (!line.products.empty()) answer.hits.push_back(std::move(line));

@@ -17,13 +17,15 @@ struct SearchHit {
   std::uint32_t sku_row = 0;
   std::string sku, name;
   double score = 0, price = 0;
+  std::string currency;
   std::vector<std::uint32_t> products;
   static constexpr auto fields =
       field_list(field("sku_row", &SearchHit::sku_row, "row of the SKU"),
                  field("sku", &SearchHit::sku, "SKU"),
                  field("name", &SearchHit::name, "brand, name and variant"),
                  field("score", &SearchHit::score, "the higher the better"),
-                 field("price", &SearchHit::price, "euro"),
+                 field("price", &SearchHit::price, "in `currency`"),
+                 field("currency", &SearchHit::currency, "ISO 4217"),
                  field("products", &SearchHit::products, "rows of its items, front ones first"));
 };
 

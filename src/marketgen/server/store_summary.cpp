@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "catalog/country.h"
 #include "render/cameras/camera.h"
 #include "render/stage/room.h"
 #include "scene/articulation.h"
@@ -105,6 +106,7 @@ std::vector<ViewSku> skus_of(const scene::Scene& scene,
                     p.variant,
                     p.category,
                     p.price,
+                    std::string(catalog::country_of(p).currency),
                     {p.width_m(), p.depth_m(), p.height_m()},
                     p.mass_kg,
                     pick_rate(grasps_of(p, grasps, frictions)),

@@ -100,6 +100,7 @@ struct ViewJoint {
 struct ViewSku {
   std::string sku, ean, name, name_zh, brand, variant, category;
   double price = 0;
+  std::string currency;
   std::array<double, 3> size_m{};
   double mass_kg = 0, pick_rate = 0;
   std::string color;
@@ -112,7 +113,8 @@ struct ViewSku {
                  field("brand", &ViewSku::brand, "brand"),
                  field("variant", &ViewSku::variant, "variant"),
                  field("category", &ViewSku::category, "category"),
-                 field("price", &ViewSku::price, "euro"),
+                 field("price", &ViewSku::price, "in `currency`"),
+                 field("currency", &ViewSku::currency, "ISO 4217"),
                  field("size_m", &ViewSku::size_m, "width, depth, height"),
                  field("mass_kg", &ViewSku::mass_kg, "mass"),
                  field("pick_rate",

@@ -26,6 +26,19 @@ plan::Plan plan_of(const std::string& prompt, std::uint64_t seed = 1) {
   return std::move(made->plan);
 }
 
+TEST(Plans, PricesAreOfTheCountryThatIsAskedFor) {
+  EXPECT_EQ(plan_of("an American supermarket with a bakery").country, "us");
+  EXPECT_EQ(plan_of("a Chinese supermarket with a fish counter").country, "cn");
+  EXPECT_EQ(plan_of("\u4fbf\u5229\u5e97\uff0c\u7167\u7f8e\u56fd\u90a3\u79cd\u6765").country, "us");
+  for (const char* nowhere : {"a supermarket with a bakery", "a convenience store", "us"})
+    EXPECT_FALSE(plan_of(nowhere).country) << nowhere;
+  intake::Brief brief;
+  brief.prompt = "an American supermarket", brief.country = "ca";
+  const auto made = intake::plan_from_brief(brief, committed_catalog(), shipped_planner(), Seed(1));
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->plan.country, "ca");
+}
+
 // ---- An independent look at rectangles ----
 
 RectMm rect_of(const plan::Plan& plan, const std::string& type) {

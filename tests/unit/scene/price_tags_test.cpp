@@ -1,5 +1,6 @@
 // Price tags that are missing, wrong or doubled, and what the scene keeps of the truth.
 #include "scene/price_tags.h"
+#include "catalog/country.h"
 
 #include <gtest/gtest.h>
 
@@ -35,6 +36,29 @@ TEST(PriceTags, HaveNoFaultUnlessThePlanAsksForOne) {
   ASSERT_GT(scene.price_labels.size(), 150U);
   EXPECT_EQ(share_of(scene, scene::TagFault::none), 1);
   EXPECT_EQ(scene::scene_hash(shop_with({})), scene::scene_hash(scene));
+}
+
+// A country changes what tags say, and nothing of what stands where.
+TEST(PriceTags, ACountryChangesPricesAndNothingElse) {
+  HandLaidShop shop = shop_of({"canned", "snacks", "household", "dry_goods", "personal_care"});
+  const scene::Scene euro = scene_of(shop);
+  shop.plan.country = "jp";
+  for (plan::Zone& zone : shop.plan.zones)
+    zone.stock.price_tags = plan::PriceTagSpec{.wrong_price = 0.25};
+  const scene::Scene yen = scene_of(shop);
+  ASSERT_EQ(yen.products.size(), euro.products.size());
+  for (std::size_t i = 0; i < yen.products.size(); ++i) {
+    EXPECT_EQ(yen.products[i].position_m, euro.products[i].position_m);
+    EXPECT_EQ(yen.catalog[yen.products[i].sku].sku, euro.catalog[euro.products[i].sku].sku);
+  }
+  const catalog::Country& japan = *catalog::find_country("jp");
+  for (std::size_t sku = 0; sku < yen.catalog.size(); ++sku) {
+    EXPECT_EQ(yen.catalog[sku].country, "jp");
+    EXPECT_EQ(yen.catalog[sku].price, catalog::localized(euro.catalog[sku], japan).price);
+  }
+  EXPECT_NEAR(share_of(yen, scene::TagFault::wrong_price), 0.25, 0.05);
+  for (const PriceLabel& label : yen.price_labels)
+    EXPECT_EQ(label.price_cents % 100, 0U);  // whole yen, on wrong tags too
 }
 
 TEST(PriceTags, AShareIsMissingAndTheOthersStayAsTheyWere) {

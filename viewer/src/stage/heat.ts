@@ -9,6 +9,7 @@ export interface Heat {
   readonly low: number; // what the first colour stands for
   readonly high: number;
   readonly colors: Uint8Array; // RGB by product row
+  readonly currency: string; // of prices
 }
 
 // Dark blue to yellow over magenta and orange, ever lighter, so that it is read without telling hues apart.
@@ -45,5 +46,5 @@ export function heatOf(name: HeatName, table: GoodsTable, skus: readonly Sku[]):
   const colors = new Uint8Array(table.count * 3);
   const color = (figure: number): ArrayLike<number> => (Number.isNaN(figure) ? unknown : rampColor(high > low ? (figure - low) / (high - low) : 0.5));
   figures.forEach((figure, row) => colors.set(color(figure), row * 3));
-  return { low, high, colors };
+  return { low, high, colors, currency: skus[0]?.currency ?? "EUR" };
 }

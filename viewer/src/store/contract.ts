@@ -87,6 +87,7 @@ export interface Sku {
   readonly variant: string;
   readonly category: string;
   readonly price: number;
+  readonly currency: string; // ISO 4217
   readonly size_m: Triple;
   readonly mass_kg: number;
   readonly pick_rate: number; // of the grasp study; -1: it had none
@@ -105,6 +106,7 @@ export interface Hit {
   readonly sku: string;
   readonly name: string;
   readonly price: number;
+  readonly currency: string; // ISO 4217
   readonly products: readonly number[];
 }
 
@@ -124,6 +126,7 @@ export interface ProductCard {
   readonly subcategory: string;
   readonly net: string;
   readonly price: number;
+  readonly currency: string; // ISO 4217
   readonly promotion: boolean;
   readonly size_mm: Triple;
   readonly mass_kg: number;

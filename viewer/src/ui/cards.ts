@@ -53,7 +53,7 @@ export class CardPanel {
       { class: "title" },
       element("h2", { text: name }),
       element("p", { class: "muted", text: [card.brand, card.variant].filter((part) => part).join(" · ") }),
-      element("p", { class: "cost", text: `€ ${speech.number(card.price, 2)}` }),
+      element("p", { class: "cost", text: speech.money(card.price, card.currency) }),
     );
     const [w, d, h] = card.size_mm;
     const facts = this.facts([

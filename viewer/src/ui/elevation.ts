@@ -83,7 +83,7 @@ export class ElevationPanel {
     for (const block of blocks) {
       const sku = this.skus[block.sku]!;
       const name = this.speech.language === "zh" && sku.name_zh ? sku.name_zh : sku.name;
-      const facts = `${block.columns} × € ${this.speech.number(sku.price, 2)}`;
+      const facts = `${block.columns} × ${this.speech.money(sku.price, sku.currency)}`;
       const button = element("button", { attributes: { type: "button", title: `${name}\n${sku.sku}\n${facts}` }, on: { click: () => this.actions.choose(block.product) } });
       button.append(element("span", { text: name }), element("span", { text: facts }));
       Object.assign(button.style, {

@@ -78,7 +78,7 @@ export class LayersPanel {
     if (!name || !heat) return;
     const bar = element("div", { class: "bar" });
     bar.style.background = `linear-gradient(to right, ${[0, 0.25, 0.5, 0.75, 1].map((share) => `rgb(${rampColor(share).join(" ")})`).join(", ")})`;
-    const text = (value: number): string => figureText(this.speech, name, value);
+    const text = (value: number): string => figureText(this.speech, name, value, heat.currency);
     this.legend.replaceChildren(bar, element("span", { text: `≤ ${text(heat.low)}` }), element("span", { text: `≥ ${text(heat.high)}` }));
   }
 
@@ -90,10 +90,10 @@ export class LayersPanel {
 
 const heatKeys = { price: "price", height: "heightAbove", mass: "mass", pickRate: "pickRate" } as const;
 
-function figureText(speech: Speech, name: HeatName, value: number): string {
+function figureText(speech: Speech, name: HeatName, value: number, currency: string): string {
   switch (name) {
     case "price":
-      return `€ ${speech.number(value, 2)}`;
+      return speech.money(value, currency);
     case "height":
       return speech.say("metres", { value: speech.number(value, 2) });
     case "mass":

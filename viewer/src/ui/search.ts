@@ -147,7 +147,7 @@ export class SearchPanel {
       "li",
       { id: `hit-${i}`, attributes: { role: "option", "aria-selected": "false" } },
       element("span", { class: "name", text: hit.name }),
-      element("span", { class: "price", text: `€ ${speech.number(hit.price, 2)}` }),
+      element("span", { class: "price", text: speech.money(hit.price, hit.currency) }),
       element("span", { class: "muted", text: speech.say("pieces", { count: speech.number(hit.products.length) }) }),
     );
     row.addEventListener("click", () => {

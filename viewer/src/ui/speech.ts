@@ -20,6 +20,11 @@ export class Speech {
     return value.toLocaleString(this.language, { minimumFractionDigits: digits, maximumFractionDigits: digits });
   }
 
+  // `currency`: ISO 4217.
+  money(value: number, currency: string): string {
+    return value.toLocaleString(this.language, { style: "currency", currency, currencyDisplay: "narrowSymbol" });
+  }
+
   bind(say: () => void): void {
     this.bound.push(say);
     say();

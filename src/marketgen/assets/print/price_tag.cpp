@@ -9,6 +9,7 @@
 #include "assets/print/label_bars.h"
 #include "assets/print/lettering.h"
 #include "assets/print/price_type.h"
+#include "catalog/country.h"
 
 namespace marketgen::assets {
 namespace {
@@ -56,7 +57,7 @@ void draw_tag_words(Canvas& canvas,
                  1,
                  tag.h * 0.12});
   draw_headline(canvas,
-                {unit_price_text(product),
+                {catalog::unit_price_text(product),
                  {"Open Sans", 600},
                  type,
                  tag.part(0.60, 0.76, 0.97, 0.94),
@@ -131,7 +132,7 @@ Result<PrintedPicture> drawn_tag(const catalog::Product& product,
   const Area price = tag.part(0.57, 0.06, 0.985, 0.74);
   canvas.rounded(price, 1.5).fill(colors.price_ground);
   draw_price(canvas,
-             product.price,
+             product,
              promotion ? price.part(0, 0.24, 1, 0.97) : price.part(0, 0.06, 1, 0.94),
              colors.price);
   draw_tag_words(canvas, product, tag, colors.type);
@@ -157,8 +158,8 @@ std::vector<std::string> price_tag_text(const catalog::Product& product, bool pr
   for (std::string line : {std::string(promotion ? offer_word : ""),
                            title_text(product),
                            detail_text(product),
-                           price_text(product.price),
-                           unit_price_text(product),
+                           catalog::price_text(product.price, catalog::country_of(product)),
+                           catalog::unit_price_text(product),
                            product.ean.empty() ? plu_text(product) : product.ean}) {
     if (!line.empty()) lines.push_back(std::move(line));
   }

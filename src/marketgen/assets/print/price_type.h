@@ -7,12 +7,12 @@
 
 namespace marketgen::assets {
 
-// Large euros with raised cents and the sign below them.
-void draw_price(Canvas& canvas, double price, const Area& area, const Color& color);
-// What draw_price() shows, in one line: "2.38 €".
-std::string price_text(double price);
-// "€ 2.38 / kg" (directive 98/6/EC asks for the unit price on every tag).
-std::string unit_price_text(const catalog::Product& product);
+// The product's price: large whole units with raised small coins, and the sign before them or
+// below the coins, as the country has it. catalog::price_text() says the same in one line.
+void draw_price(Canvas& canvas,
+                const catalog::Product& product,
+                const Area& area,
+                const Color& color);
 // "Brand Name" and "variant, net quantity".
 std::string title_text(const catalog::Product& product);
 std::string detail_text(const catalog::Product& product);

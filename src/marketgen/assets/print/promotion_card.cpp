@@ -11,6 +11,7 @@
 #include "assets/print/lettering.h"
 #include "assets/print/pack_art.h"
 #include "assets/print/price_type.h"
+#include "catalog/country.h"
 
 namespace marketgen::assets {
 namespace {
@@ -20,10 +21,16 @@ constexpr Color card_yellow = rgb("#ffd91f");
 constexpr Color card_red = rgb("#d5121e");
 constexpr Color card_ink = rgb("#1d1a08");
 
-// What the article cost before the offer: 10 to 35 % more off, ending in nine cents as prices do.
+// What the article cost before the offer: 10 to 35 % more off, ending as prices do (in euro: in
+// nine cents).
 double former_price(const PackArt& art) {
   Stream draw = art.seed.child("promotion").stream();
   const double saving = draw.uniform(0.10, 0.35);
+  const catalog::Country& country = catalog::country_of(*art.product);
+  if (country.id != "eu") {
+    const double least = art.product->price + country.period / std::pow(10, country.minor_digits);
+    return std::max(least, catalog::usual_price(art.product->price / (1 - saving), country));
+  }
   return std::max(art.product->price + 0.1,
                   std::ceil(art.product->price / (1 - saving) * 10) / 10 - 0.01);
 }
@@ -78,22 +85,23 @@ void draw_words(Canvas& canvas, const catalog::Product& product, const Area& are
 // The former price, struck through, over the new one on its red field.
 void draw_prices(Canvas& canvas, const catalog::Product& product, double before, const Area& area) {
   const Area old = area.part(0.04, 0, 0.96, 0.22);
-  const Area ink = draw_headline(canvas,
-                                 {fmt::format("before \u20ac {:.2f}", before),
-                                  {"Open Sans", 700},
-                                  card_ink,
-                                  old,
-                                  Align::right,
-                                  VerticalAlign::middle,
-                                  1,
-                                  old.h * 0.8});
+  const Area ink =
+      draw_headline(canvas,
+                    {"before " + catalog::price_text(before, catalog::country_of(product)),
+                     {"Open Sans", 700},
+                     card_ink,
+                     old,
+                     Align::right,
+                     VerticalAlign::middle,
+                     1,
+                     old.h * 0.8});
   const double line = old.h * 0.08;
   canvas.rectangle({ink.center_x(), ink.center_y() - line / 2, ink.w / 2, line}).fill(card_red);
   const Area field = area.part(0, 0.26, 1, 0.84);
   canvas.rounded(field, field.h * 0.10).fill(card_red);
-  draw_price(canvas, product.price, field.part(0.02, 0.04, 0.98, 0.96), paper_white);
+  draw_price(canvas, product, field.part(0.02, 0.04, 0.98, 0.96), paper_white);
   draw_headline(canvas,
-                {unit_price_text(product),
+                {catalog::unit_price_text(product),
                  {"Open Sans", 600},
                  card_ink,
                  area.part(0, 0.87, 1, 1),
