@@ -103,10 +103,11 @@ def train(dataset, checkpoint, steps):
         part.save_pretrained(checkpoint)
 
 
-def measure(trials, policies):
-    """Policies, by the folders of their results, on episodes that are in no demonstration; the paired test is the leaderboard's."""
+def measure(trials, policies, options=None):
+    """Policies, by the folders of their results, on episodes that are in no demonstration; the paired test is the leaderboard's.
+    `options`: of their environments, by the same folders."""
     for folder, policy in policies.items():
-        marketgen.evaluate(trials, policy, folder, resume=True)
+        marketgen.evaluate(trials, policy, folder, resume=True, **(options or {}).get(folder, {}))
     [track] = marketgen.leaderboard(list(policies))["tracks"]
     for entry in track["entries"]:
         share, beside = entry["strict"], entry.get("to_best")

@@ -21,7 +21,10 @@ done
 grep -q "episodes: mean reward" train_loop.txt || { cat train_loop.txt; fail "train_loop.py finished no episode"; }
 grep -q "oracle: {'success': 1" ppo_pick.txt || { cat ppo_pick.txt; fail "ppo_pick.py: the oracle failed at the easy task"; }
 grep -q "random: 0 of 2" imitate.txt || { cat imitate.txt; fail "imitate.py did not measure chance"; }
-for made in many_cameras.npz moving_product/4.png imitate/dataset/meta/info.json imitate/random/summary.json; do
+grep -q "random: 0 of 2" clone.txt || { cat clone.txt; fail "clone.py did not measure chance"; }
+grep -q "Clone: [0-2] of 2" clone.txt || { cat clone.txt; fail "clone.py did not measure what it learned"; }
+for made in many_cameras.npz moving_product/4.png imitate/dataset/meta/info.json imitate/random/summary.json \
+    clone/dataset/meta/info.json clone/policy.npz clone/results/summary.json; do
   [ -s "out/examples/$made" ] || fail "nothing at out/examples/$made"
 done
 
