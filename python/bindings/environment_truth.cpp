@@ -43,6 +43,18 @@ nb::list item_rows(const EnvironmentHandle& handle) {
   return rows;
 }
 
+nb::dict way_to_stand(const EnvironmentHandle& handle) {
+  world_of(handle);
+  const episodes::WayToStand way = value_or_raise(handle.environment->way_to_stand());
+  nb::dict row;
+  row["corner"] = std::vector<double>{way.corner.x, way.corner.y};
+  row["way_m"] = way.way_m;
+  row["stand"] = std::vector<double>{way.stand.x_m, way.stand.y_m, way.stand.heading};
+  row["speed_m_s"] = way.speed_m_s;
+  row["turn_rad_s"] = way.turn_rad_s;
+  return row;
+}
+
 nb::dict product_rows(const EnvironmentHandle& handle) {
   world_of(handle);
   nb::dict rows;
@@ -99,6 +111,12 @@ std::vector<double> mujoco_state(const EnvironmentHandle& handle) {
 
 void add_environment_truth(nb::class_<EnvironmentHandle>& environment) {
   environment.def("items", &item_rows)
+      .def("way_to_stand", &way_to_stand)
+      .def("progress",
+           [](const EnvironmentHandle& h) {
+             world_of(h);
+             return h.environment->progress();
+           })
       .def("products", &product_rows)
       .def("save", &saved_state)
       .def("restore", &restore_state, nb::arg("state"), nb::arg("observation").noconvert())

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "environment_handle.h"
 #include "environments/checkout/checkout_environment.h"
+#include "environments/draw_stage.h"
 #include "environments/environment_batch.h"
 #include "environments/told_task.h"
 #include "frame_handle.h"
@@ -53,12 +54,14 @@ EnvironmentHandle create_environment(std::shared_ptr<environments::EpisodeGround
                                      bool stop,
                                      bool privileged,
                                      int item_rows,
-                                     const std::string& realism) {
+                                     const std::string& realism,
+                                     const std::string& stage) {
   const environments::EnvironmentOptions options{
       .control = named<environments::ControlMode>(control_mode, "control_mode"),
       .reward = named<environments::RewardMode>(reward_mode, "reward_mode"),
       .tools = tools,
       .station = station,
+      .stage = named<episodes::Stage>(stage, "stage"),
       .stop = stop,
       .privileged = privileged,
       .item_rows = item_rows,
@@ -173,6 +176,16 @@ std::vector<std::string> draw(environments::EpisodeGround& ground,
   return texts;
 }
 
+// market-episode/1 of a stage.
+std::string draw_stage(environments::EpisodeGround& ground,
+                       const std::string& stage,
+                       const std::string& tools,
+                       std::uint64_t seed) {
+  const auto wanted = named<episodes::Stage>(stage, "stage");
+  return io::write_json(value_or_raise(
+      without_interpreter([&] { return environments::draw_stage(ground, wanted, tools, seed); })));
+}
+
 FrameHandle picture_of(EnvironmentHandle& handle,
                        const std::string& camera,
                        int width,
@@ -258,9 +271,11 @@ void add_environments(nb::module_& module) {
       .def("episodes", &episodes)
       .def("catalogue", &catalogue)
       .def("draw", &draw)
-      .def("draw_one_item", [](const environments::EpisodeGround& ground, std::uint64_t seed) {
-        return io::write_json(value_or_raise(environments::draw_one_item(ground, seed)));
-      });
+      .def("draw_one_item",
+           [](const environments::EpisodeGround& ground, std::uint64_t seed) {
+             return io::write_json(value_or_raise(environments::draw_one_item(ground, seed)));
+           })
+      .def("draw_stage", &draw_stage);
   module.def("ground_of_store", &ground_of);
   module.def("ground_of_file", &ground_of_file);
   module.def("ground_of_pool", &ground_of_pool);

@@ -10,6 +10,7 @@ import pytest
 import marketgen  # noqa: F401  registers the environments
 
 FIRST, COUNTER, AISLE = "CheckoutOneItem", "CheckoutUnloading", "InAisleCollection"
+STAGES = ("DriveToProduct", "PickFromShelf", "PlaceInBasket")
 
 
 def named(task):
@@ -37,8 +38,9 @@ def make_env(env_id, idx, capture_video, run_name, gamma):
     return thunk
 
 
-def test_a_rollout_of_cleanrl():
-    envs = gym.vector.SyncVectorEnv([make_env(named(FIRST), i, False, "run", 0.99) for i in range(2)])
+@pytest.mark.parametrize("task", [FIRST, *STAGES])
+def test_a_rollout_of_cleanrl(task):
+    envs = gym.vector.SyncVectorEnv([make_env(named(task), i, False, "run", 0.99) for i in range(2)])
     assert isinstance(envs.single_action_space, gym.spaces.Box), "only continuous action space is supported"
     rng = np.random.default_rng(1)
     seen, _ = envs.reset(seed=1)
@@ -59,8 +61,8 @@ def test_the_whole_tasks_become_one_row(task):
     assert env.step(env.action_space.sample())[0].shape == seen.shape
 
 
-@pytest.mark.parametrize("task", [FIRST, COUNTER])
-def test_videos_of_episodes(task, tmp_path, monkeypatch):
+@pytest.mark.parametrize(("task", "options"), [(FIRST, {}), (COUNTER, {"stop_action": False}), ("DriveToProduct", {})])
+def test_videos_of_episodes(task, options, tmp_path, monkeypatch):
     """RecordVideo's own frames; what makes a file of them is MoviePy, which may not be installed."""
     films = []
 
@@ -74,7 +76,7 @@ def test_videos_of_episodes(task, tmp_path, monkeypatch):
     for name in ("moviepy", "moviepy.video", "moviepy.video.io", "moviepy.video.io.ImageSequenceClip"):
         monkeypatch.setitem(sys.modules, name, types.ModuleType(name))
     sys.modules["moviepy.video.io.ImageSequenceClip"].ImageSequenceClip = Clip
-    env = gym.make(named(task), stop_action=False, render_mode="rgb_array", render_size=(64, 48))
+    env = gym.make(named(task), **options, render_mode="rgb_array", render_size=(64, 48))
     env = gym.wrappers.RecordVideo(env, str(tmp_path / "films"), episode_trigger=lambda _: True, video_length=4, disable_logger=True)
     env.action_space.seed(1)
     env.reset(seed=1)
@@ -99,3 +101,15 @@ def test_a_film_by_moviepy(tmp_path):
     env.close()
     [film] = tmp_path.glob("films/*.mp4")
     assert film.stat().st_size > 1000
+
+
+@pytest.mark.parametrize("task", [FIRST, *STAGES])
+def test_stable_baselines_has_no_complaint_and_learns(task, recwarn):
+    sb3 = pytest.importorskip("stable_baselines3")
+    from stable_baselines3.common.env_checker import check_env
+    from stable_baselines3.common.env_util import make_vec_env
+
+    check_env(gym.make(named(task)).unwrapped)
+    assert not [str(each.message) for each in recwarn if "stable_baselines3" in each.filename]
+    model = sb3.PPO("MlpPolicy", make_vec_env(named(task), n_envs=2, seed=1), n_steps=32, batch_size=32, device="cpu", seed=1)
+    assert model.learn(64).num_timesteps == 64

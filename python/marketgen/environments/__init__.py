@@ -4,6 +4,7 @@
     gymnasium.make("MarketGen/InAisleCollection-v1", episodes="tasks.jsonl")
     gymnasium.make_vec("MarketGen/CheckoutUnloading-v1", num_envs=16, store="shop")
     gymnasium.make("MarketGen/CheckoutOneItem-v1")    # the first task for a learner: numbers in, numbers out
+    gymnasium.make("MarketGen/DriveToProduct-v1")     # a stage of the whole task, for learners
 """
 
 from typing import Any
@@ -12,8 +13,11 @@ import gymnasium
 
 from .. import arguments
 from .checkout import CheckoutUnloading, CheckoutUnloadingVector
+from .drive_to_product import DriveToProduct
 from .in_aisle import InAisleCollection, InAisleCollectionVector
 from .one_item import CheckoutOneItem, CheckoutOneItemVector
+from .pick_from_shelf import PickFromShelf
+from .place_in_basket import PlaceInBasket
 
 MAX_ENVS = 4096
 
@@ -22,8 +26,11 @@ __all__ = [
     "CheckoutOneItemVector",
     "CheckoutUnloading",
     "CheckoutUnloadingVector",
+    "DriveToProduct",
     "InAisleCollection",
     "InAisleCollectionVector",
+    "PickFromShelf",
+    "PlaceInBasket",
     "make_vec",
 ]
 
@@ -37,6 +44,9 @@ for _env, _vector in (
         entry_point=f"{_env.__module__}:{_env.__name__}",
         vector_entry_point=f"{_vector.__module__}:{_vector.__name__}",
     )
+
+for _stage in (DriveToProduct, PickFromShelf, PlaceInBasket):  # many in one: Gymnasium's own vector environments
+    gymnasium.register(f"MarketGen/{_stage.__name__}-v1", entry_point=f"{_stage.__module__}:{_stage.__name__}")
 
 
 def make_vec(name: str, num_envs: int = 1, **options: Any) -> gymnasium.vector.VectorEnv:

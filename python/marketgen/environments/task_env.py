@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import _core, arguments
 from .state import generator_of, packed, random_state, unpacked
-from .task_setup import CHECKOUT_STATION, StoreLike, TaskOptions, TaskSetup, Track, outcome_of
+from .task_setup import CHECKOUT_STATION, Stage, StoreLike, TaskOptions, TaskSetup, Track, outcome_of
 
 if TYPE_CHECKING:
     from typing import Unpack  # since Python 3.11
@@ -58,6 +58,7 @@ class TaskEnv(gymnasium.Env):
     metadata = {"render_modes": ["rgb_array"], "render_fps": 20}
     track: ClassVar[Track]
     station: ClassVar[str] = CHECKOUT_STATION
+    stage: ClassVar[Stage] = "whole"
     preset: ClassVar[str | None] = None  # unless another is given
 
     def __init__(
@@ -81,7 +82,9 @@ class TaskEnv(gymnasium.Env):
 
     @classmethod
     def new_setup(cls, store: StoreLike | None, options: TaskOptions) -> TaskSetup:
-        return TaskSetup(cls.track, store, station=cls.station, **{"preset": cls.preset, **options})
+        return TaskSetup(
+            cls.track, store, station=cls.station, stage=cls.stage, **{"preset": cls.preset, **options}
+        )
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -124,13 +127,17 @@ class TaskEnv(gymnasium.Env):
         return info
 
     def step(self, action):
-        numbers = numbers_of_action(action, self.action_space.shape)
+        reward, terminated, truncated = self._advance(numbers_of_action(action, self.action_space.shape))
+        info = self.info_of_step(terminated=terminated, truncated=truncated)
+        return self.observation(), reward, terminated, truncated, info
+
+    def _advance(self, numbers: np.ndarray) -> tuple[float, bool, bool]:
+        """One control step: reward, terminated, truncated."""
         row = np.empty((1, self.setup.row_length), np.float32)
         reward, terminated, truncated = np.zeros(1), np.zeros(1, bool), np.zeros(1, bool)
         _core.step_environments([self.environment], numbers[None], row, reward, terminated, truncated)
         self._row = row[0]
-        info = self.info_of_step(terminated=bool(terminated[0]), truncated=bool(truncated[0]))
-        return self.observation(), float(reward[0]), bool(terminated[0]), bool(truncated[0]), info
+        return float(reward[0]), bool(terminated[0]), bool(truncated[0])
 
     def info_of_step(self, *, terminated: bool, truncated: bool) -> dict[str, Any]:
         info = self._info()
@@ -183,6 +190,7 @@ class TaskEnv(gymnasium.Env):
             "episode": self._episode,
             "random": random_state(self.np_random),
             "seed": self._np_random_seed,
+            "own": self._own_state(),
         }
         return packed(head, self.environment.save())
 
@@ -207,7 +215,15 @@ class TaskEnv(gymnasium.Env):
             raise
         self._row = row[0]
         self._np_random, self._np_random_seed = generator_of(head["random"]), head["seed"]
+        self._take_own_state(head["own"])
         return self.observation()
+
+    def _own_state(self) -> dict[str, Any]:
+        """What a task knows of the running episode beside its world, as JSON has it."""
+        return {}
+
+    def _take_own_state(self, state: dict[str, Any]) -> None:
+        """Goes on from what _own_state() gave."""
 
     def mujoco_model(self) -> bytes:
         """The physics as an MJB file's bytes: mujoco.MjModel.from_binary_path() of MuJoCo's own package opens it."""

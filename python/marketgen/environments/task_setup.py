@@ -25,6 +25,7 @@ ControlMode = Literal["pd_joint_pos", "pd_joint_delta_pos", "pd_ee_delta_pos", "
 RewardMode = Literal["sparse", "dense", "shaped"]
 StoreLike = Store | str | os.PathLike[str]
 CHECKOUT_STATION, ONE_ITEM_STATION = "checkout", "one-item"
+Stage = Literal["whole", "drive", "pick", "place"]
 
 
 class TaskOptions(TypedDict, total=False):
@@ -128,12 +129,13 @@ class TaskSetup:
         store: StoreLike | None = None,
         *,
         station: str = CHECKOUT_STATION,
+        stage: Stage = "whole",
         preset: str | None = None,
         **options: Unpack[TaskOptions],
     ):
-        self._made_of = (track, store, station, preset, options)
+        self._made_of = (track, store, station, stage, preset, options)
         wanted = full_options(preset, options)
-        self.track, self.station, self.tools = track, station, wanted["tools"]
+        self.track, self.station, self.stage, self.tools = track, station, stage, wanted["tools"]
         self.split = _split_of(wanted["split"], draws=store is not None and station == CHECKOUT_STATION)
         self.control_mode, self.reward_mode = wanted["control_mode"], wanted["reward_mode"]
         self.stop_action, self.obs_mode = bool(wanted["stop_action"]), wanted["obs_mode"]
@@ -186,8 +188,9 @@ class TaskSetup:
             self.station,
             self.stop_action,
             self.obs_mode == "state",
-            1 if self.station == ONE_ITEM_STATION else 0,
+            1 if self.station == ONE_ITEM_STATION or self.stage != "whole" else 0,
             self.realism,
+            self.stage,
         )
 
     @functools.cached_property
@@ -209,6 +212,8 @@ class TaskSetup:
 
     def draw(self, seeds: Sequence[int], progress: Progress | None = None) -> list[str]:
         """Episodes of seeds, side by side on all cores."""
+        if self.stage != "whole":
+            return [self.ground.draw_stage(self.stage, self.tools, seed) for seed in seeds]
         if self.station == ONE_ITEM_STATION:
             return [self.ground.draw_one_item(seed) for seed in seeds]
         return self.ground.draw(self.track, list(seeds), self.tools, self.split, a_progress(progress))
@@ -236,9 +241,9 @@ def _split_of(split: str | None, *, draws: bool) -> str:
 
 
 def _setup_again(
-    track: Track, store: StoreLike | None, station: str, preset: str | None, options: TaskOptions
+    track: Track, store: StoreLike | None, station: str, stage: Stage, preset: str | None, options: TaskOptions
 ) -> TaskSetup:
-    return TaskSetup(track, store, station=station, preset=preset, **options)
+    return TaskSetup(track, store, station=station, stage=stage, preset=preset, **options)
 
 
 def outcome_of(result: dict[str, Any]) -> dict[str, Any]:

@@ -63,7 +63,7 @@ Result<void> Environment::check_room(const episodes::EpisodeSpec& spec) const {
 Result<void> Environment::look() {
   if (!options_.privileged && options_.reward != RewardMode::shaped) return {};
   MARKETGEN_TRY(seen_items_, items());
-  if (options_.reward == RewardMode::shaped) progress_ = progress();
+  if (options_.reward == RewardMode::shaped) progress_ = progress_now();
   return {};
 }
 
@@ -100,6 +100,10 @@ Result<void> Environment::check(std::span<const double> action) const {
   return {};
 }
 
+Result<episodes::WayToStand> Environment::way_to_stand() const {
+  return Error{"usage.bad_flag", "way_to_stand", "at a counter nobody drives"};
+}
+
 Result<StepOutcome> Environment::step(std::span<const double> action) {
   MARKETGEN_CHECK(check(action));
   MARKETGEN_TRY(MappedAction mapped, actions_->action(action, world().sensed_state(), target_));
@@ -130,7 +134,7 @@ bool Environment::succeeded() const {
   return run_->result() && run_->result()->success_strict;
 }
 
-double Environment::progress() const {
+double Environment::progress_now() const {
   if (succeeded()) return 1;
   const auto tools = actions_->tool_poses(world().robot_state());
   return goal_progress(world().spec().goals, seen_items_, place(), tools, progress_scale());

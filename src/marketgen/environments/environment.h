@@ -17,7 +17,9 @@
 #include "environments/episode_run.h"
 #include "environments/goal_progress.h"
 #include "environments/observation_parts.h"
+#include "episodes/aisle/way_to_stand.h"
 #include "episodes/realism.h"
+#include "episodes/stage.h"
 #include "episodes/track_world.h"
 #include "render/render.h"
 
@@ -36,6 +38,8 @@ struct EnvironmentOptions {
   RewardMode reward = RewardMode::sparse;
   std::string tools = {};    // a tool set of the station, the first when empty
   std::string station = {};  // at a counter: a row of data/benchmark, that of the track when empty
+  // Of the track's task. Episodes of a stage are those of draw_stage().
+  episodes::Stage stage = episodes::Stage::whole;
   bool stop = true;  // an action ends with `stop`; without it the goals' being met is the end
   bool privileged = false;  // observations have the truth, too
   int item_rows = 0;        // of that; 0: as many as any episode of the ground needs
@@ -109,6 +113,9 @@ class Environment {
   // product as are asked for: those in the basket, then those next to the robot. Errors: assets.*.
   virtual Result<std::vector<EnvironmentItem>> items() = 0;
   virtual EnvironmentPlace place() const = 0;
+  // In aisles, of an episode with a witness. Errors: those of way_to_stand(); usage.bad_flag at a
+  // counter.
+  virtual Result<episodes::WayToStand> way_to_stand() const;
   // MuJoCo's own model and what moves in it (its qpos, qvel, act, ...: mjSTATE_INTEGRATION).
   const mjModel_& model() const { return world().model(); }
   const mjData_& data() const { return world().data(); }
@@ -123,6 +130,8 @@ class Environment {
   const EnvironmentOptions& options() const { return options_; }
   episodes::Track track() const { return track_; }
   std::uint64_t resets() const { return resets_; }  // how many there were
+  // goal_progress() after the last step, 1 once all is judged done; of RewardMode::shaped.
+  double progress() const { return progress_; }
   bool running() const { return run_ && run_->running(); }
   // Of the episode to which it was reset, which must have been done.
   const episodes::TrackWorld& world() const { return run_->world(); }
@@ -148,7 +157,7 @@ class Environment {
 
  private:
   double reward() const;
-  double progress() const;
+  double progress_now() const;
   bool succeeded() const;
   Result<void> finish();
   Result<void> check_room(const episodes::EpisodeSpec& spec) const;

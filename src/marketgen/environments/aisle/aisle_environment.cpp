@@ -4,7 +4,9 @@
 
 #include "agent/aisle_map.h"
 #include "environments/aisle/shared_aisle.h"
+#include "environments/draw_stage.h"
 #include "environments/goal_nearness.h"
+#include "episodes/aisle/aisle_stage.h"
 #include "episodes/aisle/aisle_world.h"
 #include "episodes/camera_senses.h"
 #include "io/json.h"
@@ -82,6 +84,10 @@ class AisleEnvironment : public Environment {
     return {floor * Vec3{0, 0, b.height_m / 2}, {b.top_m[0], b.top_m[1], b.height_m}, floor};
   }
 
+  Result<episodes::WayToStand> way_to_stand() const override {
+    return episodes::way_to_stand(*aisles_);
+  }
+
   Result<std::string> map() const override {
     MARKETGEN_TRY(const auto mapped, aisles_->mapped());
     return io::write_json(mapped->scene.layout);
@@ -99,10 +105,16 @@ class AisleEnvironment : public Environment {
       scene_hash_ = spec.scene_hash;
       doors_ = doors_of(spec);
     }
-    MARKETGEN_CHECK(aisles_->reset(spec, {}, options().realism));
+    std::vector<double> posture;
     wanted_.clear();
     for (const episodes::EpisodeGoal& goal : spec.goals)
       wanted_.emplace(goal.sku, aisles_->store().front_items(goal.sku));
+    if (options().stage == episodes::Stage::pick) {
+      MARKETGEN_TRY(posture, start_of_pick(ground(), spec));
+      MARKETGEN_TRY(const std::uint32_t row, witnessed_product(aisles_->store(), spec));
+      wanted_ = {{spec.certificate.witness.front().sku, {row}}};
+    }
+    MARKETGEN_CHECK(aisles_->reset(spec, {}, options().realism, std::move(posture)));
     return aisles_.get();
   }
 

@@ -67,6 +67,13 @@ class CheckoutEnvironment : public Environment {
   }
 
   EnvironmentPlace place() const override {
+    if (into_basket()) {
+      const episodes::BasketRow& basket = counter_.station().basket;
+      const Pose floor = counter_.basket_pose();
+      return {floor * Vec3{0, 0, basket.height_m / 2},
+              {basket.top_m[0], basket.top_m[1], basket.height_m},
+              floor};
+    }
     const episodes::UnloadingRow& area = counter_.station().unloading;
     return {{area.center_m[0], area.center_m[1], 0},
             {area.size_m[0], area.size_m[1], 0},
@@ -113,12 +120,20 @@ class CheckoutEnvironment : public Environment {
         std::ranges::count(counter_.spec().goals, made.sku, &episodes::EpisodeGoal::sku) > 0;
     made.held = seen.held_by >= 0;
     made.touched = seen.touched_by >= 0;
-    made.in_place = counter_.in_place(i);
     const Vec3 center = made.pose * to_double(goods.body.center_of_mass);
-    made.in_region = counter_.region()(center);
+    made.in_place = counter_.rests_in(region(), i);
+    made.in_region = region()(center);
     made.rested_s = seen.rested_s;
     made.object = episodes::CheckoutView::object_of_item(counter_, i);
     return made;
+  }
+
+  bool into_basket() const { return options().stage == episodes::Stage::place; }
+
+  // Where goods are to go.
+  episodes::HoldsPoint region() const {
+    if (!into_basket()) return counter_.region();
+    return episodes::in_basket({counter_.station().container(), counter_.basket_pose()});
   }
 
   Result<render::Camera> camera_in_room(const std::string& camera, int width, int height) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "collect/collect_plan.h"
@@ -58,6 +59,11 @@ class TourSearch {
 };
 
 }  // namespace
+
+Pose base_pose_of(const FloorPlaceRow& row) {
+  return {{row.x_m, row.y_m, 0},
+          rotation_about({0, 0, 1}, row.heading_deg * std::numbers::pi / 180)};
+}
 
 Pose base_of(const robots::Robot& robot, const std::vector<double>& state) {
   const auto at = [&](std::string_view name) {

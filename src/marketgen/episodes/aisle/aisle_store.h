@@ -90,6 +90,7 @@ Result<std::shared_ptr<const AisleStore>> open_aisle_store(const std::filesystem
                                                            const std::string& tools = {},
                                                            Doors doors = Doors::none);
 
+Pose base_pose_of(const FloorPlaceRow& row);  // world_from_base there
 // Where the base stands, by the state of all degrees of freedom.
 Pose base_of(const robots::Robot& robot, const std::vector<double>& state);
 // Of the middle between the wheels.

@@ -67,9 +67,11 @@ std::size_t dof_named(const robots::Robot& robot, std::string_view name) {
 
 Result<void> AisleWorld::reset(const EpisodeSpec& spec,
                                const std::optional<Perturbation>& perturbation,
-                               const Realism& realism) {
+                               const Realism& realism,
+                               std::vector<double> posture) {
   perturbation_ = perturbation;
   realism_ = realism;
+  posture_ = std::move(posture);
   noise_ = realism_seed(spec.seed);
   store_ = perturbation_ ? perturbed_store(*stocked_, *perturbation_) : stocked_;
   return begin(spec);
@@ -103,7 +105,7 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
           "catalog.unknown_sku", spec.id, "the store offers no \"" + goal.sku + "\" within reach"};
   }
   physics::RobotActorOptions place;
-  place.state = store_->driving;
+  place.state = posture_.empty() ? store_->driving : posture_;
   const robots::BasePlace start = start_of(spec);
   place.state[dof_named(robot, "base_x")] = start.x_m;
   place.state[dof_named(robot, "base_y")] = start.y_m;
@@ -145,6 +147,7 @@ Result<std::shared_ptr<AisleWorld>> AisleWorld::twin() const {
   auto twin = std::make_shared<AisleWorld>(store_, frictions_);
   twin->perturbation_ = perturbation_;
   twin->realism_ = realism_;
+  twin->posture_ = posture_;
   twin->noise_ = noise_.child("rehearsal");
   MARKETGEN_CHECK(twin->begin(spec_));
   return twin;

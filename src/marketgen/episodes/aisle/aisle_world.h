@@ -26,9 +26,11 @@ class AisleWorld : public TrackWorld {
   // Errors: robot.unknown when the episode is for another robot or for other tools;
   // episode.impossible when its start is not free; catalog.unknown_sku for a goal that the store
   // does not have; assets.*, physics.failed. With a perturbation store() is perturbed_store().
+  // `posture`: of every degree of freedom at the start, but the base's; as it drives when empty.
   Result<void> reset(const EpisodeSpec& spec,
                      const std::optional<Perturbation>& perturbation = {},
-                     const Realism& realism = {});
+                     const Realism& realism = {},
+                     std::vector<double> posture = {});
 
   const EpisodeSpec& spec() const override { return spec_; }
   const robots::Robot& robot() const override { return store_->robot; }
@@ -95,6 +97,7 @@ class AisleWorld : public TrackWorld {
   std::shared_ptr<const AisleStore> stocked_, store_;  // store_: of the episode
   std::vector<catalog::FrictionRow> frictions_;
   std::optional<Perturbation> perturbation_;
+  std::vector<double> posture_;                        // as reset() was given it
   std::map<std::uint32_t, SharedEpisodeGoods> goods_;  // by SKU row
 
   EpisodeSpec spec_;

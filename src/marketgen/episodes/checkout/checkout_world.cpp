@@ -298,10 +298,14 @@ HoldsPoint CheckoutWorld::region() const {
 }
 
 bool CheckoutWorld::in_place(std::size_t item) const {
+  return rests_in(region(), item);
+}
+
+bool CheckoutWorld::rests_in(const HoldsPoint& region, std::size_t item) const {
   const EpisodeWatch::Item& seen = watched(item);
   if (seen.touched_by >= 0 || seen.rested_s < min_rest_s)
     return false;  // before its volume is looked at
-  return is_in_place(region(), item_state(item));
+  return is_in_place(region, item_state(item));
 }
 
 Result<bool> CheckoutWorld::goals_met() {

@@ -83,6 +83,8 @@ class CheckoutWorld : public TrackWorld {
   const Pose& store_from_station() const { return place_->store_from_station; }
   HoldsPoint region() const;              // where goals count, as the basket stands now
   bool in_place(std::size_t item) const;  // on the unloading area, let go, at rest
+  // By the same rules in another region. Station frame.
+  bool rests_in(const HoldsPoint& region, std::size_t item) const;
   Result<bool> goals_met() override;
   std::vector<double> robot_state() const override;
   SealedProducts sealed_products() const;  // rows of scene()

@@ -1,0 +1,178 @@
+"""The stages of the tasks: Gymnasium's contract, numbers in [-1, 1], the same again from a seed, and each can be done and pays."""
+
+import copy
+import math
+import warnings
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+import marketgen
+
+STAGES = ("DriveToProduct", "PickFromShelf", "PlaceInBasket")
+
+
+def make(name, **options):
+    return gymnasium.make(f"MarketGen/{name}-v1", **options)
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_the_checker_has_no_complaint(name):
+    env = make(name, render_mode="rgb_array", render_size=(64, 48))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        check_env(env.unwrapped, skip_render_check=False)
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_numbers_lie_in_boxes_of_one(name):
+    env = make(name)
+    for box in (env.action_space, env.observation_space):
+        assert (box.low == -1).all() and (box.high == 1).all() and box.dtype == np.float32
+    assert env.observation_space.shape == (len(env.unwrapped.sees),)
+    assert env.action_space.shape == (len(env.unwrapped.action_names),)
+    env.action_space.seed(1)
+    seen, _ = env.reset(seed=1)
+    rows = [seen]
+    for _ in range(15):
+        rows.append(env.step(env.action_space.sample())[0])
+    assert all(env.observation_space.contains(row) for row in rows)
+    assert np.abs(np.diff(rows, axis=0)).max() > 0.01
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_equal_seeds_repeat_bit_for_bit_and_others_do_not(name):
+    runs = []
+    for seed in (3, 3, 4):
+        env = make(name)
+        rng = np.random.default_rng(5)
+        rows = [env.reset(seed=seed)[0]]
+        for _ in range(5):
+            row, reward, *_ = env.step(rng.uniform(-1, 1, env.action_space.shape))
+            rows.append(np.append(row, reward))
+        runs.append((rows, env.unwrapped.state_hash()))
+    assert all(np.array_equal(a, b) for a, b in zip(runs[0][0], runs[1][0], strict=True))
+    assert runs[0][1] == runs[1][1] != runs[2][1]
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_a_copy_goes_on_alike(name):
+    env = make(name)
+    env.reset(seed=2)
+    rng = np.random.default_rng(1)
+    for _ in range(4):
+        env.step(rng.uniform(-1, 1, env.action_space.shape))
+    other = copy.deepcopy(env)
+    for _ in range(4):
+        action = rng.uniform(-1, 1, env.action_space.shape)
+        (seen, reward, *ends, _), (again, same, *also, _) = env.step(action), other.step(action)
+        assert np.array_equal(seen, again) and reward == same and ends == also
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_nothing_done_is_cut_off_without_success(name):
+    env = make(name)
+    env.reset(seed=1)
+    still, total = np.zeros(env.action_space.shape), 0.0
+    if name != "DriveToProduct":
+        still[-1] = 1 if name == "PickFromShelf" else -1  # an open hand, or one that holds
+    steps = round(env.unwrapped.limit_s / (0.05 * env.unwrapped.hold))
+    for step in range(1, steps + 1):
+        _, reward, terminated, truncated, info = env.step(still)
+        total += reward
+        assert (terminated, truncated) == (False, step == steps)
+        assert ("is_success" in info) == truncated
+    assert info["is_success"] is False and abs(total) < 0.1
+    with pytest.raises(marketgen.Error) as caught:
+        env.step(still)
+    assert caught.value.code == "episode.bad_action"
+
+
+def driven(seen, named):
+    """To the corner ahead; at the end of the way a turn to the product."""
+    bearing = math.atan2(named["corner_sin"], named["corner_cos"])
+    if named["way"] < 0.02:
+        turn = math.atan2(named["stand_sin"], named["stand_cos"])
+        return np.array([0.0, np.clip(2 * turn, -0.5, 0.5)])
+    ahead = math.cos(bearing) > 0.9
+    return np.array([min(0.5, 3 * named["way"]) if ahead else 0.0, np.clip(1.5 * bearing, -0.6, 0.6)])
+
+
+def picked(seen, named):
+    """Ahead until the product is between the fingers, closed, and straight out."""
+    to = np.array([named[f"to_product_{axis}"] for axis in "xyz"]) * 0.2
+    if named["held"] or named["last_opening"] < 0:
+        return np.array([-1.0 if named["held"] else 0.0, 0, 0.2 if named["held"] else 0, -1])
+    move = np.clip(to / 0.02, -0.5, 0.5)
+    return np.append(move, -1.0 if np.abs(to[:2]).max() < 0.012 else 1.0)
+
+
+def placed(seen, named):
+    """High over the basket, down into it, open, up again."""
+    to = np.array([named[f"box_to_basket_{axis}"] for axis in "xyz"]) * 0.5
+    above = np.abs(to[:2]).max() < 0.04
+    if named["last_opening"] > 0 or (above and to[2] > 0):
+        return np.array([0, 0, 0.3 if to[2] > 0 and named["opening"] > 0.9 else 0, 1.0])
+    height = to[2] - 0.03 if above else to[2] + 0.22
+    return np.append(np.clip([*to[:2] / 0.04, height / 0.06], -1, 1), -1.0)
+
+
+@pytest.mark.parametrize(("name", "policy"), [("DriveToProduct", driven), ("PickFromShelf", picked), ("PlaceInBasket", placed)])
+def test_each_can_be_done_and_pays(name, policy):
+    env = make(name)
+    done = 0
+    for seed in range(6):
+        seen, _ = env.reset(seed=seed)
+        begun, total, over = env.unwrapped._before, 0.0, False
+        while not over:
+            seen, reward, terminated, truncated, info = env.step(policy(seen, dict(zip(env.unwrapped.sees, seen, strict=True))))
+            total, over = total + reward, terminated or truncated
+        if info["is_success"]:
+            assert terminated and total == pytest.approx(1 - begun)
+            done += 1
+        else:
+            assert total < 0.95 - begun
+    assert done >= 4
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "word"),
+    [("DriveToProduct", {"obs_mode": "rgbd"}, "obs_mode"), ("PlaceInBasket", {"control_mode": "pd_joint_pos"}, "control_mode")],
+)
+def test_what_a_stage_fixes_is_no_choice(name, options, word):
+    with pytest.raises(marketgen.Error) as caught:
+        make(name, **options)
+    assert caught.value.code == "usage.bad_flag" and word in str(caught.value)
+
+
+def test_the_box_is_in_the_hand():
+    env = make("PlaceInBasket")
+    held = [dict(zip(env.unwrapped.sees, env.reset(seed=seed)[0], strict=True))["held"] for seed in range(6)]
+    assert held == [1.0] * 6, "of seed 0 the hand does not get hold of the first box that is drawn"
+
+
+@pytest.mark.parametrize("name", ["DriveToProduct", "PickFromShelf"])
+def test_it_begins_at_rest_and_free(name):
+    """Where the robot is put it touches nothing: what stands there stays, and nothing stops it."""
+    env = make(name)
+    for seed in range(4):
+        env.reset(seed=seed)
+        assert env.unwrapped.parts()["agent"]["external_force"].max() < 1
+        before = env.unwrapped.items()[0]["pose"]
+        still = np.zeros(env.action_space.shape)
+        if name == "PickFromShelf":
+            still[-1] = 1
+        *_, info = env.step(still)
+        assert not info["robot_stopped"]
+        assert np.abs(env.unwrapped.items()[0]["pose"] - before)[:3].max() < 0.003
+
+
+def test_an_episode_without_a_witness_is_said():
+    env = make("DriveToProduct")
+    env.reset(seed=1)
+    episode = {**env.unwrapped.episode, "certificate": {"proved": [], "witness": []}}
+    with pytest.raises(marketgen.Error) as caught:
+        env.reset(options={"episode": episode})
+    assert caught.value.code == "episode.impossible" and "planned" in str(caught.value)
