@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "binding.h"
+#include "environment_handle.h"
 #include "server/serve.h"
 #include "store_handle.h"
 
@@ -16,14 +17,26 @@ struct ViewHandle {
   std::unique_ptr<server::ViewServer> server;  // none once it was closed
 };
 
-ViewHandle serve(const StoreHandle& handle, int port) {
+ViewHandle serve(const StoreHandle& handle, int port, bool watch) {
   server::ServeOptions options;
   options.port = port;
   options.embed = true;
+  options.watch = watch;
   return {value_or_raise(without_interpreter([&] {
     return server::ViewServer::start(options,
                                      store::opened_stores({handle.store}, *handle.catalog));
   }))};
+}
+
+// An environment's episode as it is now; nothing once it was closed.
+void watch(const ViewHandle& handle,
+           EnvironmentHandle& environment,
+           environments::EpisodeGround& ground,
+           bool began) {
+  if (handle.server == nullptr) return;
+  world_of(environment);
+  check_or_raise(without_interpreter(
+      [&] { return handle.server->watched().watch(*environment.environment, ground, began); }));
 }
 
 void close(ViewHandle& handle) {
@@ -37,8 +50,9 @@ void add_views(nb::module_& module) {
   nb::class_<ViewHandle>(module, "_View")
       .def_prop_ro("address",
                    [](const ViewHandle& h) { return h.server ? h.server->address() : ""; })
+      .def("watch", &watch)
       .def("close", &close);
-  module.def("_serve", &serve, nb::arg("store"), nb::arg("port"));
+  module.def("_serve", &serve, nb::arg("store"), nb::arg("port"), nb::arg("watch") = false);
 }
 
 }  // namespace marketgen::python

@@ -12,16 +12,17 @@ MAX_PORT, MIN_HEIGHT_PX, MAX_HEIGHT_PX = 65535, 100, 10_000
 
 
 class View:
-    """A store's page, served on this machine until close(), or until Python ends.
+    """A store's page, or that of an episode in it, served on this machine until close(), or until Python ends.
 
-    Stands in a notebook's cell as the page itself (docs/viewer.md); address is for a browser. Of `Store.show()`.
+    Stands in a notebook's cell as the page itself (docs/viewer.md); address is for a browser. Of `Store.show()`, and of the
+    `show()` of an environment.
     """
 
-    def __init__(self, served: _View, folder: str, height: int):
+    def __init__(self, served: _View, folder: str, height: int, place: str = ""):
         self._served = served
         self._height = height
         self.folder = folder
-        self.address = served.address
+        self.address = served.address + place
         self._end = weakref.finalize(self, served.close)
 
     def close(self) -> None:
@@ -57,3 +58,10 @@ def show(store: _core.Store, height: int, port: int) -> View:
     height = arguments.a_whole("height", height, MIN_HEIGHT_PX, MAX_HEIGHT_PX)
     served = _core._serve(store, arguments.a_whole("port", port, 0, MAX_PORT))
     return View(served, store.folder, height)
+
+
+def watch(store: _core.Store, height: int, port: int) -> View:
+    """The page of an episode in the store, which its environment brings up to date."""
+    height = arguments.a_whole("height", height, MIN_HEIGHT_PX, MAX_HEIGHT_PX)
+    served = _core._serve(store, arguments.a_whole("port", port, 0, MAX_PORT), watch=True)
+    return View(served, store.folder, height, "?store=0&drive=")

@@ -1,9 +1,10 @@
 // A robot is driven by a person's keys in Chromium; what was driven is kept, and leads to the same state.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { gunzipSync } from "node:zlib";
 import { launch, openPage, program, serve, take } from "./served.mjs";
@@ -128,4 +129,70 @@ test("a page that goes leaves a robot that stands, and the next one takes over; 
   await until(second.page, (left) => window.drive.app.last.step > left, left);
   assert.deepEqual(second.faults, []);
   await second.close();
+});
+
+// With three pixels of glass a pixel of the page, Chromium without a GPU would draw nine times as much; the page is as wide either way.
+test("fingers drive at a phone's width, with both hands", async () => {
+  const { page, faults, close } = await driving({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1 });
+  await until(page, () => window.drive.app.seat.drives);
+  for (const part of [".driving", ".drive-touch"]) {
+    const box = await page.locator(part).boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= 390 && box.y >= 0 && box.y + box.height <= 780, `${part} is at ${JSON.stringify(box)}`);
+  }
+  for (const button of await page.locator(".touch-buttons button").all()) {
+    const box = await button.boundingBox();
+    assert.ok(box.width >= 44 && box.height >= 44, `${await button.textContent()} is ${box.width} x ${box.height}`);
+  }
+  const panel = await page.locator(".driving").boundingBox();
+  const pads = await page.locator(".drive-touch").boundingBox();
+  assert.ok(panel.y + panel.height < pads.y, "the picture is between the panel and the sticks");
+  await page.locator(".drive-buttons button", { hasText: "From the beginning" }).tap();
+  await until(page, () => window.drive.app.last.step === 0);
+  const middle = async (part) => {
+    const { x, y, width, height } = await page.locator(part).boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  const [wheel, arm] = [await middle("[data-stick=drive]"), await middle("[data-stick=move]")];
+  const hand = await page.context().newCDPSession(page);
+  const touch = (type, ...fingers) => hand.send("Input.dispatchTouchEvent", { type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })) });
+  const from = await page.evaluate(() => window.drive.app.player.robotAt.slice(0, 2));
+  await touch("touchStart", wheel, arm);
+  await touch("touchMove", [wheel[0], wheel[1] - 60], [arm[0] + 40, arm[1]]);
+  assert.deepEqual(await page.evaluate(() => window.drive.app.touch.axes.map((value) => Math.round(value * 100) / 100)), [0, -1, 0.91, 0]);
+  await until(page, ([x, y]) => Math.hypot(window.drive.app.player.robotAt[0] - x, window.drive.app.player.robotAt[1] - y) > 0.1, from);
+  await take(page, "drive-phone");
+  await touch("touchEnd");
+  assert.deepEqual(await page.evaluate(() => [...window.drive.app.touch.axes]), [0, 0, 0, 0]);
+  const [x, y] = await middle("[data-pad=grip]");
+  await touch("touchStart", [x, y]);
+  await until(page, () => window.drive.app.last.openings[0] === -1);
+  await touch("touchEnd");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("an environment of Python is looked on as it is stepped, and not driven", async () => {
+  const environment = { ...process.env, PYTHONPATH: package_ };
+  const script = spawn(python, [join(import.meta.dirname, "watched_env.py"), join(folder, "shop"), join(folder, "aisle.jsonl")], { env: environment, stdio: ["pipe", "pipe", "inherit"] });
+  const lines = createInterface({ input: script.stdout })[Symbol.asyncIterator]();
+  const said = async () => (await lines.next()).value;
+  try {
+    const { page, faults, close } = await openPage(browser, await said());
+    await page.waitForFunction(() => window.drive?.times.complete !== undefined && window.drive.app.last !== undefined, null, { timeout: patience });
+    assert.equal(await step(page), 0);
+    assert.equal(await page.locator(".drive-buttons").isHidden(), true);
+    assert.match(await page.locator(".driving").textContent(), /A program acts/);
+    const at = () => page.evaluate(() => [...window.drive.app.player.robotAt.slice(0, 3)]);
+    const from = await at();
+    script.stdin.write("30\n");
+    const numbers = JSON.parse(await said());
+    await until(page, () => window.drive.app.last.step === 30);
+    await page.waitForFunction((from) => Math.hypot(...window.drive.app.player.robotAt.slice(0, 2).map((x, k) => x - from[k])) > 0.05, from, { timeout: patience });
+    assert.ok(Object.values(numbers).every(Number.isFinite));
+    await take(page, "watched");
+    assert.deepEqual(faults, []);
+    await close();
+  } finally {
+    script.stdin.end();
+  }
 });

@@ -7,7 +7,7 @@ import { chromium } from "playwright-core";
 
 export const program = process.env.MARKETGEN_BINARY ?? join(import.meta.dirname, "../../build/release/marketgen");
 const browserPath = process.env.MARKETGEN_CHROMIUM ?? "/usr/bin/chromium";
-const pictures = process.env.MARKETGEN_BROWSER_PICTURES;
+export const pictures = process.env.MARKETGEN_BROWSER_PICTURES;
 
 async function addressOf(process) {
   let said = "";

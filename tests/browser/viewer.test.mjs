@@ -7,7 +7,8 @@ import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, openPage, program, serve, take } from "./served.mjs";
+import { gradient, shareWithin, shiftOf, shiftsOfTiles, strongest } from "./edges.mjs";
+import { launch, openPage, pictures, program, serve, take } from "./served.mjs";
 
 const patience = 120_000; // milliseconds for the store to be built and shown, on a busy machine
 
@@ -253,8 +254,8 @@ test("layers show aisles with their widths and broken rules with their words", a
 const goTo = (page, hash) =>
   page.evaluate((hash) => new Promise((done) => (window.addEventListener("hashchange", done, { once: true }), (location.hash = hash))).then(() => 0), hash);
 
-// Mean of each channel, 0..255: of what the page has drawn, and of a picture's file.
-const meanOfPage = (page) =>
+// What the page has drawn, and what a picture's file has: the mean of each channel (0..255), and the picture in grey.
+const pictureOfPage = (page) =>
   page.evaluate(() => {
     const { stage } = window.marketgen;
     stage.draw(true);
@@ -262,41 +263,78 @@ const meanOfPage = (page) =>
     const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
     const pixels = new Uint8Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    return [0, 1, 2].map((c) => pixels.reduce((sum, byte, i) => sum + (i % 4 === c ? byte : 0), 0) / (width * height));
+    const rows = Array.from({ length: height }, (_, y) => pixels.subarray(4 * width * (height - 1 - y), 4 * width * (height - y))); // from above
+    return window.toPicture(rows, width, height);
   });
-async function meanOfFile(file) {
-  const blank = await browser.newPage();
-  const means = await blank.evaluate(async (address) => {
+async function pictureOfFile(file) {
+  const { page, close } = await openPage(browser, "about:blank", {}, (page) => page.addInitScript(toPicture));
+  const picture = await page.evaluate(async (address) => {
     const picture = Object.assign(new Image(), { src: address });
     await picture.decode();
-    const canvas = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+    const { width, height } = picture;
+    const canvas = new OffscreenCanvas(width, height).getContext("2d");
     canvas.drawImage(picture, 0, 0);
-    const { data } = canvas.getImageData(0, 0, picture.width, picture.height);
-    return [0, 1, 2].map((c) => data.reduce((sum, byte, i) => sum + (i % 4 === c ? byte : 0), 0) / (picture.width * picture.height));
+    const { data } = canvas.getImageData(0, 0, width, height);
+    return window.toPicture(Array.from({ length: height }, (_, y) => data.subarray(4 * width * y, 4 * width * (y + 1))), width, height);
   }, `data:image/png;base64,${readFileSync(file, "base64")}`);
-  await blank.close();
-  return means;
+  await close();
+  return picture;
 }
+// Runs in the browser.
+function toPicture() {
+  window.toPicture = (rows, width, height) => {
+    const sums = [0, 0, 0];
+    const grey = new Uint8Array(width * height);
+    rows.forEach((row, y) => {
+      for (let x = 0; x < width; x++) {
+        const [r, g, b] = [row[4 * x], row[4 * x + 1], row[4 * x + 2]];
+        [r, g, b].forEach((byte, c) => (sums[c] += byte));
+        grey[y * width + x] = Math.round(0.2126 * r + 0.7152 * g + 0.0722 * b);
+      }
+    });
+    let text = "";
+    for (let i = 0; i < grey.length; i += 8192) text += String.fromCharCode(...grey.subarray(i, i + 8192));
+    return { width, height, mean: sums.map((sum) => sum / (width * height)), grey: btoa(text) };
+  };
+}
+const greyOf = ({ grey, width, height }) => ({ grey: Buffer.from(grey, "base64"), width, height });
 
-test("the page has the renderer's tones", async () => {
-  const { page, faults, close } = await open();
+test("the page has the renderer's tones, and its edges where they are", async () => {
+  const { page, faults, close } = await open("", {}, (page) => page.addInitScript(toPicture));
   await complete(page);
   const cameras = await page.evaluate(async () => (await (await fetch("api/stores/0")).json()).cameras);
-  for (const { name, from_m: from, at_m: at } of cameras.filter(({ ortho_height_m: above }) => above === 0)) {
+  for (const { name, from_m: from, at_m: at } of cameras.filter(({ name, ortho_height_m: above }) => above === 0 && !name.startsWith("zone:"))) {
     const [x, y, z] = at.map((value, k) => value - from[k]);
     await goTo(page, `#mode=fly&eye=${from.join(",")}&look=${Math.atan2(y, x)},${Math.atan2(z, Math.hypot(x, y))}`);
     await settled(page);
-    const file = join(folder, `${name}.png`);
-    const { fov, aspect } = await page.evaluate(() => window.marketgen.stage.camera);
-    const size = `${2 * Math.round(180 * aspect)}x360`;
-    execFileSync(program, ["render", store, "--from", from.join(","), "--at", at.join(","), "--fov-deg", String(fov), "--size", size, "--quiet", "-o", file]);
+    await page.waitForFunction(() => window.marketgen.stage.renderer.getContext().drawingBufferHeight === 720, null, { timeout: patience }); // it stands still
+    const file = join(pictures ?? folder, `renderer-${name}.png`);
+    const { fov } = await page.evaluate(() => window.marketgen.stage.camera);
+    execFileSync(program, ["render", store, "--from", from.join(","), "--at", at.join(","), "--fov-deg", String(fov), "--size", "1280x720", "--quiet", "-o", file]);
     await take(page, `tones-${name}`);
-    const [shown, drawn] = [await meanOfPage(page), await meanOfFile(file)];
-    for (const c of [0, 1, 2]) assert.ok(Math.abs(shown[c] - drawn[c]) < 0.06 * 255, `${name}: the page has ${shown}, the renderer ${drawn}`);
+    const [shown, drawn] = [await pictureOfPage(page), await pictureOfFile(file)];
+    for (const c of [0, 1, 2]) assert.ok(Math.abs(shown.mean[c] - drawn.mean[c]) < 0.06 * 255, `${name}: the page has ${shown.mean}, the renderer ${drawn.mean}`);
+    compareEdges(name, greyOf(shown), greyOf(drawn));
   }
   assert.deepEqual(faults, []);
   await close();
 });
+
+// The renderer has edges that the page has not (shadows, mirrored lamps): those of the page are looked for.
+function compareEdges(name, shown, drawn) {
+  const [first, second] = [gradient(shown), gradient(drawn)];
+  const [edges, others] = [strongest(first, 0.04), strongest(second, 0.12)];
+  const share = shareWithin(edges, others, shown, 2);
+  const astray = shareWithin(edges, others, shown, 2, 16);
+  const { across, down } = shiftOf(first, second, 6);
+  const tiles = shiftsOfTiles(first, second, edges, 6);
+  const worst = tiles.reduce((most, tile) => Math.max(most, Math.abs(tile.across), Math.abs(tile.down)), 0);
+  if (pictures) console.log(JSON.stringify({ name, size: [shown.width, shown.height], edges: edges.reduce((a, b) => a + b), share, astray, across, down, tiles: tiles.map((t) => [t.column, t.row, t.across, t.down]) }));
+  assert.ok(share > 0.9, `${name}: ${share} of the page's edges are within 2 pixels of the renderer's`);
+  assert.ok(share > astray + 0.05, `${name}: no more than in a picture that is 16 pixels off (${astray})`);
+  assert.ok(Math.abs(across) <= 2 && Math.abs(down) <= 2, `${name}: the pictures are ${across}, ${down} pixels apart`);
+  assert.ok(tiles.length > 3 && worst <= 2, `${name}: parts of them are apart: ${JSON.stringify(tiles)}`);
+}
 
 test("two clicks measure what lies between them", async () => {
   const { page, faults, close } = await open();

@@ -37,6 +37,10 @@ async function start(): Promise<void> {
     document.body.append(status.progress, status.note, status.fault);
     return startMaking(making, speech, status).catch((error: unknown) => status.stop(error));
   }
+  const address = new URLSearchParams(location.search);
+  const store = Number(address.get("store") ?? 0) || 0;
+  const client = new EditClient(store, address.get("token"));
+  for (const path of ["", "/goods.bin"]) client.ahead(path); // WebGL takes a while to begin
   const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
   document.body.append(canvas, status.progress, status.note, status.fault);
   const stage = Stage.create(canvas);
@@ -44,9 +48,6 @@ async function start(): Promise<void> {
   const times: Record<string, number> = {};
   const watched = ((window as Watched).marketgen = { stage, times } as NonNullable<Watched["marketgen"]>);
 
-  const address = new URLSearchParams(location.search);
-  const store = Number(address.get("store") ?? 0) || 0;
-  const client = new EditClient(store, address.get("token"));
   try {
     status.work(0.05, speech.say("loading"));
     const summary = await client.summary();
@@ -66,6 +67,8 @@ async function start(): Promise<void> {
     if (summary.may_drive) offerDriving({ store, token: address.get("token") }, speech, document.querySelector(".search header"));
     const goods = await loadGoods(client, stage, summary, watch);
     app.restore();
+    await stage.drawn(); // nothing else holds up the first picture
+    times["picture"] = performance.now();
     await loadRest(client, stage, goods, summary, watch);
     stage.complete();
     times["complete"] = performance.now();

@@ -3,6 +3,7 @@ import { readDrivePlace, driveLink } from "../src/drive/addresses";
 import { Controls, drivingKeys, moves, type Pad } from "../src/drive/controls";
 import { Live } from "../src/drive/live";
 import { driveTexts } from "../src/drive/strings";
+import { leaning, together } from "../src/drive/touch";
 import { RobotEye } from "../src/replay/robot_eye";
 import { Navigator } from "../src/camera/navigator";
 import { lookingAt } from "../src/camera/pose";
@@ -49,6 +50,16 @@ test("the lift is the joint that is a length, the head those that are angles", (
   const controls = new Controls(realman);
   expect(controls.command(held("KeyR"), undefined).joints).toEqual([1, 0, 0]);
   expect(controls.command(held("KeyF", "BracketRight", "Minus"), undefined).joints).toEqual([-1, 1, -1]);
+});
+
+test("a finger's stick leans no farther than to its end, and what leans farther counts", () => {
+  expect(leaning(0, 22)).toEqual([0, 0.5]);
+  const [x, y] = leaning(300, -400);
+  expect([x, y]).toEqual([0.6, -0.8]);
+  const both = together(pad([0.5, 0, 0, 0], [12]), pad([0.2, -1, 0, 0], [0]));
+  expect(both.axes.slice(0, 2)).toEqual([0.5, -1]);
+  expect([0, 12, 1].map((i) => both.buttons[i]!.pressed)).toEqual([true, true, false]);
+  expect(together(undefined, both)).toBe(both);
 });
 
 test("a grip is told once, to the arm that is chosen", () => {

@@ -75,3 +75,14 @@ test("turns take the shorter way", () => {
   const half = between(from, { ...from, yaw: -3 }, 0.5);
   expect(Math.abs(half.yaw)).toBeCloseTo(Math.PI, 5);
 });
+
+test("who stands still has the same pose, however they move", () => {
+  for (const mode of ["orbit", "walk", "fly", "top"] as const) {
+    const navigator = new Navigator(room, mode, { eye: [4, 2, eyeHeight], yaw: 0.3, pitch: 0 }, 2);
+    navigator.step(1 / 60, { ...nothing, forward: 1 });
+    for (let i = 0; i < 100; i++) navigator.step(1 / 60, nothing);
+    const { pose } = navigator;
+    navigator.step(1 / 60, nothing);
+    expect(navigator.pose).toBe(pose);
+  }
+});

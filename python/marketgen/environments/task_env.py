@@ -10,6 +10,8 @@ import gymnasium
 import numpy as np
 
 from .. import _core, arguments
+from ..store import Store, open_store
+from ..views import View, watch
 from .state import generator_of, packed, random_state, unpacked
 from .task_setup import CHECKOUT_STATION, Stage, StoreLike, TaskOptions, TaskSetup, Track, outcome_of
 
@@ -78,6 +80,7 @@ class TaskEnv(gymnasium.Env):
         self._rendering = Rendering(self.environment, render_mode, render_size, render_camera)
         self.render_mode = render_mode
         self._episode: dict[str, Any] = {}
+        self._view: View | None = None
         self._row = np.zeros(self.setup.row_length, np.float32)
 
     @classmethod
@@ -107,6 +110,7 @@ class TaskEnv(gymnasium.Env):
         row = np.empty((1, self.setup.row_length), np.float32)
         _core.reset_environments([self.environment], [text], row)
         self._row = row[0]
+        self._tell(began=True)
 
     def next_episode(self, seed: int | None, options: dict[str, Any] | None) -> tuple[str | None, int]:
         """The episode that was asked for, or else the seed of which one is to be drawn."""
@@ -137,6 +141,7 @@ class TaskEnv(gymnasium.Env):
         reward, terminated, truncated = np.zeros(1), np.zeros(1, bool), np.zeros(1, bool)
         _core.step_environments([self.environment], numbers[None], row, reward, terminated, truncated)
         self._row = row[0]
+        self._tell(began=False)
         return float(reward[0]), bool(terminated[0]), bool(truncated[0])
 
     def info_of_step(self, *, terminated: bool, truncated: bool) -> dict[str, Any]:
@@ -214,6 +219,7 @@ class TaskEnv(gymnasium.Env):
                 self.set_state(before)
             raise
         self._row = row[0]
+        self._tell(began=True)
         self._np_random, self._np_random_seed = generator_of(head["random"]), head["seed"]
         self._take_own_state(head["own"])
         return self.observation()
@@ -246,6 +252,36 @@ class TaskEnv(gymnasium.Env):
     def state_hash(self) -> str:
         """32 hex digits over the physics: equal states, equal hashes."""
         return self.environment.state_hash()
+
+    def show(self, *, store: StoreLike | None = None, height: int = 600, port: int = 0) -> View:
+        """The episode as it runs, in a notebook's cell or a browser at the address that it says: after each reset(), step() and
+        set_state() the page has what the world has. One looks on; it is acted here.
+
+        store   where the episode is: of an environment that was made of a file or a pool; by itself that of the environment
+        height  of the cell, pixels
+        port    to listen on, of 127.0.0.1; 0 any free one
+
+        Served until close() of the answer, which a `with` does, or until show() is called again, or Python ends; a page of
+        another episode is loaded anew. Raises Error episode.bad_action before the first reset(), usage.bad_flag without a
+        store, episode.other_store where the episode is of another one; those of Store.show().
+        """
+        if not self._episode:
+            raise _core.Error("episode.bad_action", "show", "no episode has begun: reset it first")
+        where = self.setup.store if store is None else store
+        if where is None:
+            raise _core.Error("usage.bad_flag", "store", "the environment was made without a store: name the folder of the episode's")
+        opened = where if isinstance(where, Store) else open_store(where)
+        if opened.manifest["scene_hash"] != self._episode["scene_hash"]:
+            raise _core.Error("episode.other_store", opened.folder, "the episode is of another store: name that one's folder")
+        if self._view is not None:
+            self._view.close()
+        self._view = watch(opened._handle, height, port)
+        self._tell(began=True)
+        return self._view
+
+    def _tell(self, *, began: bool) -> None:
+        if self._view is not None and not self._view.closed:
+            self._view._served.watch(self.environment, self.setup.ground, began)
 
     def render(self):
         return self._rendering.picture(self.environment)

@@ -144,6 +144,7 @@ class TaskSetup:
         self.realism = a_path("realism", wanted["realism"])
         self.ground = ground_of(track, store, wanted["episodes"])
         self.has_file = store is None
+        self.store = store
         first = self.new_environment()
         self.observations = Observations(
             first,

@@ -70,7 +70,9 @@ class Drive::Peer : public SocketPeer {
   int page_;
 };
 
-Drive::Drive(DriveGround ground) : ground_(std::move(ground)) {
+Drive::Drive(DriveGround ground) : ground_(std::move(ground)), pages_(ground_.watched) {
+  status_.watched = ground_.watched;
+  if (ground_.watched) return;
   status_.logs = ground_.logs.string();
   if (ground_.file != nullptr) {
     for (const episodes::EpisodeSpec& spec : ground_.file->episodes())
@@ -220,22 +222,42 @@ void Drive::open(const DriveAsk& ask) {
   Result<std::unique_ptr<DrivenEpisode>> made = opened(ask);
   if (!made.ok()) return fail(made.error());
   episode_ = std::move(made).value();
-  auto shown = std::make_shared<Shown>();
-  shown->place = episode_->place();
-  shown->robot = episode_->bodies().file();
-  shown->track = episode_->told().track;
-  const int place = ground_.number_of_place(shown->place);
-  {
-    const std::scoped_lock lock(mutex_);
-    status_.phase = DrivePhase::driving;
-    status_.episode = episode_->told();
-    status_.episode->place = place;
-    shown_ = std::move(shown);
-    begun_ = paused_ = over_ = false;
-    held_ = {};
-  }
+  show(episode_->shown(), episode_->told());
   publish();
   pages_.tell_all({"opened", false, false, {}, {}, {}});
+}
+
+void Drive::show(const ShownEpisode& episode, DriveEpisode told) {
+  auto shown = std::make_shared<Shown>();
+  shown->place = episode.place();
+  shown->robot = episode.bodies().file();
+  shown->track = told.track;
+  told.place = ground_.number_of_place(shown->place);
+  const std::scoped_lock lock(mutex_);
+  status_.phase = DrivePhase::driving;
+  status_.episode = std::move(told);
+  shown_ = std::move(shown);
+  begun_ = paused_ = over_ = false;
+  held_ = {};
+}
+
+Result<void> Drive::watch(environments::Environment& environment,
+                          environments::EpisodeGround& ground,
+                          bool began) {
+  if (!began) {
+    MARKETGEN_CHECK(watched_->look());
+    publish(*watched_, {});
+    return {};
+  }
+  MARKETGEN_TRY(watched_, ShownEpisode::of(environment, ground, ground_.store, *ground_.catalog));
+  show(*watched_, watched_->told());
+  {
+    const std::scoped_lock lock(mutex_);
+    status_.generation += 1;
+    begun_ = true;
+  }
+  publish(*watched_, {});
+  return {};
 }
 
 void Drive::act(DriveVerb verb) {
@@ -274,19 +296,24 @@ double Drive::speed_now(Clock::time_point now) {
 }
 
 void Drive::publish() {
+  publish(episode_->shown(), episode_->openings());
+}
+
+void Drive::publish(const ShownEpisode& episode, std::span<const double> openings) {
   DriveMoment head;
   head.speed = speed_now(Clock::now());
+  head.openings.assign(openings.begin(), openings.end());
   {
     const std::scoped_lock lock(mutex_);
     if (!status_.episode) return;  // another one was asked for
-    over_ = !episode_->running();
+    over_ = !episode.running();
     head.generation = status_.generation;
     head.runs = begun_ && !paused_ && !over_;
-    now_ = episode_->now();
-    products_ = episode_->things().products();
-    status_.episode->things = episode_->things().rows();
+    now_ = episode.now();
+    products_ = episode.things().products();
+    status_.episode->things = episode.things().rows();
   }
-  pages_.show(std::make_shared<const std::string>(episode_->message(head)));
+  pages_.show(std::make_shared<const std::string>(episode.message(head)));
 }
 
 // Beside those that are there already.

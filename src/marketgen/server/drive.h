@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -37,6 +38,7 @@ struct DriveGround {
   std::filesystem::path logs = "drives";                   // folder, made when it is needed
   // Below places; -1: the store itself. Thread-safe.
   std::function<int(const episodes::RecordedPlace&)> number_of_place = {};
+  bool watched = false;  // nobody drives: watch() says what is to be seen
 };
 
 class Drive {
@@ -61,6 +63,12 @@ class Drive {
   Result<HttpReply> begin(const HttpAsk& ask);
   // Of a page that drives, or looks on where another one does.
   std::unique_ptr<SocketPeer> peer();
+  // Shows an episode as it is now that somebody else steps; `began`: it is another one, or was set
+  // to another state. Of one thread. Precondition: DriveGround::watched, and `environment` is that
+  // of the last call that began. Errors: those of ShownEpisode.
+  Result<void> watch(environments::Environment& environment,
+                     environments::EpisodeGround& ground,
+                     bool began);
 
  private:
   class Peer;
@@ -98,7 +106,9 @@ class Drive {
   void act(DriveVerb verb);
   void step(const environments::TeleopCommand& command, bool done);
   Result<std::string> save() const;
+  void show(const ShownEpisode& episode, DriveEpisode told);
   void publish();
+  void publish(const ShownEpisode& episode, std::span<const double> openings);
   double speed_now(Clock::time_point now);
   void fail(const Error& error);
 
@@ -110,6 +120,7 @@ class Drive {
   DrivePages pages_;
   std::shared_ptr<environments::EpisodeGround> drawing_;  // of the store, once one is drawn
   std::unique_ptr<DrivenEpisode> episode_;                // of the thread alone
+  std::unique_ptr<ShownEpisode> watched_;                 // of who calls watch()
   std::deque<Clock::time_point> stepped_;                 // the last steps; of the thread
 
   std::mutex mutex_;  // of all that follows

@@ -113,7 +113,7 @@ constexpr std::array<std::string_view, 4> names_of(DrivePhase) {
 struct DriveStatus {
   DrivePhase phase = DrivePhase::idle;
   int generation = 0;
-  bool taken = false;
+  bool taken = false, watched = false;
   std::string error_code, error;
   std::string logs;
   std::vector<DriveTrack> tracks;
@@ -123,6 +123,7 @@ struct DriveStatus {
       field("phase", &DriveStatus::phase, "idle, opening, driving or failed"),
       field("generation", &DriveStatus::generation, "counts the episodes that were opened"),
       field("taken", &DriveStatus::taken, "somebody drives"),
+      field("watched", &DriveStatus::watched, "a program acts: pages look on"),
       field("error_code", &DriveStatus::error_code, "why the last one failed"),
       field("error", &DriveStatus::error, "likewise, in words"),
       field("logs", &DriveStatus::logs, "folder in which logs are kept"),

@@ -14,7 +14,7 @@ int DrivePages::join() {
 void DrivePages::greet(int page, std::weak_ptr<SocketSender> sender) {
   const std::scoped_lock lock(mutex_);
   pages_[page] = std::move(sender);
-  if (driver_ < 0) driver_ = page;
+  if (driver_ < 0 && !watched_) driver_ = page;
   say_who_drives();
   if (const auto one = pages_[page].lock(); one && latest_ && !ended_) one->latest(latest_);
 }
@@ -29,7 +29,7 @@ void DrivePages::leave(int page) {
 
 void DrivePages::take(int page) {
   const std::scoped_lock lock(mutex_);
-  if (driver_ < 0 && pages_.contains(page)) driver_ = page;
+  if (driver_ < 0 && !watched_ && pages_.contains(page)) driver_ = page;
   say_who_drives();
 }
 
@@ -40,7 +40,7 @@ bool DrivePages::drives(int page) const {
 
 bool DrivePages::taken() const {
   const std::scoped_lock lock(mutex_);
-  return driver_ >= 0;
+  return watched_ || driver_ >= 0;
 }
 
 void DrivePages::send(int page, const std::string& text) const {
@@ -51,7 +51,9 @@ void DrivePages::send(int page, const std::string& text) const {
 
 void DrivePages::say_who_drives() const {
   for (const auto& [page, sender] : pages_)
-    send(page, io::write_json_line(DriveNote{"you", page == driver_, driver_ >= 0, {}, {}, {}}));
+    send(page,
+         io::write_json_line(
+             DriveNote{"you", page == driver_, watched_ || driver_ >= 0, {}, {}, {}}));
 }
 
 void DrivePages::tell(int page, const DriveNote& note) const {

@@ -12,7 +12,8 @@ namespace marketgen::server {
 
 class DrivePages {
  public:
-  int join();  // its number
+  explicit DrivePages(bool watched) : watched_(watched) {}  // by all, and driven by none
+  int join();                                               // its number
   // It can be sent something from now on, and drives if nobody does.
   void greet(int page, std::weak_ptr<SocketSender> sender);
   void leave(int page);
@@ -32,6 +33,7 @@ class DrivePages {
   void say_who_drives() const;
   void send(int page, const std::string& text) const;
 
+  const bool watched_;
   mutable std::mutex mutex_;
   int next_ = 0, driver_ = -1;
   bool ended_ = false;

@@ -69,6 +69,10 @@ ViewServer::ViewServer(std::unique_ptr<Parts> parts, std::string address)
     : parts_(std::move(parts)), address_(std::move(address)) {}
 ViewServer::~ViewServer() = default;
 
+Drive& ViewServer::watched() {
+  return parts_->viewer->watched();
+}
+
 Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& options,
                                                       store::OpenedStores stores) {
   MARKETGEN_CHECK(check_host(options));
@@ -83,7 +87,8 @@ Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& option
                               .make_in = options.make_in,
                               .results = options.results,
                               .episodes = options.episodes,
-                              .drives = options.drives}));
+                              .drives = options.drives,
+                              .watch = options.watch}));
   HttpServerOptions http;
   http.host = options.host;
   http.port = options.port;

@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "catalog/catalog.h"
+#include "server/drive.h"
 #include "store/open_stores.h"
 
 namespace marketgen::server {
@@ -21,6 +22,7 @@ struct ServeOptions {
   bool read_only = false;     // nothing is edited, made or driven
   std::string make_in = ".";  // where stores are kept that a page has made
   bool embed = false;  // pages of this machine, as a notebook's, may show it in a frame; no edits
+  bool watch = false;  // pages look on at an episode in the first store that a program steps
 };
 
 class ViewServer {
@@ -34,6 +36,7 @@ class ViewServer {
   ~ViewServer();
 
   const std::string& address() const { return address_; }  // with the token
+  Drive& watched();                                        // precondition: ServeOptions::watch
 
  private:
   struct Parts;

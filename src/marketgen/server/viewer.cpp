@@ -95,6 +95,11 @@ Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
   for (std::shared_ptr<const store::Store>& store : opened)
     viewer->add(std::move(store));
   if (options.may_edit) MARKETGEN_CHECK(viewer->offer_drives());
+  if (options.watch) {
+    DriveGround ground = viewer->ground_of(*viewer->stores_.front());
+    ground.watched = true;
+    viewer->stores_.front()->drive = std::make_unique<Drive>(std::move(ground));
+  }
   for (const std::unique_ptr<Opened>& store : viewer->stores_)
     viewer->build_of(*store);
   if (options.may_edit)
@@ -134,12 +139,9 @@ Result<void> Viewer::offer_drives() {
     MARKETGEN_TRY(file, environments::EpisodeGround::of_file(options_.episodes));
   }
   for (const std::unique_ptr<Opened>& opened : stores_) {
-    const auto place = [this, number = static_cast<std::size_t>(opened->number)](
-                           const episodes::RecordedPlace& where) {
-      return replays_->number_of(number, where);
-    };
-    opened->drive = std::make_unique<Drive>(DriveGround{
-        opened->store, rows_of(*opened->store), &catalog_, file, options_.drives, place});
+    DriveGround ground = ground_of(*opened);
+    ground.file = file;
+    opened->drive = std::make_unique<Drive>(std::move(ground));
     is_of_one = is_of_one || opened->drive->offers_episodes();
     if (file != nullptr) file->arena().offer(opened->store);
   }
@@ -148,6 +150,18 @@ Result<void> Viewer::offer_drives() {
                options_.episodes,
                "none of its episodes is of a store that is shown: name that store's folder, or "
                "leave --episodes out"};
+}
+
+DriveGround Viewer::ground_of(const Opened& opened) {
+  const auto place = [this, number = static_cast<std::size_t>(opened.number)](
+                         const episodes::RecordedPlace& where) {
+    return replays_->number_of(number, where);
+  };
+  return {opened.store, rows_of(*opened.store), &catalog_, nullptr, options_.drives, place};
+}
+
+Drive& Viewer::watched() {
+  return *stores_.front()->drive;
 }
 
 void Viewer::stop_driving() {

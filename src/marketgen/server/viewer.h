@@ -14,6 +14,7 @@
 
 #include "base/result.h"
 #include "server/cards.h"
+#include "server/drive.h"
 #include "server/http_message.h"
 #include "server/maker.h"
 #include "server/replays.h"
@@ -30,6 +31,7 @@ struct ViewerOptions {
   std::vector<std::string> results = {};    // folders of evaluations in the stores
   std::string episodes = {};                // file of those that are driven; empty: they are drawn
   std::filesystem::path drives = "drives";  // where logs of drives are kept
+  bool watch = false;  // pages look on at an episode in the first store that a program steps
 };
 
 class Viewer {
@@ -46,6 +48,8 @@ class Viewer {
   HttpReply answer(const HttpAsk& ask);
   // Of /api/stores/N/drive/socket. Errors: server.not_found, server.refused. Thread-safe.
   Result<std::unique_ptr<SocketPeer>> socket(const HttpAsk& ask);
+  // Precondition: ViewerOptions::watch.
+  Drive& watched();
   // Before who carries the sockets goes.
   void stop_driving();
 
@@ -67,6 +71,7 @@ class Viewer {
   Result<HttpReply> of_edit(Opened& store, const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_drive(Opened& store, const HttpAsk& ask, const Words& words);
   Result<void> offer_drives();
+  DriveGround ground_of(const Opened& opened);
   // With its own products.
   std::shared_ptr<const catalog::Catalog> rows_of(const store::Store& store) const;
   Result<HttpReply> of_replay(Opened& store, const HttpAsk& ask, const Words& words);

@@ -117,7 +117,8 @@ export class Navigator {
     }
     const turn = turnSpeed * seconds;
     if (this.mode === "orbit") this.orbit(-held.turn * turn, -held.tilt * turn);
-    else if (this.mode !== "top") this.pose = turned(this.pose, held.turn * turn, held.tilt * turn);
+    // The same pose stays the same object: by that the page knows that it stands still.
+    else if (this.mode !== "top" && (held.turn !== 0 || held.tilt !== 0)) this.pose = turned(this.pose, held.turn * turn, held.tilt * turn);
     this.glide(seconds, held);
   }
 

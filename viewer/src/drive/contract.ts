@@ -30,6 +30,7 @@ export interface DriveStatus {
   readonly phase: "idle" | "opening" | "driving" | "failed";
   readonly generation: number;
   readonly taken: boolean;
+  readonly watched: boolean; // a program acts: pages look on
   readonly error_code: string;
   readonly error: string;
   readonly logs: string;

@@ -10,7 +10,7 @@ export interface Pad {
 const usual = { drive: 0.35, turn: 0.45, move: 0.4, twist: 0.4, joint: 1 } as const; // shares that a key asks for
 const fineShare = 0.3;
 const rest = 0.12; // of a stick: what is less is none
-const padButtons = { grip: 0, arm: 1, axes: 3, twist: 4, fine: 5, down: 6, up: 7, pause: 9, liftUp: 12, liftDown: 13 } as const;
+export const padButtons = { grip: 0, arm: 1, axes: 3, twist: 4, fine: 5, down: 6, up: 7, pause: 9, liftUp: 12, liftDown: 13 } as const;
 // Keys of further joints, down and up: of the first that is a length (a lift), then of those that are angles (a head).
 const liftKeys = ["KeyF", "KeyR"] as const;
 const angleKeys = [

@@ -18,13 +18,15 @@ import { Theme } from "../ui/theme";
 import { Controls, drivingKeys, moves, type Pad } from "./controls";
 import type { DriveEpisode, DriveMoment, DriveNote, Verb } from "./contract";
 import { DriveHelp } from "./drive_help";
-import { DrivePanel, type Seat } from "./drive_panel";
+import { DrivePanel, type Acting, type Seat } from "./drive_panel";
 import type { DriveClient, DriveSocket } from "./drive_client";
 import type { Live } from "./live";
 import { say, type DriveKey } from "./strings";
+import { together, TouchPad } from "./touch";
 
 const usualFov = 55;
 const relitAtOnce = 8;
+const standsAfter = 500; // milliseconds without a message
 const commandEvery = 50; // milliseconds: a control step
 const still = { forward: 0, right: 0, up: 0, turn: 0, tilt: 0, fast: false } as const;
 // Behind, beside, before the robot, by keys 1 to 3; 4 is from above.
@@ -48,6 +50,7 @@ export class DriveApp {
   savedFile = "";
   private readonly panel: DrivePanel;
   private readonly help: DriveHelp;
+  readonly touch: TouchPad;
   private readonly hands: Hands;
   private readonly eye: RobotEye;
   private readonly views: readonly RobotView[];
@@ -55,6 +58,7 @@ export class DriveApp {
   private lastFrame = 0;
   private shownPose: Pose | undefined;
   private messages = 0;
+  private heard = 0; // the last one
   private begun = false;
   private moved = false; // by the command before
 
@@ -69,6 +73,7 @@ export class DriveApp {
     client: DriveClient,
     private readonly socket: () => DriveSocket,
     links: () => readonly HTMLElement[],
+    acting: Acting,
   ) {
     stage.ceilingHeight = summary.ceiling_m;
     stage.sight = new Sight(screensOf(summary.fixtures));
@@ -82,10 +87,11 @@ export class DriveApp {
     this.help = new DriveHelp(speech);
     const tools = { theme: () => theme.toggle(), language: () => speech.toggle(), help: () => this.help.open() };
     const tool = (key: keyof typeof tools): HTMLElement => element("button", { text: speech.say(key), attributes: { type: "button" }, on: { click: tools[key] } });
-    this.panel = new DrivePanel(words, episode, this.controls, (verb) => this.press(verb), () => [...links(), tool("theme"), tool("language"), tool("help")]);
+    this.panel = new DrivePanel(words, episode, this.controls, (verb) => this.press(verb), () => [...links(), tool("theme"), tool("language"), tool("help")], acting);
+    this.touch = new TouchPad(speech, { lifts: episode.joints.some(({ dimension }) => dimension === "m"), arms: episode.arms.length });
     this.camera = new CameraPanel(words, client, episode.step_s, episode.cameras, () => this.toggleCamera());
     this.hands = this.makeHands();
-    document.body.append(this.panel.panel, this.camera.panel, this.help.dialog);
+    document.body.append(this.panel.panel, this.camera.panel, this.touch.panel, this.help.dialog);
     speech.bind(() => {
       stage.canvas.setAttribute("aria-label", this.say("view3d"));
       document.title = `${this.say("drive")} · ${episode.id} · MarketGen`;
@@ -105,7 +111,7 @@ export class DriveApp {
     if (moved) this.stage.setPose((this.shownPose = this.navigator.pose));
     if (!this.light && this.stage.room) this.light = new RoomLight(this.stage.room.corners);
     if (this.light) this.player.relight(this.light, relitAtOnce);
-    this.stage.frame(moved || (this.last?.runs ?? false));
+    this.stage.frame(moved || ((this.last?.runs ?? false) && now - this.heard < standsAfter));
   }
 
   moment(message: Packed<DriveMoment>): void {
@@ -115,6 +121,7 @@ export class DriveApp {
     this.begun = head.runs || head.step > 0;
     this.last = head;
     this.messages++;
+    this.heard = performance.now();
     this.tell();
     this.stage.redraw();
   }
@@ -138,14 +145,16 @@ export class DriveApp {
 
   private tell(): void {
     this.panel.seat(this.seat);
+    this.touch.panel.hidden = !this.seat.drives;
     if (this.last) this.panel.show(this.last, this.begun);
   }
 
   // Sent while something is held, and once when nothing is any more.
   private command(): void {
-    const pad = navigator.getGamepads?.().find((each) => each?.mapping === "standard") as Pad | null | undefined;
-    for (const press of this.controls.presses(pad ?? undefined)) this.padPress(press);
-    const command = this.controls.command(this.hands.keysDown, pad ?? undefined);
+    const gamepad = navigator.getGamepads?.().find((each) => each?.mapping === "standard") as Pad | null | undefined;
+    const pad = together(gamepad ?? undefined, this.touch);
+    for (const press of this.controls.presses(pad)) this.padPress(press);
+    const command = this.controls.command(this.hands.keysDown, pad);
     const now = moves(command);
     if (this.seat.drives && (now || this.moved)) this.socket().move(command);
     this.moved = now;

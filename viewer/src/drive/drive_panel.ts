@@ -12,6 +12,9 @@ export interface Seat {
   readonly taken: boolean;
 }
 
+// A program acts, and the server has no driver.
+export type Acting = "person" | "program";
+
 type Button = Exclude<Verb, "move" | "take" | "go">;
 
 export class DrivePanel {
@@ -35,6 +38,7 @@ export class DrivePanel {
     private readonly controls: Controls,
     press: (verb: Verb) => void,
     private readonly makeLinks: () => readonly HTMLElement[],
+    private readonly acting: Acting,
   ) {
     const group = element("div", { class: "drive-buttons" });
     for (const verb of ["take", "pause", "done", "reset", "save"] as const) {
@@ -43,6 +47,7 @@ export class DrivePanel {
       group.append(button);
     }
     this.panel.append(this.links, this.title, this.who, this.clock, this.pace, this.goalsTitle, this.goals, this.hand, group, this.verdict, this.kept, this.ledger);
+    group.hidden = this.hand.hidden = acting === "program";
     words.speech.bind(() => this.draw());
   }
 
@@ -51,7 +56,7 @@ export class DrivePanel {
   }
 
   seat({ drives, taken }: Seat): void {
-    this.who.textContent = this.say(drives ? "youDrive" : taken ? "otherDrives" : "nobodyDrives");
+    this.who.textContent = this.acting === "program" ? this.say("programActs") : this.say(drives ? "youDrive" : taken ? "otherDrives" : "nobodyDrives");
     this.buttons.get("take")!.hidden = drives || taken;
     for (const verb of ["pause", "done", "reset", "save"] as const) this.buttons.get(verb)!.disabled = !drives;
   }
@@ -66,7 +71,7 @@ export class DrivePanel {
   show(now: DriveMoment, begun: boolean): void {
     const { words, episode } = this;
     const clock = this.say("timeOf", { now: timeText(now.time_s), end: timeText(episode.limit_s) });
-    this.clock.textContent = now.verdict || !begun || now.runs ? clock : `${clock} · ${this.say("paused")}`;
+    this.clock.textContent = now.verdict || !begun || now.runs || this.acting === "program" ? clock : `${clock} · ${this.say("paused")}`;
     this.pace.textContent = this.paceText(now, begun);
     [...this.goals.children].forEach((row, i) => {
       const [reached, count] = [now.reached[i] ?? 0, episode.goals[i]!.count];
@@ -95,6 +100,7 @@ export class DrivePanel {
 
   private paceText({ verdict, stopped, speed, runs }: DriveMoment, begun: boolean): string {
     if (verdict) return "";
+    if (this.acting === "program") return stopped ? this.say("stoppedNow") : "";
     if (!begun) return this.say("waitsForYou");
     if (stopped) return this.say("stoppedNow");
     if (!runs || speed === 0) return "";
@@ -108,7 +114,7 @@ export class DrivePanel {
     const { success, hits, asked, failure } = verdict;
     this.verdict.textContent = success ? this.say("success") : this.say("notReached", { hits, asked, failure });
     this.verdict.className = success ? "outcome solved" : "outcome failed";
-    if (!this.kept.textContent) this.kept.textContent = this.say("saveHint");
+    if (!this.kept.textContent && this.acting === "person") this.kept.textContent = this.say("saveHint");
   }
 
   private nameOfArm(arm: number): string {

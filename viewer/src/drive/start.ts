@@ -89,9 +89,9 @@ async function showDrive(client: DriveClient, place: DrivePlace, speech: Speech,
   const player = Player.live<DriveEpisode>(robot, stage, episode, live.bodies, live.things);
   const links = (): HTMLElement[] => [
     element("a", { text: say(speech.language, "toStore"), attributes: { href: storeLink(place) } }),
-    element("a", { text: say(speech.language, "another"), attributes: { href: driveLink(place, true) } }),
+    ...(now.watched ? [] : [element("a", { text: say(speech.language, "another"), attributes: { href: driveLink(place, true) } })]),
   ];
-  const app = (watched.app = new DriveApp(stage, summary, episode, player, live, words, status, client, () => socket, links));
+  const app = (watched.app = new DriveApp(stage, summary, episode, player, live, words, status, client, () => socket, links, now.watched ? "program" : "person"));
   const cast = new GrowingCast(client, stage, player, episode);
   const socket: DriveSocket = (watched.socket = new DriveSocket(client, {
     moment: (message: Packed<DriveMoment>) => {

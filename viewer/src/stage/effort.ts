@@ -5,11 +5,14 @@ export interface Effort {
   readonly fineWithin: number; // metres in which the room is drawn as it is
   readonly plainFrom: number; // metres from which packs are shown by their fronts alone
   readonly meshes: number; // triangles of packs' meshes
+  readonly quick: boolean; // far shelves by their first row's fronts
+  readonly labels: boolean; // those of what is near are brought in
 }
 
+type Measures = Omit<Effort, "quick" | "labels">;
 interface Span {
-  readonly least: Effort;
-  readonly most: Effort;
+  readonly least: Measures;
+  readonly most: Measures;
   readonly goal: number; // milliseconds a picture
 }
 
@@ -49,13 +52,15 @@ export class Pace {
       fineWithin: between(least.fineWithin, most.fineWithin, this.share),
       plainFrom: between(least.plainFrom, most.plainFrom, this.share),
       meshes: between(least.meshes, most.meshes, this.share ** 2),
+      quick: this.withoutGpu,
+      labels: !this.withoutGpu, // their copies into the picture's memory hold up a walk
     };
   }
 
   // Of a picture that stands still, which may take longer.
   get resting(): Effort {
     const meshes = this.withoutGpu ? stillMeshes.software : stillMeshes.hardware;
-    return { ...hardware.most, meshes: Math.max(meshes, this.moving.meshes) };
+    return { ...hardware.most, meshes: Math.max(meshes, this.moving.meshes), quick: false, labels: true };
   }
 
   // One picture more while one moves: it took so long.

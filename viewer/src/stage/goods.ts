@@ -157,13 +157,13 @@ export class Goods {
   }
 
   // Chooses what is seen; `spare`: for so many triangles, what is built is kept. False: more is to be built; call again in the next frame.
-  update(sight: Sight, { meshes: budget, plainFrom }: Effort, spare: number): boolean {
+  update(sight: Sight, { meshes: budget, plainFrom, quick, labels }: Effort, spare: number): boolean {
     const { eye } = sight;
     for (const shown of this.shown) shown.distance = sight.distance(shown.cell.low, shown.cell.high);
     const byDistance = [...this.shown].sort((a, b) => a.distance - b.distance);
     const seen = byDistance.filter((shown) => this.facesEye(shown, eye) && sight.sees(shown.cell.low, shown.cell.high, shown.cell.fixture));
     this.hideMeshes();
-    this.standIns.begin(plainFrom);
+    this.standIns.begin(plainFrom, quick);
     const missing: Shown[] = [];
     let left = this.far && this.light && !this.heat ? budget : -1;
     let order = 0;
@@ -178,7 +178,7 @@ export class Goods {
     this.standIns.finish();
     this.buildSome(missing);
     this.forget(byDistance, Math.max(budget, spare) * kept);
-    this.wantLabels(seen, eye);
+    if (labels) this.wantLabels(seen, eye);
     return missing.length === 0;
   }
 

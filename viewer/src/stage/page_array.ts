@@ -40,17 +40,20 @@ export class PageArray {
     });
   }
 
-  // The picture stretched over the whole layer, and its smaller copies.
+  // The picture stretched over the whole layer, and its smaller copies: made here, as copies of canvases wait for all that is drawn.
   putWhole(layer: number, picture: ImageBitmap): void {
-    let source: CanvasImageSource = picture;
-    for (let level = 0; level < this.levels; level++) {
-      const copy = new OffscreenCanvas(Math.max(this.width >> level, 1), Math.max(this.height >> level, 1));
-      const drawing = copy.getContext("2d", { alpha: false })!;
-      drawing.imageSmoothingQuality = "high";
-      drawing.drawImage(source, 0, 0, copy.width, copy.height);
-      this.put(layer, level, copy);
-      source = copy;
-    }
+    const drawing = new OffscreenCanvas(this.width, this.height).getContext("2d", { alpha: false, willReadFrequently: true })!;
+    drawing.imageSmoothingQuality = "high";
+    drawing.drawImage(picture, 0, 0, this.width, this.height);
+    let pixels: Uint8Array = new Uint8Array(drawing.getImageData(0, 0, this.width, this.height).data.buffer);
+    this.bound(() => {
+      const gl = this.gl;
+      for (let level = 0; level < this.levels; level++) {
+        const [width, height] = [Math.max(this.width >> level, 1), Math.max(this.height >> level, 1)];
+        if (level > 0) pixels = halved(pixels, Math.max(this.width >> (level - 1), 1), Math.max(this.height >> (level - 1), 1));
+        gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, level, 0, 0, layer, width, height, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      }
+    });
   }
 
   makeSmallerCopies(): void {
@@ -68,4 +71,19 @@ export class PageArray {
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, null);
     this.renderer.resetState();
   }
+}
+
+// Means of two by two RGBA pixels, of pictures whose sides are powers of two.
+export function halved(pixels: Uint8Array, width: number, height: number): Uint8Array {
+  const [w, h] = [Math.max(width >> 1, 1), Math.max(height >> 1, 1)];
+  const half = new Uint8Array(w * h * 4);
+  const right = width > 1 ? 4 : 0;
+  const below = height > 1 ? width * 4 : 0;
+  for (let y = 0; y < h; y++) {
+    for (let x = 0; x < w; x++) {
+      const from = (y * 2 * width + x * 2) * 4;
+      for (let k = from; k < from + 4; k++) half[(y * w + x) * 4 + k - from] = (pixels[k]! + pixels[k + right]! + pixels[k + below]! + pixels[k + right + below]! + 2) >> 2;
+    }
+  }
+  return half;
 }

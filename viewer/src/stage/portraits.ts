@@ -62,42 +62,50 @@ function formOf(set: MeshSet, sku: number): Form {
 }
 
 function geometryOf(set: MeshSet, from: number, end: number, rows: number, places: SkuPlaces): BufferGeometry {
-  const position: number[] = [];
-  const uv: number[] = [];
-  const color: number[] = [];
-  const page: number[] = [];
-  const index: number[] = [];
+  let [vertices, indices] = [0, 0];
+  for (let sku = from; sku < end; sku++) {
+    const range = set.range(sku);
+    vertices += range.vertices * views.length;
+    indices += range.vertices > 0 ? (range.opaque + range.clear) * views.length : 0;
+  }
+  const position = new Float32Array(vertices * 3);
+  const uv = new Float32Array(vertices * 2);
+  const color = new Uint8Array(vertices * 4);
+  const page = new Float32Array(vertices);
+  const index = new Uint32Array(indices);
+  let [v, filled] = [0, 0];
   for (let sku = from; sku < end; sku++) {
     const range = set.range(sku);
     if (range.vertices === 0) continue;
-    const extent = extentOf(set, range.firstVertex, range.vertices);
+    const { low, high } = extentOf(set, range.firstVertex, range.vertices);
+    const size = [0, 1, 2].map((k) => Math.max(high[k]! - low[k]!, 1e-6)) as [number, number, number];
     const tile = places.tile(sku);
-    views.forEach((view, v) => {
-      const cell = sku * 3 + v;
-      const first = position.length / 3;
-      const [left, top] = [cell % across, Math.floor(cell / across)];
-      const share = (i: number, axis: number): number =>
-        (set.position[i * 3 + axis]! - extent.low[axis]!) / Math.max(extent.high[axis]! - extent.low[axis]!, 1e-6);
-      for (let i = range.firstVertex; i < range.firstVertex + range.vertices; i++) {
-        const x = (left + margin + (1 - 2 * margin) * share(i, view.right)) / across;
-        const y = (top + marginV + (1 - 2 * marginV) * share(i, view.up)) / rows;
-        const near = view.toward > 0 ? share(i, view.near) : 1 - share(i, view.near);
-        position.push(2 * x - 1, 2 * y - 1, 0.9 - 1.8 * near);
-        uv.push(tile.u + set.uv[i * 2]! * tile.width, tile.v + set.uv[i * 2 + 1]! * tile.height);
-        for (let c = 0; c < 3; c++) color.push(set.color[i * 4 + c]! / 255);
-        page.push(set.color[i * 4 + 3]! > 127 ? tile.page : -1);
+    views.forEach((view, number) => {
+      const cell = sku * views.length + number;
+      const left = cell % across;
+      const top = Math.floor(cell / across);
+      const first = v;
+      for (let i = range.firstVertex; i < range.firstVertex + range.vertices; i++, v++) {
+        const share = (axis: 0 | 1 | 2): number => (set.position[i * 3 + axis]! - low[axis]) / size[axis];
+        const near = view.toward > 0 ? share(view.near) : 1 - share(view.near);
+        position[v * 3] = (2 * (left + margin + (1 - 2 * margin) * share(view.right))) / across - 1;
+        position[v * 3 + 1] = (2 * (top + marginV + (1 - 2 * marginV) * share(view.up))) / rows - 1;
+        position[v * 3 + 2] = 0.9 - 1.8 * near;
+        uv[v * 2] = tile.u + set.uv[i * 2]! * tile.width;
+        uv[v * 2 + 1] = tile.v + set.uv[i * 2 + 1]! * tile.height;
+        for (let c = 0; c < 4; c++) color[v * 4 + c] = set.color[i * 4 + c]!;
+        page[v] = set.color[i * 4 + 3]! > 127 ? tile.page : -1;
       }
-      for (let i = range.firstIndex; i < range.firstIndex + range.opaque + range.clear; i++) {
-        index.push(set.index[i]! - range.firstVertex + first);
-      }
+      const last = range.firstIndex + range.opaque + range.clear;
+      for (let i = range.firstIndex; i < last; i++) index[filled++] = set.index[i]! - range.firstVertex + first;
     });
   }
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(position), 3));
-  geometry.setAttribute("uv", new BufferAttribute(new Float32Array(uv), 2));
-  geometry.setAttribute("color", new BufferAttribute(new Float32Array(color.flatMap((c, i) => (i % 3 === 2 ? [c, 1] : [c]))), 4));
-  geometry.setAttribute("page", new BufferAttribute(new Float32Array(page), 1));
-  geometry.setIndex(new BufferAttribute(new Uint32Array(index), 1));
+  geometry.setAttribute("position", new BufferAttribute(position, 3));
+  geometry.setAttribute("uv", new BufferAttribute(uv, 2));
+  geometry.setAttribute("color", new BufferAttribute(color, 4, true));
+  geometry.setAttribute("page", new BufferAttribute(page, 1));
+  geometry.setIndex(new BufferAttribute(index, 1));
   return geometry;
 }
 

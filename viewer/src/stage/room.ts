@@ -11,6 +11,7 @@ import {
 } from "three";
 import type { Joint, RoomHead } from "../store/contract";
 import type { Sections } from "../store/packed";
+import type { Effort } from "./effort";
 import { boundsOf, divideRoom, type Batch, type RoomParts } from "./room_parts";
 import { MovingParts } from "./moving_parts";
 import { roomMaterial, type Shared } from "./shading";
@@ -23,6 +24,7 @@ export interface RoomArrays {
 }
 
 const coarserFrom = [1, 3, 8] as const; // times as far as what is drawn finely: where each coarser fineness begins
+const ceilingTimes = 2.5; // a quick picture has the ceiling as if it were so much farther off
 const layers = ["solid", "glass", "ceiling"] as const;
 type Layer = (typeof layers)[number];
 const none = 65535; // no fixture
@@ -145,8 +147,8 @@ export class Room {
     return layer === "glass" || (layer === "ceiling" && !this.ceilingShown);
   }
 
-  // `fineWithin`: metres in which everything is drawn as it is.
-  update(sight: Sight, fineWithin: number): void {
+  // `fineWithin`: metres in which everything is drawn as it is, but for a ceiling in a quick picture.
+  update(sight: Sight, { fineWithin, quick }: Pick<Effort, "fineWithin" | "quick">): void {
     const { parts, indices } = this.divided!;
     for (const surface of this.surfaces) surface.filled = 0;
     for (const [number, part] of parts.entries()) {
@@ -154,7 +156,8 @@ export class Room {
       if (this.gone.has(number)) continue;
       if (surface.layer === "ceiling" && !this.ceilingShown) continue;
       if (!sight.sees(part.low, part.high, part.fixture)) continue;
-      const level = fineness(sight.distance(part.low, part.high), fineWithin);
+      const times = quick && surface.layer === "ceiling" ? ceilingTimes : 1;
+      const level = fineness(sight.distance(part.low, part.high) * times, fineWithin);
       const run = part.runs[level]!;
       surface.shown.set(indices[level]!.subarray(run.start, run.end), surface.filled);
       surface.filled += run.end - run.start;

@@ -1,5 +1,6 @@
-// The room's triangles by what they belong to (a fixture, or a piece of the shell), in four finenesses: far off, what is smaller
-// than a few pixels is drawn together. Runs of indices, to be copied into what is drawn.
+// The room's triangles by what they belong to (a fixture, or a piece of the shell), in four finenesses: far off, what the server has cut
+// for the light along it is joined again, and what is smaller than a few pixels is drawn together. Runs of indices, to be copied into
+// what is drawn.
 export interface RoomSource {
   readonly position: Float32Array;
   readonly normal: Int8Array; // 4 a vertex
@@ -25,6 +26,7 @@ export interface Part {
 }
 
 export const grains = [0, 0.01, 0.03, 0.1] as const; // metres that are one point
+const edges = [0, 1.21, 2.41, 4.81] as const; // metres: pieces of one triangle are joined while no edge becomes longer
 const shellPiece = 4; // metres
 const none = 65535;
 
@@ -43,46 +45,102 @@ function pieceOf(source: RoomSource, vertex: number): number {
   return 65536 + column(0) * 256 + column(1);
 }
 
-// Stands for all points of a grain that face one way in one colour.
-class Grain {
-  private readonly first = new Map<number, number>();
+// The server halves a triangle's longest edge until all are short (view_mesh.cpp): the halves follow one another, and here they become
+// one again. So neighbours still meet at the same corners.
+class Joined {
+  private readonly open: number[] = []; // corners of triangles that may be first halves
 
   constructor(
-    private readonly source: RoomSource,
-    private readonly low: readonly number[],
-    private readonly size: number,
+    private readonly position: Float32Array,
+    private readonly longest: number,
   ) {}
 
-  cell(vertex: number): number {
-    const { position } = this.source;
-    const at = (k: number): number => Math.floor((position[vertex * 3 + k]! - this.low[k]!) / this.size);
-    return at(0) + 2048 * (at(1) + 2048 * at(2));
+  of(triangles: Uint32Array): number[] {
+    const { open } = this;
+    open.length = 0;
+    for (let i = 0; i < triangles.length; i += 3) {
+      open.push(triangles[i]!, triangles[i + 1]!, triangles[i + 2]!);
+      while (open.length >= 6 && this.join());
+    }
+    return open;
   }
 
-  standIn(vertex: number): number {
-    const { normal, color } = this.source;
+  // The last two, where they are the halves of a triangle that is short enough.
+  private join(): boolean {
+    const { open } = this;
+    const [first, second] = [open.length - 6, open.length - 3];
+    for (let k = 0; k < 3; k++) {
+      const next = (k + 1) % 3;
+      const other = (k + 2) % 3;
+      const [a, middle, b] = [open[first + k]!, open[first + next]!, open[second + next]!];
+      if (open[second + k] !== middle || open[first + other] !== open[second + other]) continue;
+      if (!this.isMiddle(middle, a, b) || this.between(a, b) > this.longest) continue;
+      open.length = second;
+      open[first + next] = b;
+      return true;
+    }
+    return false;
+  }
+
+  private isMiddle(middle: number, a: number, b: number): boolean {
+    const p = this.position;
+    for (let k = 0; k < 3; k++) if (Math.abs(p[a * 3 + k]! + p[b * 3 + k]! - 2 * p[middle * 3 + k]!) > 1e-4) return false;
+    return true;
+  }
+
+  private between(a: number, b: number): number {
+    const p = this.position;
+    return Math.hypot(p[a * 3]! - p[b * 3]!, p[a * 3 + 1]! - p[b * 3 + 1]!, p[a * 3 + 2]! - p[b * 3 + 2]!);
+  }
+}
+
+// Draws together all points of a grain that face one way in one colour.
+class Grains {
+  private readonly cells: Float64Array; // by vertex, of the part and fineness at hand
+  private readonly standIns: Uint32Array;
+  private readonly stamp: Uint32Array; // which part and fineness that was
+  private now = 0;
+  private readonly first = new Map<number, number>();
+
+  constructor(private readonly source: RoomSource) {
+    const vertices = source.position.length / 3;
+    this.cells = new Float64Array(vertices);
+    this.standIns = new Uint32Array(vertices);
+    this.stamp = new Uint32Array(vertices);
+  }
+
+  of(triangles: ArrayLike<number>, low: readonly number[], size: number, exact: boolean): number[] {
+    const { cells, standIns } = this;
+    this.now++;
+    this.first.clear();
+    const kept: number[] = [];
+    for (let i = 0; i < triangles.length; i += 3) {
+      const [a, b, c] = [triangles[i]!, triangles[i + 1]!, triangles[i + 2]!];
+      this.place(a, low, size);
+      this.place(b, low, size);
+      this.place(c, low, size);
+      if (cells[a] === cells[b] || cells[b] === cells[c] || cells[a] === cells[c]) continue;
+      if (exact) kept.push(a, b, c);
+      else kept.push(standIns[a]!, standIns[b]!, standIns[c]!);
+    }
+    return kept;
+  }
+
+  private place(vertex: number, low: readonly number[], size: number): void {
+    if (this.stamp[vertex] === this.now) return;
+    this.stamp[vertex] = this.now;
+    const { position, normal, color } = this.source;
+    const at = (k: number): number => Math.floor((position[vertex * 3 + k]! - low[k]!) / size);
+    const cell = (this.cells[vertex] = at(0) + 2048 * (at(1) + 2048 * at(2)));
     const [x, y, z] = [normal[vertex * 4]!, normal[vertex * 4 + 1]!, normal[vertex * 4 + 2]!];
     const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
     const way = ax >= ay && ax >= az ? (x > 0 ? 0 : 1) : ay >= az ? (y > 0 ? 2 : 3) : z > 0 ? 4 : 5;
     const tone = ((color[vertex * 4]! >> 5) << 6) | ((color[vertex * 4 + 1]! >> 5) << 3) | (color[vertex * 4 + 2]! >> 5);
-    const key = (this.cell(vertex) * 6 + way) * 512 + tone;
+    const key = (cell * 6 + way) * 512 + tone;
     const found = this.first.get(key);
-    if (found !== undefined) return found;
-    this.first.set(key, vertex);
-    return vertex;
+    if (found === undefined) this.first.set(key, vertex);
+    this.standIns[vertex] = found ?? vertex;
   }
-}
-
-function coarse(source: RoomSource, triangles: Uint32Array, low: readonly number[], size: number, exact: boolean): number[] {
-  const grain = new Grain(source, low, size);
-  const kept: number[] = [];
-  for (let i = 0; i < triangles.length; i += 3) {
-    const corner = [triangles[i]!, triangles[i + 1]!, triangles[i + 2]!];
-    const [a, b, c] = corner.map((vertex) => grain.cell(vertex));
-    if (a === b || b === c || a === c) continue;
-    for (const vertex of corner) kept.push(exact ? vertex : grain.standIn(vertex));
-  }
-  return kept;
 }
 
 export interface RoomParts {
@@ -104,10 +162,11 @@ export async function divideRoom(source: RoomSource, batches: readonly Batch[]):
     }
   }
   const levels: number[][] = grains.map(() => []);
+  const together = new Grains(source);
   const parts: Part[] = [];
   let worked = performance.now();
   for (const { batch, triangles } of groups.values()) {
-    parts.push(partOf(source, batch, Uint32Array.from(triangles), levels));
+    parts.push(partOf(source, batch, Uint32Array.from(triangles), levels, together));
     if (performance.now() - worked < 12) continue;
     await new Promise((done) => setTimeout(done));
     worked = performance.now();
@@ -129,12 +188,12 @@ export function boundsOf(position: Float32Array, vertices: Uint32Array): { low: 
   return { low, high };
 }
 
-function partOf(source: RoomSource, batch: Batch, triangles: Uint32Array, levels: readonly number[][]): Part {
+function partOf(source: RoomSource, batch: Batch, triangles: Uint32Array, levels: readonly number[][], together: Grains): Part {
   const { low, high } = boundsOf(source.position, triangles);
   const runs = grains.map((size, level): Run => {
     const into = levels[level]!;
     const start = into.length;
-    const kept = size === 0 ? triangles : coarse(source, triangles, low, size, batch.exact);
+    const kept = size === 0 ? triangles : together.of(new Joined(source.position, edges[level]!).of(triangles), low, size, batch.exact);
     for (const vertex of kept) into.push(vertex);
     return { start, end: into.length };
   });

@@ -23,6 +23,7 @@ import { Sight } from "./sight";
 ColorManagement.enabled = false; // the shaders write what the screen shows
 
 const soonMilliseconds = 350;
+const fenceMilliseconds = 10;
 const stillAfter = 200; // milliseconds without a move: the picture is drawn once more, finely
 
 export interface Figures {
@@ -87,6 +88,7 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, context: gl, antialias: !software });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.toneMapping = NoToneMapping;
+    this.renderer.debug.checkShaderErrors = false; // asking waits for all that is being drawn; WebGL itself complains of a faulty one
     this.renderer.info.autoReset = true;
     this.camera.up.set(0, 0, 1);
     this.scene.matrixAutoUpdate = false;
@@ -214,7 +216,7 @@ export class Stage {
     this.sight.look(this.camera);
     const effort = this.effort(still);
     const done = this.goods?.update(this.sight, effort, this.pace.resting.meshes) ?? true;
-    for (const room of [this.room, this.annexe]) room?.update(this.sight, effort.fineWithin);
+    for (const room of [this.room, this.annexe]) room?.update(this.sight, effort);
     return done;
   }
 
@@ -258,6 +260,19 @@ export class Stage {
     const seen = new Vector3(...point).project(this.camera);
     if (seen.z > 1) return undefined;
     return { x: ((seen.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - seen.y) / 2) * this.canvas.clientHeight };
+  }
+
+  // Resolves when the next picture is there: not asked for alone, but drawn.
+  async drawn(): Promise<void> {
+    const before = this.figures.frames;
+    const turn = (): Promise<unknown> => new Promise((done) => setTimeout(done, fenceMilliseconds));
+    while (this.figures.frames === before) await turn();
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!fence) return; // the picture's memory was lost; what comes next says so
+    gl.flush();
+    while (gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED) await turn();
+    gl.deleteSync(fence);
   }
 
   async picture(): Promise<Blob | null> {

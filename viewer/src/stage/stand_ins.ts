@@ -3,7 +3,7 @@
 // (Not instanced: WebGL without a GPU takes 0.1 ms an instance.)
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, Mesh, Vector3, type RawShaderMaterial, type Texture } from "three";
 import type { Sku } from "../store/contract";
-import { faceLight, rotated, type GoodsLight } from "./goods_light";
+import { faceLight, type GoodsLight } from "./goods_light";
 import { facesAnyway, fronts, rotationOf, type Cell, type GoodsTable, type Quaternion } from "./goods_table";
 import { standInMaterial, type Shared } from "./shading";
 
@@ -43,6 +43,7 @@ const picture = [
   [0, 1],
 ] as const; // of a side's corners
 const seenRows = 2; // how many packs behind one another show their front
+const plainTimes = 2; // times as far as where packs are shown by their fronts alone: only the first row is
 const topShare = 0.93; // of the height: where a round pack's picture from above lies
 const inset = 1.5; // texels about a picture that are not its own
 
@@ -90,9 +91,11 @@ export class StandIns {
   private readonly draws: readonly [Draw, Draw];
   private readonly uniforms = { pictures: { value: null as Texture | null } };
   private plainFrom = 0;
+  private rowOnlyFrom = Infinity;
   private portraits: Portraits | undefined;
   private painted: Uint8Array | undefined; // RGB by product row
-  private readonly seen: Uint32Array; // by cell: rows that show their front
+  private readonly seen: Uint32Array; // by cell: where those end that show their front
+  private readonly firstRow: Uint32Array; // and the first row
 
   constructor(
     private readonly table: GoodsTable,
@@ -105,7 +108,8 @@ export class StandIns {
     this.uv = new Uint16Array(vertices * 2);
     this.color = new Uint8Array(vertices * 4);
     this.light = new Uint8Array(vertices * 4);
-    this.seen = Uint32Array.from(table.cells, (cell) => this.rowsSeen(cell));
+    this.seen = Uint32Array.from(table.cells, (cell) => this.rowsEnd(cell, seenRows));
+    this.firstRow = Uint32Array.from(table.cells, (cell) => this.rowsEnd(cell, 1));
     this.writeShapes(undefined);
     this.writeLight(undefined);
     const attributes = this.attributes();
@@ -130,8 +134,9 @@ export class StandIns {
     return (this.draws[0].filled + this.draws[1].filled) / 3;
   }
 
-  // Farther off than `plainFrom` metres, sides between packs and packs behind packs are left out.
-  begin(plainFrom: number): void {
+  // Farther off than `plainFrom` metres, sides between packs and packs behind packs are left out; `quick`: twice as far, tops as well.
+  begin(plainFrom: number, quick: boolean): void {
+    this.rowOnlyFrom = quick ? plainTimes * plainFrom : Infinity;
     this.plainFrom = plainFrom;
     for (const draw of this.draws) draw.filled = 0;
   }
@@ -140,9 +145,10 @@ export class StandIns {
   add(number: number, first: number, eye: Vector3, distance: number): void {
     const cell = this.table.cells[number]!;
     const { low, high, end } = cell;
-    const frontEnd = Math.max(first, this.seen[number]!);
     const above = eye.z - high[2] > 0.5 * distance; // one looks down on it
     const few = distance > this.plainFrom && !above;
+    const rowOnly = few && distance > this.rowOnlyFrom;
+    const frontEnd = Math.max(first, (rowOnly ? this.firstRow : this.seen)[number]!);
     if (cell.facing === facesAnyway) {
       const all = [Side.front, Side.right, Side.left, Side.back] as const;
       for (const side of all) this.copy(side, first, end);
@@ -159,6 +165,7 @@ export class StandIns {
       if (along > leftmost && (beyond || !few)) this.copy(Side.right, first, seenEnd);
       if (along < rightmost && (beyond || !few)) this.copy(Side.left, first, seenEnd);
     }
+    if (rowOnly && cell.facing !== facesAnyway && eye.z < high[2]) return;
     if (eye.z > low[2]) this.copy(Side.top, first, few ? frontEnd : end);
   }
 
@@ -211,9 +218,9 @@ export class StandIns {
     this.draws[0].mesh.geometry.getAttribute("light").needsUpdate = true;
   }
 
-  private rowsSeen(cell: Cell): number {
+  private rowsEnd(cell: Cell, rows: number): number {
     let end = cell.first;
-    while (end < cell.end && this.table.rank[this.table.order[end]!]! < seenRows) end++;
+    while (end < cell.end && this.table.rank[this.table.order[end]!]! < rows) end++;
     return end;
   }
 
@@ -236,7 +243,7 @@ export class StandIns {
     };
   }
 
-  private runOf(side: Side, has: (pack: number) => boolean): Run {
+  private runOf(side: number, has: (pack: number) => boolean): Run {
     const { count } = this.table;
     const starts = new Uint32Array(count + 1);
     const indices = new Uint32Array(count * 6);
@@ -245,8 +252,12 @@ export class StandIns {
       starts[i] = filled;
       if (!has(i)) continue;
       const v = i * corners + side * 4;
-      indices.set([v, v + 1, v + 2, v, v + 2, v + 3], filled);
-      filled += 6;
+      indices[filled++] = v;
+      indices[filled++] = v + 1;
+      indices[filled++] = v + 2;
+      indices[filled++] = v;
+      indices[filled++] = v + 2;
+      indices[filled++] = v + 3;
     }
     starts[count] = filled;
     return { indices: indices.slice(0, filled), starts };
@@ -272,7 +283,7 @@ export class StandIns {
     });
     this.writeColors();
     const turns = [Side.front, Side.top]; // what a round pack has
-    this.runs = sides.map((_, side) => [
+    this.runs = sides.map((_, side): readonly [Run, Run] => [
       this.runOf(side, (pack) => forms[pack] === Form.solid),
       this.runOf(side, (pack) => forms[pack] === Form.cut || (forms[pack] === Form.round && turns.includes(side))),
     ]);
@@ -281,52 +292,68 @@ export class StandIns {
   private writeColors(): void {
     const { order, sku, tint } = this.table;
     const pictured = (type: number): boolean => type < (this.portraits?.forms.length ?? 0);
+    const words = new Uint32Array(this.color.buffer);
     const colors = this.skus.map(({ color }, type) => (pictured(type) ? 0xffffff : Number.parseInt(color.slice(1), 16)));
     order.forEach((row, i) => {
       const color = colors[sku[row]!]!;
-      const own = [16, 8, 0].map((shift, k) => Math.min(((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545, 255));
-      const [r, g, b] = this.painted ? this.painted.subarray(row * 3, row * 3 + 3) : own;
+      const own = (k: number): number => Math.min(((color >> (16 - 8 * k)) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545, 255);
+      const [r, g, b] = [0, 1, 2].map((k) => (this.painted ? this.painted[row * 3 + k]! : own(k))) as [number, number, number];
       const alpha = !this.portraits || pictured(sku[row]!) ? 255 : 0;
-      for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([r!, g!, b!, alpha], v * 4);
+      words.fill(wordOf(r, g, b, alpha), i * corners, (i + 1) * corners);
     });
   }
 
-  private writeSide(vertex: number, side: Side, { turn, place, size, round }: Box): void {
-    sides[side]!.corners.forEach(([x, y, z], k) => {
+  private writeSide(vertex: number, side: number, { turn, place, size, round }: Box): void {
+    const [x, y, z, w] = turn;
+    const shape = sides[side]!.corners;
+    for (let k = 0; k < 4; k++) {
+      const corner = shape[k]!;
       const v = vertex + k;
-      let local: [number, number, number] = [(x * size[0]) / 2, (y * size[1]) / 2, z * size[2]];
+      let [lx, ly, lz] = [(corner[0] * size[0]) / 2, (corner[1] * size[1]) / 2, corner[2] * size[2]];
       this.across[v] = 0;
       if (round && side === Side.front) {
-        local = [0, 0, z * size[2]];
-        this.across[v] = (x * Math.max(size[0], size[1])) / 2;
-      } else if (round && side === Side.top) local[2] = size[2] * topShare;
-      const at = rotated(turn, local);
-      for (let axis = 0; axis < 3; axis++) this.position[v * 3 + axis] = at[axis]! + place[axis]!;
-    });
+        lx = ly = 0;
+        this.across[v] = (corner[0] * Math.max(size[0], size[1])) / 2;
+      } else if (round && side === Side.top) lz = size[2] * topShare;
+      // As rotated() has it, without an array a corner.
+      const tx = 2 * (y * lz - z * ly);
+      const ty = 2 * (z * lx - x * lz);
+      const tz = 2 * (x * ly - y * lx);
+      this.position[v * 3] = place[0] + lx + w * tx + y * tz - z * ty;
+      this.position[v * 3 + 1] = place[1] + ly + w * ty + z * tx - x * tz;
+      this.position[v * 3 + 2] = place[2] + lz + w * tz + x * ty - y * tx;
+    }
   }
 
   private writePictures(pack: number, sku: number, { cells, cellTexels }: Portraits): void {
-    sides.forEach(({ view }, side) => {
-      const cell = sku * 3 + view;
-      const [column, line] = [cell % cells[0], Math.floor(cell / cells[0])];
-      picture.forEach(([u, v], k) => {
+    for (let side = 0; side < sides.length; side++) {
+      const cell = sku * 3 + sides[side]!.view;
+      const column = cell % cells[0];
+      const line = Math.floor(cell / cells[0]);
+      for (let k = 0; k < 4; k++) {
         const o = (pack * corners + side * 4 + k) * 2;
-        const within = (share: number, texels: number): number => (inset + share * (texels - 2 * inset)) / texels;
-        this.uv[o] = ((column + within(u, cellTexels[0])) / cells[0]) * 65535;
-        this.uv[o + 1] = ((line + within(v, cellTexels[1])) / cells[1]) * 65535;
-      });
-    });
+        this.uv[o] = ((column + within(picture[k]![0], cellTexels[0])) / cells[0]) * 65535;
+        this.uv[o + 1] = ((line + within(picture[k]![1], cellTexels[1])) / cells[1]) * 65535;
+      }
+    }
   }
 
   private writeLight(light: GoodsLight | undefined): void {
-    this.table.order.forEach((row, i) => {
+    const words = new Uint32Array(this.light.buffer);
+    const { order } = this.table;
+    for (let i = 0; i < order.length; i++) {
+      const row = order[i]!;
       const turn = rotationOf(this.table, row);
-      sides.forEach(({ normal }, side) => {
-        const word = light ? faceLight(light, row, turn, normal) : side === Side.top ? 0x747474 : 0x6a6a6a;
-        for (let k = 0; k < 4; k++) {
-          this.light.set([word & 255, (word >> 8) & 255, word >> 16, 255], (i * corners + side * 4 + k) * 4);
-        }
-      });
-    });
+      for (let side = 0; side < sides.length; side++) {
+        const word = light ? faceLight(light, row, turn, sides[side]!.normal) : side === Side.top ? 0x747474 : 0x6a6a6a;
+        const first = i * corners + side * 4;
+        words.fill((word | 0xff000000) >>> 0, first, first + 4);
+      }
+    }
   }
 }
+
+const within = (share: number, texels: number): number => (inset + share * (texels - 2 * inset)) / texels;
+
+// As the bytes of a colour lie in memory; WebGL runs on machines that have the lowest first.
+const wordOf = (r: number, g: number, b: number, a: number): number => ((r | (g << 8) | (b << 16)) | (a << 24)) >>> 0;

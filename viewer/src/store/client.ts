@@ -66,6 +66,8 @@ export async function got(address: string, where: string, signal?: AbortSignal):
 }
 
 export class Client {
+  private readonly begun = new Map<string, Promise<Response>>();
+
   constructor(
     private readonly store: number,
     private readonly token: string | null,
@@ -75,8 +77,17 @@ export class Client {
     return withToken(`api/stores/${this.store}${path}`, this.token);
   }
 
+  // Begins to ask for what is wanted soon; who asks for it first has that answer.
+  ahead(path: string): void {
+    const asked = got(this.address(path), path);
+    asked.catch(() => undefined); // who asks for it is told
+    this.begun.set(path, asked);
+  }
+
   get(path: string, signal?: AbortSignal): Promise<Response> {
-    return got(this.address(path), path, signal);
+    const begun = this.begun.get(path);
+    this.begun.delete(path);
+    return begun ?? got(this.address(path), path, signal);
   }
 
   async json<T>(path: string, signal?: AbortSignal): Promise<T> {
