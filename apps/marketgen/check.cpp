@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include "audit/audit.h"
+#include "audit/compliance.h"
 #include "base/parallel.h"
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "say.h"
+#include "store/planogram.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -14,7 +16,7 @@ namespace {
 
 struct CheckFlags {
   CommonFlags common;
-  std::string path;
+  std::string path, planogram_file;
 };
 
 struct CheckOutput {
@@ -23,41 +25,100 @@ struct CheckOutput {
   std::vector<layout::Violation> rules;
   std::vector<audit::RequirementResult> requirements;
   std::vector<std::string> repairs;
+  std::optional<audit::Compliance> compliance;
   static constexpr auto fields =
       field_list(field("path", &CheckOutput::path, "what was checked"),
                  field("ok", &CheckOutput::ok, "no hard rule is broken"),
                  field("rules", &CheckOutput::rules, "broken rules"),
                  field("requirements", &CheckOutput::requirements, "wishes"),
-                 field("repairs", &CheckOutput::repairs, "what generate would mend in the plan"));
+                 field("repairs", &CheckOutput::repairs, "what generate would mend in the plan"),
+                 field("compliance", &CheckOutput::compliance, "with --planogram"));
 };
 
 // A plan: all that generate makes of it, in memory.
-Result<CheckOutput> check_plan(const CheckFlags& flags, const catalog::Catalog& catalog) {
+Result<CheckOutput> check_plan(const CheckFlags& flags) {
+  if (!flags.planogram_file.empty())
+    return Error{"usage.bad_flag", "--planogram", "goes with a store folder, not with a plan"};
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   store::CreateOptions options;
   options.plan_file = flags.path;
   options.seed = flags.common.seed;
   MARKETGEN_TRY(store::StoreReport report,
                 store::try_store(options, catalog, progress_for(flags.common)));
-  return CheckOutput{flags.path, true, std::move(report.rules), {}, std::move(report.repairs)};
+  return CheckOutput{flags.path, true, std::move(report.rules), {}, std::move(report.repairs), {}};
 }
 
-Result<CheckOutput> check_store(const CheckFlags& flags, const catalog::Catalog& catalog) {
+// Rows that are refused are all printed: a planogram that this store cannot have measures nothing.
+Result<audit::Compliance> compliance_with(const std::string& file,
+                                          const store::Store& store,
+                                          const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(const scene::PlanogramFile planogram,
+                store::read_planogram_file(file, store, catalog));
+  for (std::size_t i = 1; i < planogram.refused.size(); ++i)
+    fail(planogram.refused[i]);
+  if (!planogram.refused.empty()) return planogram.refused.front();
+  return audit::compliance_of(store.scene, planogram, catalog);
+}
+
+Result<CheckOutput> check_store(const CheckFlags& flags) {
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows_of_store(flags.path));
   MARKETGEN_CHECK(store::verify_store(flags.path, catalog));
   MARKETGEN_TRY(const store::Store store, store::open_store(flags.path, catalog));
   MARKETGEN_TRY(audit::Audit audit,
                 audit::audit_store(store.scene, catalog, store.manifest.requirements));
-  return CheckOutput{flags.path, true, std::move(audit.rules), std::move(audit.requirements), {}};
+  CheckOutput output{
+      flags.path, true, std::move(audit.rules), std::move(audit.requirements), {}, {}};
+  if (flags.planogram_file.empty()) return output;
+  MARKETGEN_TRY(output.compliance, compliance_with(flags.planogram_file, store, catalog));
+  return output;
+}
+
+void print_compliance(const audit::Compliance& c) {
+  const audit::FacingCounts& f = c.facings;
+  for (const audit::UnmetFacing& u : c.unmet)
+    say("line {:<6} {:<13} {}, {}, shelf {}, position {}, facing {}: {}{}\n",
+        u.line,
+        name_of(u.fault),
+        u.fixture,
+        name_of(u.side),
+        u.shelf,
+        u.position,
+        u.column,
+        u.sku,
+        u.stands.empty() ? "" : ", not " + u.stands);
+  for (const audit::CategoryCompliance& row : c.categories)
+    say("category    {:<16} {:.4f}  {} of {} facings\n",
+        row.category,
+        row.score,
+        row.facings.met,
+        row.facings.planned);
+  say("compliance  {:.4f}: {} of {} facings; {} missing, {} wrong products, {} misplaced; {} packs "
+      "where none is planned\n",
+      c.score,
+      f.met,
+      f.planned,
+      f.missing,
+      f.wrong_product,
+      f.misplaced,
+      c.extra);
+  say("price tags  {:.4f}: {} of {} right; {} missing, {} of wrong price, {} of wrong product, {} "
+      "doubled\n",
+      c.tag_score,
+      c.tags.right,
+      c.tags.planned,
+      c.tags.missing,
+      c.tags.wrong_price,
+      c.tags.wrong_product,
+      c.tags.doubled);
 }
 
 Result<int> check(const CheckFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
-  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows());
   std::error_code failed;
   if (!std::filesystem::exists(flags.path, failed))
     return Error{"input.not_found", flags.path, "there is no such file or folder"};
   const bool is_file = std::filesystem::is_regular_file(flags.path, failed);
-  MARKETGEN_TRY(CheckOutput output,
-                is_file ? check_plan(flags, catalog) : check_store(flags, catalog));
+  MARKETGEN_TRY(CheckOutput output, is_file ? check_plan(flags) : check_store(flags));
   for (const layout::Violation& v : output.rules)
     output.ok = output.ok && v.severity != layout::Severity::hard;
   if (flags.common.json) {
@@ -74,6 +135,7 @@ Result<int> check(const CheckFlags& flags) {
   for (const audit::RequirementResult& r : output.requirements) {
     if (!r.met) say("wish  not met              \"{}\": {}\n", r.text, r.why);
   }
+  if (output.compliance) print_compliance(*output.compliance);
   const auto hard =
       std::ranges::count(output.rules, layout::Severity::hard, &layout::Violation::severity);
   say("{} {}: {} hard and {} soft rules broken\n",
@@ -93,6 +155,12 @@ Run add_check(CLI::App& app) {
   command->add_option("path", flags->path, "store folder, or market-plan/1 file")
       ->type_name("PATH")
       ->required();
+  command
+      ->add_option("--planogram",
+                   flags->planogram_file,
+                   "measure, too, how far the store stands as this planogram says: a CSV file like "
+                   "that of export --format planogram")
+      ->type_name("FILE");
   add_common_flags(*command, flags->common, Takes::seed_and_json);
   command->footer(
       "Exit status 1 when a hard rule is broken or a file was changed.\nExample:  marketgen check "

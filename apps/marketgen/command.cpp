@@ -4,6 +4,7 @@
 
 #include "assets/usable_catalog.h"
 #include "base/error_codes.h"
+#include "catalog/user_products.h"
 #include "number_flags.h"
 #include "plan/style_look.h"
 #include "scene/reskin.h"
@@ -43,6 +44,13 @@ int fail(const Error& error) {
 
 Result<catalog::Catalog> load_rows(const std::vector<std::string>& extra) {
   return assets::usable_catalog({extra.begin(), extra.end()});
+}
+
+Result<catalog::Catalog> load_rows_of_store(const std::string& folder) {
+  MARKETGEN_TRY(catalog::Catalog catalog, load_rows());
+  MARKETGEN_TRY(const store::Manifest manifest, store::read_manifest(folder));
+  if (!manifest.own) return catalog;
+  return catalog::with_own_products(std::move(catalog), *manifest.own);
 }
 
 Result<scene::Scene> scene_in_skin(const std::string& folder, const std::string& skin) {

@@ -37,6 +37,9 @@ int fail(const Error& error);
 // The rows under data_folder() and the user's own.
 Result<catalog::Catalog> load_rows(const std::vector<std::string>& extra = {});
 
+// The store's own rows beside ours.
+Result<catalog::Catalog> load_rows_of_store(const std::string& folder);
+
 // The scene of a store folder; in the look of another style when `skin` names one.
 Result<scene::Scene> scene_in_skin(const std::string& folder, const std::string& skin);
 

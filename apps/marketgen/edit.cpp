@@ -5,7 +5,6 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
-#include "catalog/user_products.h"
 #include "command.h"
 #include "intake/conflicts.h"
 #include "io/file.h"
@@ -14,13 +13,14 @@
 #include "say_unparsed.h"
 #include "store/edit.h"
 #include "store/edit_words.h"
+#include "store/planogram.h"
 
 namespace marketgen::app {
 namespace {
 
 struct EditFlags {
   CommonFlags common;
-  std::string store, patch_file, words, folder;
+  std::string store, patch_file, words, planogram_file, folder;
   bool dry_run = false, strict = false, no_previews = false;
 };
 
@@ -42,10 +42,31 @@ struct EditOutput {
       field("report", &EditOutput::report, "report.json"));
 };
 
+// Rows that are refused are all printed; nothing is done when there are any.
+Result<store::SaidPatches> patches_of_planogram(const EditFlags& flags,
+                                                const store::Store& store,
+                                                const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(const scene::PlanogramFile planogram,
+                store::read_planogram_file(flags.planogram_file, store, catalog));
+  for (std::size_t i = 1; i < planogram.refused.size(); ++i)
+    fail(planogram.refused[i]);
+  if (!planogram.refused.empty()) return planogram.refused.front();
+  scene::PlanogramChanges changes = scene::changes_by(planogram, store.scene, store.plan, catalog);
+  store::SaidPatches said;
+  said.patches = std::move(changes.patches);
+  if (changes.as_they_were > 0)
+    said.so_already.push_back(fmt::format("{} of {} shelves of {}",
+                                          changes.as_they_were,
+                                          planogram.shelves.size(),
+                                          flags.planogram_file));
+  return said;
+}
+
 Result<store::SaidPatches> patches_of(const EditFlags& flags,
                                       const store::Store& store,
                                       const catalog::Catalog& catalog) {
   if (!flags.words.empty()) return store::patches_of_words(store, flags.words, catalog);
+  if (!flags.planogram_file.empty()) return patches_of_planogram(flags, store, catalog);
   constexpr std::uint64_t max_bytes = 4U << 20;
   MARKETGEN_TRY(const std::string text, io::read_file(flags.patch_file, max_bytes));
   store::SaidPatches said;
@@ -63,8 +84,12 @@ std::string words_of(const store::ChangeCount& count) {
 }
 
 void print_summary(const EditOutput& output) {
-  for (const plan::Patch& patch : output.patches)
-    say("patch       {}\n", io::write_json_line(patch));
+  for (const plan::Patch& patch : output.patches) {
+    if (patch.stock_shelves)  // as long as a planogram is
+      say("restocked   {} shelves\n", patch.stock_shelves->shelves.size());
+    else
+      say("patch       {}\n", io::write_json_line(patch));
+  }
   for (const std::string& wish : output.so_already)
     say("so already  \"{}\"\n", wish);
   if (output.folder.empty()) {
@@ -88,24 +113,19 @@ void print_summary(const EditOutput& output) {
 }
 
 Result<void> check_flags(const EditFlags& flags) {
-  if (flags.words.empty() == flags.patch_file.empty()) {
-    return Error{"usage.bad_flag",
-                 flags.words.empty() ? "--say" : "--patch",
-                 "give either words, --say \"swap dairy and bakery\", or a market-patch/1 file, "
-                 "--patch F"};
-  }
-  return {};
-}
-
-// The store's own rows beside ours.
-Result<catalog::Catalog> rows_of(const std::string& folder) {
-  MARKETGEN_TRY(catalog::Catalog catalog, load_rows());
-  MARKETGEN_TRY(const store::Manifest manifest, store::read_manifest(folder));
-  if (!manifest.own) return catalog;
-  return catalog::with_own_products(std::move(catalog), *manifest.own);
+  const int given = (flags.words.empty() ? 0 : 1) + (flags.patch_file.empty() ? 0 : 1) +
+                    (flags.planogram_file.empty() ? 0 : 1);
+  if (given == 1) return {};
+  return Error{"usage.bad_flag",
+               given == 0                 ? "--say"
+               : flags.patch_file.empty() ? "--planogram"
+                                          : "--patch",
+               "give either words, --say \"swap dairy and bakery\", or a market-patch/1 file, "
+               "--patch F, or a planogram, --planogram F"};
 }
 
 std::string source_of(const EditFlags& flags) {
+  if (!flags.planogram_file.empty()) return flags.planogram_file;
   return flags.patch_file.empty() ? "--say" : flags.patch_file;
 }
 
@@ -123,7 +143,7 @@ bool warn_of_contradictions(const store::SaidPatches& said) {
 Result<int> edit(const EditFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_CHECK(check_flags(flags));
-  MARKETGEN_TRY(const catalog::Catalog catalog, rows_of(flags.store));
+  MARKETGEN_TRY(const catalog::Catalog catalog, load_rows_of_store(flags.store));
   MARKETGEN_TRY(const store::Store store, store::open_store(flags.store, catalog));
   MARKETGEN_TRY(store::SaidPatches said, patches_of(flags, store, catalog));
   const bool contradicts = warn_of_contradictions(said);
@@ -176,6 +196,12 @@ Run add_edit(CLI::App& app) {
       ->required();
   command->add_option("--say", flags->words, "what shall change, in words")->type_name("WORDS");
   command->add_option("--patch", flags->patch_file, "what shall change, as a market-patch/1 file")
+      ->type_name("FILE");
+  command
+      ->add_option("--planogram",
+                   flags->planogram_file,
+                   "what shall stand on its shelves, as a CSV file like that of export --format "
+                   "planogram")
       ->type_name("FILE");
   add_output(*command,
              "-o,--output",

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "assets/usable_catalog.h"
+#include "audit/compliance.h"
 #include "binding.h"
 #include "intake/brief.h"
 #include "intake/conflicts.h"
@@ -20,6 +21,7 @@
 #include "scene/query.h"
 #include "store/edit.h"
 #include "store/edit_words.h"
+#include "store/planogram.h"
 #include "store_handle.h"
 #include "told_progress.h"
 
@@ -109,6 +111,26 @@ nb::tuple said(const StoreHandle& handle, const std::string& words) {
   return nb::make_tuple(io::write_json(said.patches), unparsed, said.so_already, given_up);
 }
 
+scene::PlanogramFile planogram_of(const StoreHandle& handle, const std::string& file) {
+  scene::PlanogramFile planogram =
+      value_or_raise(store::read_planogram_file(file, *handle.store, *handle.catalog));
+  if (!planogram.refused.empty()) raise(scene::refusal_of(planogram.refused));
+  return planogram;
+}
+
+// What Store.edit() has of a planogram: market-patch/1, with no patches when all stands so.
+std::string planogram_patches(const StoreHandle& handle, const std::string& file) {
+  const scene::PlanogramFile planogram = planogram_of(handle, file);
+  return io::write_json(
+      scene::changes_by(planogram, handle.store->scene, handle.store->plan, *handle.catalog)
+          .patches);
+}
+
+std::string compliance(const StoreHandle& handle, const std::string& file) {
+  const scene::PlanogramFile planogram = planogram_of(handle, file);
+  return io::write_json(audit::compliance_of(handle.store->scene, planogram, *handle.catalog));
+}
+
 // The edited store, and the wishes of its prompt that are no longer met.
 nb::tuple edit(const StoreHandle& handle,
                const std::string& patches,
@@ -162,6 +184,8 @@ void add_stores(nb::module_& module) {
             return scene::to_json(value_or_raise(scene::query_scene(h.store->scene, table, where)));
           })
       .def("_said", &said)
+      .def("_planogram_patches", &planogram_patches)
+      .def("_compliance", &compliance)
       .def("_edit", &edit)
       .def("camera_names", &camera_names)
       .def("camera", [](const StoreHandle& h, const std::string& name, int width, int height) {

@@ -109,6 +109,7 @@ class Store:
         folder: PathLike | None = None,
         *,
         patches: Sequence[Mapping[str, Any]] | None = None,
+        planogram: PathLike | None = None,
         previews: bool = False,
         strict: bool = False,
         progress: Progress | None = None,
@@ -118,19 +119,25 @@ class Store:
         say       what shall change, in words: "swap dairy and bakery"
         folder    to make; left out: FOLDER-edit-1, or the next number that is free
         patches   instead of words, market-patch/1 patches: [{"swap_leaves": {"a": "dairy", "b": "bakery"}}]
+        planogram instead of words, a CSV file of what shall stand on its shelves (docs/planogram.md)
         previews  draw its pictures, too (seconds)
         strict    raise brief.not_understood when a word was not understood, brief.contradiction when the words contradict themselves
         progress  as of generate()
 
         Returns this store when it is so already. A StoreWarning says what was not understood, what was given up for another
         word, what is so already, and which wishes of the prompt are no longer met. Raises Error layout.violation when a hard rule would be broken anew,
-        plan.* and json.* of patches, store.exists. Nothing is left behind when it fails or is interrupted.
+        plan.* and json.* of patches, planogram.* of a planogram, store.exists. Nothing is left behind when it fails or is interrupted.
         """
         say, strict = arguments.a_text("say", say), arguments.a_truth("strict", strict)
         target = None if folder is None else arguments.a_path("folder", folder)
-        if (patches is None) == (say == ""):
-            raise arguments.bad("patches" if say else "say", patches if say else say, "either words or patches")
-        if patches is None:
+        if (say != "") + (patches is not None) + (planogram is not None) != 1:
+            name = "patches" if patches is not None and (say or planogram is not None) else "planogram" if planogram is not None else "say"
+            raise arguments.bad(name, {"say": say, "patches": patches, "planogram": planogram}[name], "either words, patches or a planogram")
+        if planogram is not None:
+            said = json.loads(self._handle._planogram_patches(arguments.a_path("planogram", planogram)))["patches"]
+            if not said:
+                return self
+        elif patches is None:
             said, unparsed = self._said(say, strict)
             if strict and unparsed:
                 raise Error("brief.not_understood", "say", f"not understood: {', '.join(map(repr, unparsed))}")
@@ -157,6 +164,13 @@ class Store:
         for wish in so_already:
             warnings.warn(f'so already: "{wish}"', StoreWarning, stacklevel=3)
         return json.loads(document)["patches"], unparsed
+
+    def compliance(self, planogram: PathLike) -> dict[str, Any]:
+        """How far the store stands as a planogram, a CSV file, says: market-compliance/1 (docs/planogram.md).
+
+        `score` is the share of planned facings that are met. Raises Error planogram.* where a row cannot be on its shelf.
+        """
+        return json.loads(self._handle._compliance(arguments.a_path("planogram", planogram)))
 
     def camera_names(self) -> list[str]:
         """The views that every store has: top, entrance, aisle, checkout, and zone:<id> for each zone."""

@@ -79,6 +79,11 @@ CALLS = {
         lambda on: on.store.edit(patches=[{"set_look": {"floor": object()}}]),
         lambda on: on.store.edit(patches=[{"swop_leaves": {}}]),
     ],
+    "planogram": [
+        lambda on: on.store.edit(planogram=5),
+        lambda on: on.store.edit("swap dairy and bakery", planogram="shelves.csv"),
+        lambda on: on.store.compliance(5),
+    ],
     "path": [lambda on: marketgen.read_photo(5), lambda on: marketgen.read_motion(5)],
     "record_motion": [
         lambda on: marketgen.evaluate(on.tasks, record_motion="yes", folder=on.folder),
@@ -214,7 +219,7 @@ def test_every_public_function_is_tried_above():
 
     functions = [marketgen.generate, marketgen.open_store, marketgen.read_photo, marketgen.evaluate, marketgen.render_batch]
     functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables, marketgen.read_motion, marketgen.write_episodes]
-    functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
+    functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.compliance, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     # marketgen.record: record_test.py
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "base/text.h"
 
 namespace marketgen::io {
@@ -9,9 +12,24 @@ namespace {
 
 constexpr std::size_t max_rows = 100'000, max_columns = 200;
 
+// Of comma, semicolon and tab the one that the header has most of outside quotes.
+char separator_of(std::string_view text) {
+  std::array<int, 3> found{};
+  constexpr std::string_view separators = ",;\t";
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '\n' || c == '\r')) break;
+    const std::size_t which = separators.find(c);
+    if (!quoted && which != std::string_view::npos) ++found[which];
+  }
+  return separators[static_cast<std::size_t>(std::ranges::max_element(found) - found.begin())];
+}
+
 class CsvReader {
  public:
-  CsvReader(std::string_view text, const std::string& source) : rest_(text), source_(source) {}
+  CsvReader(std::string_view text, const std::string& source)
+      : rest_(text), source_(source), separator_(separator_of(text)) {}
 
   Result<std::vector<CsvRow>> read() {
     std::vector<CsvRow> rows;
@@ -50,17 +68,18 @@ class CsvReader {
       row.fields.push_back(std::move(field));
       if (row.fields.size() > max_columns)
         return Error{"input.too_large", source_, "has more than 200 columns"};
-    } while (takes(","));
+    } while (takes({&separator_, 1}));
     if (!rest_.empty() && !ends_row())
-      return fault(
-          line_,
-          "expected a comma or the end of the line; double the quotes within a quoted field");
+      return fault(line_,
+                   "expected the next field or the end of the line; double the quotes within a "
+                   "quoted field");
     ++line_;
     return row;
   }
 
   std::string read_plain() {
-    const std::size_t end = std::min(rest_.find_first_of(",\r\n"), rest_.size());
+    const char ends[] = {separator_, '\r', '\n'};
+    const std::size_t end = std::min(rest_.find_first_of({ends, sizeof ends}), rest_.size());
     std::string field(rest_.substr(0, end));
     rest_.remove_prefix(end);
     return field;
@@ -83,6 +102,7 @@ class CsvReader {
 
   std::string_view rest_;
   const std::string& source_;
+  char separator_;
   int line_ = 1;
 };
 

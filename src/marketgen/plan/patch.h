@@ -276,6 +276,32 @@ struct SetOverride {
                  field("value", &SetOverride::value, "the value as text; left out: its own again"));
 };
 
+// The goods of one shelf.
+struct ShelfChange {
+  std::string fixture;
+  ShelfSide side = ShelfSide::front;
+  int shelf = 1;
+  std::optional<std::vector<ShelfBlock>> blocks;
+  static constexpr auto fields = field_list(
+      field("fixture", &ShelfChange::fixture, "fixture id in the layout", required(), reference()),
+      changes<StockedShelf>("side", &ShelfChange::side),
+      field("shelf", &ShelfChange::shelf, "from the floor up", range(1, 100), required()),
+      field("blocks",
+            &ShelfChange::blocks,
+            "from left to right; none: the shelf stays empty; left out: what its zone "
+            "would put there",
+            at_most_items(200)));
+};
+
+struct StockShelves {
+  std::vector<ShelfChange> shelves;
+  static constexpr auto fields = field_list(field("shelves",
+                                                  &StockShelves::shelves,
+                                                  "each with all that it holds",
+                                                  required(),
+                                                  at_most_items(max_planogram_shelves)));
+};
+
 // Exactly one operation.
 struct Patch {
 #define PLAN_PATCH(name, Type, what) std::optional<Type> name;

@@ -70,7 +70,7 @@ std::string node_pointer(const Plan& plan, std::string_view id, std::string_view
   return element_pointer("nodes", node_index(plan, id).value_or(0), field);
 }
 
-// Relations and overrides that name a zone which is no longer there go with it.
+// Relations, overrides and shelves that name a zone which is no longer there go with it.
 void drop_references(Plan& plan, const Zone& gone) {
   const bool last_of_type = std::ranges::none_of(
       plan.zones, [&](const Zone& zone) { return zone.type == gone.type || zone.id == gone.type; });
@@ -82,6 +82,10 @@ void drop_references(Plan& plan, const Zone& gone) {
   });
   std::erase_if(plan.overrides,
                 [&](const Override& o) { return o.fixture.starts_with(gone.id + "/"); });
+  if (!plan.planogram) return;
+  std::erase_if(*plan.planogram,
+                [&](const StockedShelf& s) { return s.fixture.starts_with(gone.id + "/"); });
+  if (plan.planogram->empty()) plan.planogram.reset();
 }
 
 void leave_out(PlanChange& task, std::size_t leaf, std::size_t zone) {

@@ -1,5 +1,7 @@
-// Operations on values: fixtures, goods, openings, look, shell, relations, overrides.
+// Operations on values: fixtures, goods, openings, look, shell, relations, overrides, shelves.
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <type_traits>
 
 #include "plan/patch_change.h"
@@ -171,6 +173,29 @@ Result<void> change(PlanChange& task, const SetOverride& patch) {
     overrides.push_back(pinned);
   else
     *same = pinned;
+  return {};
+}
+
+Result<void> change(PlanChange& task, const StockShelves& patch) {
+  const auto place_of = [](const auto& s) { return std::tuple(s.fixture, s.side, s.shelf); };
+  std::map<std::tuple<std::string, ShelfSide, int>, StockedShelf> shelves;
+  for (StockedShelf& shelf : task.plan.planogram.value_or(std::vector<StockedShelf>{}))
+    shelves[place_of(shelf)] = std::move(shelf);
+  for (std::size_t i = 0; i < patch.shelves.size(); ++i) {
+    const ShelfChange& shelf = patch.shelves[i];
+    if (shelf.blocks) {
+      shelves[place_of(shelf)] = {shelf.fixture, shelf.side, shelf.shelf, *shelf.blocks};
+    } else if (shelves.erase(place_of(shelf)) == 0) {
+      task.where += "/shelves/" + std::to_string(i);
+      return nothing_to_take_back(task, "shelf in its planogram");
+    }
+  }
+  task.paths.emplace_back("/planogram");
+  task.plan.planogram.reset();
+  if (shelves.empty()) return {};
+  task.plan.planogram.emplace();
+  for (auto& [place, shelf] : shelves)
+    task.plan.planogram->push_back(std::move(shelf));
   return {};
 }
 

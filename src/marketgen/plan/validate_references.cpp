@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 #include "base/text.h"
 #include "catalog/standing_box.h"
@@ -102,20 +104,19 @@ Result<void> check_overrides(const PlanCheck& check) {
   return {};
 }
 
+Error unknown_sku(const PlanCheck& check, const std::string& pointer, const std::string& sku) {
+  std::vector<std::string_view> known;
+  for (const catalog::Product& product : check.catalog.products)
+    known.push_back(product.sku);
+  return catalog::unknown_name("catalog.unknown_sku", check.at(pointer), "product", sku, known);
+}
+
 Result<void> check_placements(const PlanCheck& check) {
   const Shell& shell = check.plan.shell;
-  std::vector<std::string_view> skus;
-  for (const catalog::Product& product : check.catalog.products)
-    skus.push_back(product.sku);
   for (std::size_t i = 0; i < check.plan.placements.size(); ++i) {
     const Placement& placement = check.plan.placements[i];
-    if (check.catalog.product(placement.sku) == nullptr) {
-      return catalog::unknown_name("catalog.unknown_sku",
-                                   check.at(element_pointer("placements", i, "sku")),
-                                   "product",
-                                   placement.sku,
-                                   skus);
-    }
+    if (check.catalog.product(placement.sku) == nullptr)
+      return unknown_sku(check, element_pointer("placements", i, "sku"), placement.sku);
     const std::array<double, 3>& p = placement.position_m;
     const bool inside = p[0] >= 0 && p[0] <= shell.width_mm * 1e-3 && p[1] >= 0 &&
                         p[1] <= shell.depth_mm * 1e-3 && p[2] <= shell.ceiling_mm * 1e-3;
@@ -123,6 +124,28 @@ Result<void> check_placements(const PlanCheck& check) {
     return Error{"plan.bad_value",
                  check.at(element_pointer("placements", i, "position_m")),
                  "the product would stand outside the shop"};
+  }
+  return {};
+}
+
+Result<void> check_planogram(const PlanCheck& check) {
+  if (!check.plan.planogram) return {};
+  std::map<std::tuple<std::string_view, ShelfSide, int>, std::size_t> places;
+  for (std::size_t i = 0; i < check.plan.planogram->size(); ++i) {
+    const StockedShelf& shelf = (*check.plan.planogram)[i];
+    const auto [first, is_new] =
+        places.emplace(std::tuple{shelf.fixture, shelf.side, shelf.shelf}, i);
+    if (!is_new)
+      return Error{"plan.duplicate_id",
+                   check.at(element_pointer("planogram", i, "shelf")),
+                   "/planogram/" + std::to_string(first->second) +
+                       " stocks that shelf, too; keep one of them"};
+    for (std::size_t k = 0; k < shelf.blocks.size(); ++k) {
+      const std::string& sku = shelf.blocks[k].sku;
+      if (check.catalog.product(sku) != nullptr) continue;
+      return unknown_sku(
+          check, element_pointer("planogram", i, "blocks/" + std::to_string(k) + "/sku"), sku);
+    }
   }
   return {};
 }
@@ -169,6 +192,7 @@ Result<void> check_references(const PlanCheck& check) {
   MARKETGEN_CHECK(check_relations(check));
   MARKETGEN_CHECK(check_overrides(check));
   MARKETGEN_CHECK(check_placements(check));
+  MARKETGEN_CHECK(check_planogram(check));
   return check_crowding(check);
 }
 

@@ -43,7 +43,7 @@ Result<void> check_names(const PlanCheck& check);
 Result<void> check_zone_values(const PlanCheck& check);
 // What stands at the doors.
 Result<void> check_equipment(const PlanCheck& check);
-// Relations, overrides and placements.
+// Relations, overrides, placements and planogram.
 Result<void> check_references(const PlanCheck& check);
 
 // The error unless `text` is #rrggbb.

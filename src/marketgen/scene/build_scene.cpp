@@ -9,11 +9,13 @@
 #include "catalog/country.h"
 #include "layout/module_spec.h"
 #include "scene/bays.h"
+#include "scene/catalog_slice.h"
 #include "scene/placements.h"
 #include "scene/price_tags.h"
 #include "scene/row_arrays.h"
 #include "scene/scene.h"
 #include "scene/shelf_fill.h"
+#include "scene/stocked_shelf.h"
 
 namespace marketgen::scene {
 namespace {
@@ -239,7 +241,7 @@ void add_price_label(Scene& scene,
   scene.price_labels.push_back(label);
 }
 
-// Appends a block; SKU columns hold rows of the whole catalogue until compact_catalog.
+// Appends a block; SKU columns hold rows of the whole catalogue until take_catalog_slice.
 void add_block(Scene& scene,
                std::uint32_t shelf,
                std::uint16_t position,
@@ -298,27 +300,6 @@ void add_stock(Scene& scene,
   }
 }
 
-// Keeps the products that occur, sorted by SKU, and renumbers every reference.
-void compact_catalog(Scene& scene, const catalog::Catalog& catalog) {
-  std::vector<std::uint8_t> used(catalog.products.size(), 0);
-  for (const Facing& f : scene.facings)
-    used[f.sku] = 1;
-  for (const SceneProduct& p : scene.products)
-    used[p.sku] = 1;
-  std::vector<std::uint32_t> row_of(catalog.products.size(), 0);
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (used[i] == 0) continue;
-    row_of[i] = static_cast<std::uint32_t>(scene.catalog.size());
-    scene.catalog.push_back(catalog.products[i]);
-  }
-  for (Facing& f : scene.facings)
-    f.sku = row_of[f.sku];
-  for (SceneProduct& p : scene.products)
-    p.sku = row_of[p.sku];
-  for (PriceLabel& l : scene.price_labels)
-    l.sku = row_of[l.sku];
-}
-
 }  // namespace
 
 Result<Scene> build_scene(const layout::Layout& layout,
@@ -342,12 +323,13 @@ Result<Scene> build_scene(const layout::Layout& layout,
 
   std::vector<BayRef> bays = bays_of(scene);
   plan_bays(bays, scene, plan, catalog, seed);
+  MARKETGEN_CHECK(stock_by_planogram(bays, scene, plan, catalog));
   MARKETGEN_CHECK(check_number(bays, scene, plan, catalog));
   add_stock(scene, bays, fill_bays(bays, scene, plan, catalog, seed), catalog, seed);
   misplace_items(scene, plan, catalog, seed);
   fault_price_tags(scene, plan, seed);
   MARKETGEN_CHECK(add_placements(scene, plan, catalog));
-  compact_catalog(scene, catalog);
+  take_catalog_slice(scene, catalog);
   return scene;
 }
 

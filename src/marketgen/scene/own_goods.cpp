@@ -38,30 +38,14 @@ std::vector<std::uint32_t> own_rows(const catalog::Catalog& catalog) {
 
 // ---- Why a product stands nowhere. ----
 
-std::string whole_mm(double metres) {
-  return fmt::format("{:.0f} mm", metres * 1e3);
-}
-
 // `bays` sell it.
 std::string why_it_does_not_fit(const catalog::Product& product,
                                 const std::vector<const BayRef*>& bays) {
-  double height_m = 0, depth_m = 0, width_m = 0;
-  for (const BayRef* bay : bays) {
-    for (const ShelfRoom& room : bay->bay.shelves) {
-      height_m = std::max(height_m, room.clearance_m - finger_room_m);
-      depth_m = std::max(depth_m, room.depth_m);
-      width_m = std::max(width_m, room.width_m - pack_gap_m);
-    }
-  }
-  const auto too = [](std::string_view what, double has, double most) {
-    return fmt::format("it is {} {}; no shelf that sells it takes more than {}",
-                       whole_mm(has),
-                       what,
-                       whole_mm(most));
-  };
-  if (product.height_m() > height_m) return too("tall", product.height_m(), height_m);
-  if (product.depth_m() > depth_m) return too("deep", product.depth_m(), depth_m);
-  if (product.width_m() > width_m) return too("wide", product.width_m(), width_m);
+  std::vector<ShelfRoom> rooms;
+  for (const BayRef* bay : bays)
+    rooms.insert(rooms.end(), bay->bay.shelves.begin(), bay->bay.shelves.end());
+  std::string why = too_large_for(product, rooms, "no shelf that sells it takes more than");
+  if (!why.empty()) return why;
   return fmt::format("no one shelf that sells it takes {:.1f} kg of {} x {} x {} mm",
                      product.mass_kg,
                      product.size_mm[0],

@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include <fmt/format.h>
+
 namespace marketgen::scene {
 namespace {
 
@@ -264,6 +266,24 @@ double highest_rest_m(double mass_kg) {
 bool fits(const catalog::Product& product, const ShelfRoom& room) {
   return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m &&
          pitch_of(product) <= room.width_m;
+}
+
+std::string too_large_for(const catalog::Product& product,
+                          const std::vector<ShelfRoom>& rooms,
+                          std::string_view takes) {
+  double height_m = 0, depth_m = 0, width_m = 0;
+  for (const ShelfRoom& room : rooms) {
+    height_m = std::max(height_m, room.clearance_m - finger_room_m);
+    depth_m = std::max(depth_m, room.depth_m);
+    width_m = std::max(width_m, room.width_m - pack_gap_m);
+  }
+  const auto too = [takes](std::string_view what, double has_m, double most_m) {
+    return fmt::format("it is {:.0f} mm {}; {} {:.0f} mm", has_m * 1e3, what, takes, most_m * 1e3);
+  };
+  if (product.height_m() > height_m) return too("tall", product.height_m(), height_m);
+  if (product.depth_m() > depth_m) return too("deep", product.depth_m(), depth_m);
+  if (product.width_m() > width_m) return too("wide", product.width_m(), width_m);
+  return {};
 }
 
 int stack_height(const catalog::Product& product, const ShelfRoom& room) {

@@ -6,6 +6,9 @@
 // which gives vertical blocks.
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "assets/fixtures/fixture_model.h"
@@ -39,6 +42,9 @@ struct PlannedBlock {
   std::uint32_t product = 0;  // row of catalog.products
   int facings = 1;
   bool certain = false;  // never out of stock
+  // What a planogram says of it; the stocker's own where it says nothing.
+  std::optional<double> x_m = std::nullopt;  // left edge from the shelf's left end
+  std::optional<int> stack = std::nullopt, rows_deep = std::nullopt;
 };
 
 using PlannedShelf = std::vector<PlannedBlock>;  // from left to right
@@ -73,6 +79,12 @@ std::vector<PlannedShelf> plan_bay(const Bay& bay,
 
 // Whether one pack fits on an empty shelf: its size, and its mass at that height.
 bool fits(const catalog::Product& product, const ShelfRoom& room);
+
+// "it is 300 mm tall; the shelf takes no more than 260 mm": `takes` says whose these rooms are.
+// Empty when the measures alone are no reason.
+std::string too_large_for(const catalog::Product& product,
+                          const std::vector<ShelfRoom>& rooms,
+                          std::string_view takes);
 
 // Packs on one another on a shelf of this clearance, none higher than its mass allows; 0 when not
 // even one fits.

@@ -98,6 +98,12 @@ void add_counts(PlanogramRow& row, const Scene& scene, const Facing& facing) {
 
 }  // namespace
 
+double shelf_left_m(const Scene& scene, std::uint32_t shelf) {
+  const BayFront front = bay_front(scene, scene.shelves[shelf]);
+  const Pose bay_from_shelf = inverse(front.world_from_bay) * world_from_shelf(scene, shelf);
+  return (bay_from_shelf * Vec3{-scene.shelves[shelf].width_m / 2.0, 0, 0}).x;
+}
+
 std::vector<PlanogramRow> planogram_rows(const Scene& scene) {
   std::vector<bool> promoted(scene.facings.size(), false);
   for (const PriceLabel& label : scene.price_labels)

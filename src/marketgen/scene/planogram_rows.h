@@ -3,6 +3,7 @@
 // A bay is one side of one module. Its frame: the left corner of its front on the floor, for who
 // looks at it; X to the right along the front, Y into the bay, Z up.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,9 @@ struct PlanogramRow {
       field("use", &PlanogramRow::use, "how goods are kept"),
       field("promotion", &PlanogramRow::promotion, "has a promotion label"));
 };
+
+// How far a shelf's left end lies from the left corner of its bay's front; metres.
+double shelf_left_m(const Scene& scene, std::uint32_t shelf);
 
 // One row a facing block, in the scene's order. Items that the plan pins to a place of their own
 // stand in no block.

@@ -248,8 +248,8 @@ struct Scene {
                  field("joints", &Scene::joints, "what moves"));
 };
 
-// What the scene needs of the plan: stock per zone, overrides, placements.
-// Deterministic for any thread count. Errors: catalog.*, assets.*.
+// What the scene needs of the plan: stock per zone, overrides, planogram, placements.
+// Deterministic for any thread count. Errors: catalog.*, assets.*, plan.*, planogram.*.
 Result<Scene> build_scene(const layout::Layout& layout,
                           const plan::Plan& plan,
                           const catalog::Catalog& catalog,

@@ -35,12 +35,6 @@ double yaw_limit(const catalog::Product& product, double jitter) {
   return jitter * std::min({max_yaw_tangent, side / 2, back / 2});
 }
 
-int rows_that_fit(const catalog::Product& product, const ShelfRoom& room, double depth_fill) {
-  const double pitch = product.depth_m() + depth_gap_m;
-  const int most = static_cast<int>((room.depth_m + depth_gap_m + 1e-9) / pitch);
-  return std::max(1, static_cast<int>(static_cast<double>(most) * depth_fill + 0.5));
-}
-
 // Rows that a column still has: those at the back are sold first, because staff pull the goods
 // forward.
 int rows_left(int rows, Stream& draw) {
@@ -79,12 +73,13 @@ void add_column(FilledBlock& block,
 }
 
 void stand_items(FilledBlock& block,
+                 const PlannedBlock& planned,
                  const catalog::Product& product,
                  const ShelfRoom& room,
                  const plan::StockSpec& stock,
                  Stream& draw) {
-  block.stack = std::max(1, stack_height(product, room));
-  block.rows_deep = rows_that_fit(product, room, stock.depth_fill);
+  block.stack = planned.stack.value_or(std::max(1, stack_height(product, room)));
+  block.rows_deep = planned.rows_deep.value_or(rows_that_fit(product, room, stock.depth_fill));
   const double pitch = product.width_m() + pack_gap_m;
   const double left = block.x_m - room.width_m / 2;
   for (int i = 0; i < block.facings; ++i) {
@@ -117,6 +112,20 @@ double layer_rise(HeapKind kind) {
   return kind == HeapKind::logs ? std::sqrt(3.0) / 2 : 1;  // a cylinder between two
 }
 
+// A piece that lies any way round.
+double across_m(const catalog::Product& product) {
+  return std::max(product.width_m(), product.depth_m());
+}
+
+// From one column of a heap to the next.
+double piece_pitch_m(const catalog::Product& product, HeapKind kind) {
+  return (kind == HeapKind::balls ? across_m(product) : product.width_m()) + kept_gap_m;
+}
+
+int columns_of_heap(const catalog::Product& product, HeapKind kind, double width_m) {
+  return std::max(1, static_cast<int>(width_m / piece_pitch_m(product, kind)));
+}
+
 // A settled heap, cut to the block.
 void lay_heap(FilledBlock& block,
               const catalog::HeapRow& row,
@@ -126,7 +135,7 @@ void lay_heap(FilledBlock& block,
               Stream& draw) {
   const double left = block.x_m - room.width_m / 2;
   const ShelfRoom own{block.width_m, room.depth_m, room.clearance_m, room.use, room.board_m};
-  const double piece_m = std::max(product.width_m(), product.depth_m());
+  const double piece_m = across_m(product);
   double highest_m = 0;
   for (const HeapItem& item : laid_heap(row, product, own, heap_taken_share * stock.jitter, draw)) {
     const Vec3 at = item.pose.position;
@@ -148,15 +157,13 @@ void heap_items(FilledBlock& block,
                 Stream& draw) {
   const HeapKind kind = heap_kind_of(product);
   const bool balls = kind == HeapKind::balls;
-  const double across_m =
-      std::max(product.width_m(), product.depth_m());  // balls lie any way round
-  const double w = (balls ? across_m : product.width_m()) + kept_gap_m,
-               d = (balls ? across_m : product.depth_m()) + kept_gap_m;
+  const double w = piece_pitch_m(product, kind),
+               d = (balls ? across_m(product) : product.depth_m()) + kept_gap_m;
   const double h = product.height_m();
   const double limit = balls ? 1.0 : 0.0;  // tan(half angle): 90 degrees either way
   const double rise = h * layer_rise(kind);
   const int max_layers = kind == HeapKind::blocks ? product.stack_max : max_heap_layers;
-  const int columns = std::max(1, static_cast<int>(block.width_m / w));
+  const int columns = columns_of_heap(product, kind, block.width_m);
   const int rows = std::max(1, static_cast<int>(room.depth_m / d));
   const int layers = std::clamp(1 + static_cast<int>((room.clearance_m - h) / rise), 1, max_layers);
   const double left =
@@ -188,13 +195,46 @@ double spread_gap(const PlannedShelf& plan,
                   const catalog::Catalog& catalog) {
   double used = 0;
   for (const PlannedBlock& block : plan) {
-    used += block.facings * (catalog.products[block.product].width_m() + pack_gap_m);
+    used += block_width_m(block, catalog);
   }
   const double spare = std::max(0.0, room.width_m - used);
   return std::min(spare / static_cast<double>(plan.size() + 1), block_gap_limit_m);
 }
 
 }  // namespace
+
+int rows_that_fit(const catalog::Product& product, const ShelfRoom& room, double depth_fill) {
+  const double pitch = product.depth_m() + depth_gap_m;
+  const int most = static_cast<int>((room.depth_m + depth_gap_m + 1e-9) / pitch);
+  return std::max(1, static_cast<int>(static_cast<double>(most) * depth_fill + 0.5));
+}
+
+double block_width_m(const PlannedBlock& block, const catalog::Catalog& catalog) {
+  return block.facings * (catalog.products[block.product].width_m() + pack_gap_m);
+}
+
+int facings_as_wide(const catalog::Product& product, const catalog::Catalog& catalog, int columns) {
+  if (!lies_in_a_heap(product) || catalog.heap(product) != nullptr) return columns;
+  const HeapKind kind = heap_kind_of(product);
+  int facings = 1;
+  while (columns_of_heap(product, kind, facings * (product.width_m() + pack_gap_m)) < columns)
+    ++facings;
+  return facings;
+}
+
+std::vector<double> block_starts(const PlannedShelf& plan,
+                                 const ShelfRoom& room,
+                                 const catalog::Catalog& catalog) {
+  std::vector<double> starts;
+  if (plan.empty()) return starts;
+  const double gap = spread_gap(plan, room, catalog);
+  double x = gap;
+  for (const PlannedBlock& block : plan) {
+    starts.push_back(block.x_m.value_or(x));
+    x = starts.back() + (block_width_m(block, catalog) + gap);
+  }
+  return starts;
+}
 
 bool lies_in_a_heap(const catalog::Product& product) {
   const bool loose = product.orientation == catalog::Orientation::any && product.material == "skin";
@@ -211,7 +251,8 @@ std::uint64_t max_items(const PlannedBlock& block,
                         const plan::StockSpec& stock,
                         const catalog::Catalog& catalog) {
   const catalog::Product& product = catalog.products[block.product];
-  const int rows = rows_that_fit(product, room, lies_in_a_heap(product) ? 1 : stock.depth_fill);
+  const int rows = block.rows_deep.value_or(
+      rows_that_fit(product, room, lies_in_a_heap(product) ? 1 : stock.depth_fill));
   const int high = std::max(max_heap_layers, stack_height(product, room));
   return static_cast<std::uint64_t>(block.facings) * static_cast<std::uint64_t>(rows) *
          static_cast<std::uint64_t>(lies_in_a_heap(product) ? high : stack_height(product, room));
@@ -224,23 +265,22 @@ std::vector<FilledBlock> fill_shelf(const PlannedShelf& plan,
                                     Stream draw) {
   std::vector<FilledBlock> blocks;
   if (plan.empty()) return blocks;
-  const double gap = spread_gap(plan, room, catalog);
-  double x = gap;
-  for (const PlannedBlock& planned : plan) {
+  const std::vector<double> starts = block_starts(plan, room, catalog);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const PlannedBlock& planned = plan[i];
     const catalog::Product& product = catalog.products[planned.product];
     FilledBlock block;
     block.product = planned.product;
     block.facings = planned.facings;
-    block.x_m = x;
-    block.width_m = planned.facings * (product.width_m() + pack_gap_m);
+    block.x_m = starts[i];
+    block.width_m = block_width_m(planned, catalog);
     const bool heaped = lies_in_a_heap(product);
     if (const catalog::HeapRow* heap = heaped ? catalog.heap(product) : nullptr)
       lay_heap(block, *heap, product, room, stock, draw);
     if (heaped && block.items.empty())  // no settled heap, or none of it has room
       heap_items(block, product, room, stock, draw);
-    if (!heaped) stand_items(block, product, room, stock, draw);
+    if (!heaped) stand_items(block, planned, product, room, stock, draw);
     if (draw.chance(stock.out_of_stock) && !planned.certain) block.items.clear();
-    x += block.width_m + gap;
     blocks.push_back(std::move(block));
   }
   return blocks;

@@ -43,6 +43,22 @@ std::uint64_t max_items(const PlannedBlock& block,
                         const plan::StockSpec& stock,
                         const catalog::Catalog& catalog);
 
+// Rows of packs one behind another that fill this share of the depth; at least one.
+int rows_that_fit(const catalog::Product& product, const ShelfRoom& room, double depth_fill);
+
+// How wide a block is, gaps between its packs included; metres.
+double block_width_m(const PlannedBlock& block, const catalog::Catalog& catalog);
+
+// The fewest facings whose block has `columns` packs side by side: of loose goods that settled in
+// no heap, more or fewer lie beside one another than packs would stand there.
+int facings_as_wide(const catalog::Product& product, const catalog::Catalog& catalog, int columns);
+
+// Left edges of the blocks, from the shelf's left end: where the planogram has them, or spread so
+// that the shelf looks evenly filled.
+std::vector<double> block_starts(const PlannedShelf& plan,
+                                 const ShelfRoom& room,
+                                 const catalog::Catalog& catalog);
+
 // Fills one shelf. Every item lies inside the shelf's width, depth and clearance, and keeps at
 // least 1 mm from items of other columns and rows; stacked items rest on one another. Heaps (loose
 // produce) lie in layers, each in the pockets of the one below.

@@ -7,12 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "base/build_info.h"
 #include "io/json.h"
 #include "layout/kept_layout.h"
 #include "layout/layout_rules.h"
 #include "layout/repair_moves.h"
 #include "plan/plan_place.h"
 #include "scene/own_goods.h"
+#include "scene/restock.h"
 #include "store/save.h"
 #include "store/stages.h"
 
@@ -69,12 +71,20 @@ std::set<std::string> zones_pinned(const plan::Plan& before, const plan::Plan& a
   return zones;
 }
 
+std::string planogram_of(const plan::Plan& plan, const std::string& zone) {
+  std::string lines;
+  for (const plan::StockedShelf& shelf : plan.planogram.value_or(std::vector<plan::StockedShelf>{}))
+    if (shelf.fixture.starts_with(zone + "/")) lines += io::write_json_line(shelf);
+  return lines;
+}
+
 // Also those whose goods the plans say differently.
 std::set<std::string> zones_named(const plan::Plan& before, const plan::Plan& after) {
   std::set<std::string> named = zones_pinned(before, after);
   for (const plan::Zone& zone : after.zones) {
     const plan::Zone* old = plan::find_zone(before, zone.id);
-    if (old == nullptr || io::write_json_line(old->stock) != io::write_json_line(zone.stock))
+    if (old == nullptr || io::write_json_line(old->stock) != io::write_json_line(zone.stock) ||
+        planogram_of(before, zone.id) != planogram_of(after, zone.id))
       named.insert(zone.id);
   }
   return named;
@@ -145,6 +155,25 @@ void keep_history(Manifest& now, const Manifest& before, const EditStep& step) {
   now.edits->push_back({step.words, step.patches.patches, before.scene_hash});
 }
 
+// Only what the edit reaches is stocked anew where that is known to be all.
+Result<scene::Scene> scene_after(const Store& store,
+                                 const Replanned& now,
+                                 const std::string& source,
+                                 const catalog::Catalog& catalog) {
+  const auto shelves = scene::shelves_changed(store.plan, now.plan, catalog);
+  const StoreVersions& made_by = store.manifest.versions;
+  const bool same_floor =
+      shelves && made_by.marketgen == program_version && made_by.catalog == catalog.content_hash &&
+      io::write_json_line(store.scene.layout) == io::write_json_line(now.layout);
+  Result<scene::Scene> scene =
+      same_floor
+          ? scene::restocked(store.scene, *shelves, now.plan, catalog)
+          : scene::build_scene(
+                now.layout, now.plan, catalog, Seed(store.manifest.seed).child(scene_stream));
+  if (!scene.ok()) return plan::in_plan_file(scene.error(), source + " (plan)");
+  return scene;
+}
+
 Result<EditedStore> edited_in(Stages& stages,
                               const Store& store,
                               const StoreReport& report,
@@ -154,10 +183,8 @@ Result<EditedStore> edited_in(Stages& stages,
     return replan(store, step.patches, step.source, catalog);
   }));
   if (!now.offences.empty()) return error_of(now.offences.front());
-  MARKETGEN_TRY(scene::Scene scene, stages.run("scene", [&] {
-    return scene::build_scene(
-        now.layout, now.plan, catalog, Seed(store.manifest.seed).child(scene_stream));
-  }));
+  MARKETGEN_TRY(scene::Scene scene,
+                stages.run("scene", [&] { return scene_after(store, now, step.source, catalog); }));
   EditedStore edited;
   edited.changes = changes_between(store.scene, scene);
   MARKETGEN_CHECK(require_rest_kept(store, now, edited.changes, catalog));

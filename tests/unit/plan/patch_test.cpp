@@ -200,6 +200,13 @@ const std::vector<Example>& examples() {
        R"({"set_override": {"fixture": "snacks/run-1/module-1", "field": "weight", "value": "4"}})",
        "plan.unknown_reference",
        "/set_override/field"},
+      {"stock_shelves",
+       R"({"stock_shelves": {"shelves": [{"fixture": "snacks/run-1/module-1", "shelf": 2, "blocks": []}]}})",
+       [](const plan::Plan& p) { return p.planogram && p.planogram->at(0).shelf == 2; },
+       R"({"stock_shelves": {"shelves": [{"fixture": "snacks/run-1/module-1", "shelf": 2}]}})",
+       R"({"stock_shelves": {"shelves": [{"fixture": "snacks/run-1/module-1", "shelf": 2, "blocks": [{"sku": "no-such", "facings": 1}]}]}})",
+       "catalog.unknown_sku",
+       "/stock_shelves"},
   };
   return all;
 }

@@ -1,0 +1,368 @@
+#include "scene/planogram_file.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "io/csv.h"
+#include "scene/shelf_fill.h"
+
+namespace marketgen::scene {
+namespace {
+
+constexpr std::array<std::string_view, 10> read_columns = {"fixture",
+                                                           "side",
+                                                           "shelf",
+                                                           "position",
+                                                           "sku",
+                                                           "gtin",
+                                                           "x_mm",
+                                                           "facings_wide",
+                                                           "facings_high",
+                                                           "facings_deep"};
+
+std::string without_blanks(std::string_view text) {
+  const std::size_t start = text.find_first_not_of(" \t");
+  if (start == std::string_view::npos) return {};
+  return std::string(text.substr(start, text.find_last_not_of(" \t") - start + 1));
+}
+
+Error bad_row(const std::string& where, std::string message) {
+  return {"planogram.bad_row", where, std::move(message)};
+}
+
+// Where the columns stand that are read.
+class PlanogramColumns {
+ public:
+  static Result<PlanogramColumns> of(const std::vector<std::string>& header,
+                                     const std::string& source) {
+    PlanogramColumns columns;
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      const std::string name = without_blanks(header[i]);
+      const bool read = std::ranges::find(read_columns, name) != read_columns.end();
+      if (read && !columns.places_.emplace(name, i).second)
+        return bad_row(source + ":1", "two columns are called \"" + name + "\"; keep one");
+    }
+    for (const std::string_view needed : {"fixture", "shelf", "facings_wide"}) {
+      if (!columns.places_.contains(std::string(needed)))
+        return bad_row(source + ":1",
+                       fmt::format("has no column \"{}\"; the columns are those of `marketgen "
+                                   "export --format planogram`",
+                                   needed));
+    }
+    if (!columns.places_.contains("sku") && !columns.places_.contains("gtin"))
+      return bad_row(source + ":1", "has neither a column \"sku\" nor \"gtin\"");
+    MARKETGEN_CHECK(columns.check_spelling(header, source));
+    return columns;
+  }
+
+  // Empty where there is no such column.
+  std::string cell(const io::CsvRow& row, std::string_view column) const {
+    const auto place = places_.find(std::string(column));
+    return place == places_.end() ? std::string() : without_blanks(row.fields[place->second]);
+  }
+
+ private:
+  // A column that looks like one which is read and is not there: a slip that would be passed over.
+  Result<void> check_spelling(const std::vector<std::string>& header,
+                              const std::string& source) const {
+    std::vector<std::string_view> absent;
+    for (const std::string_view name : read_columns) {
+      if (!places_.contains(std::string(name))) absent.push_back(name);
+    }
+    for (const std::string& heading : header) {
+      const std::string name = without_blanks(heading);
+      if (name.empty() || places_.contains(name)) continue;
+      const std::string meant = did_you_mean(name, absent);
+      if (!meant.empty())
+        return bad_row(source + ":1", "there is no column \"" + name + "\"" + meant);
+    }
+    return {};
+  }
+
+  std::map<std::string, std::size_t> places_;
+};
+
+// "351", "351.5" and "351,5", rounded; nothing when it is no number.
+std::optional<int> number_of(std::string text) {
+  std::ranges::replace(text, ',', '.');
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = fault == std::errc() && end == text.data() + text.size();
+  if (!whole || !(std::abs(value) <= 1e6)) return std::nullopt;
+  return static_cast<int>(std::lround(value));
+}
+
+class PlanogramReader {
+ public:
+  PlanogramReader(const std::string& source,
+                  const PlanogramColumns& columns,
+                  const ShelfFinder& finder,
+                  const catalog::Catalog& catalog)
+      : source_(source), columns_(columns), finder_(finder), catalog_(catalog) {
+    for (std::uint32_t i = 0; i < catalog.products.size(); ++i) {
+      if (!catalog.products[i].ean.empty()) by_gtin_[catalog.products[i].ean] = i;
+    }
+  }
+
+  void take(const io::CsvRow& row) {
+    const std::size_t before = file_.refused.size();
+    const std::string where = fmt::format("{}:{}:/", source_, row.line);
+    PlanogramShelf* shelf = shelf_of(row, where);
+    if (shelf == nullptr) return;
+    const bool empty = columns_.cell(row, "sku").empty() && columns_.cell(row, "gtin").empty();
+    const std::string facings = columns_.cell(row, "facings_wide");
+    if (empty && (facings.empty() || facings == "0")) return;  // the shelf stays empty
+    PlanogramBlock block;
+    block.line = row.line;
+    block.product = product_of(row, where);
+    block.facings = whole(row, where, "facings_wide", {1, 200}).value_or(0);
+    block.x_mm = whole(row, where, "x_mm", {-500, 10000});
+    block.facings_high = whole(row, where, "facings_high", {1, 100});
+    block.facings_deep = whole(row, where, "facings_deep", {1, 200});
+    block.position = whole(row, where, "position", {1, 1000})
+                         .value_or(static_cast<int>(shelf->blocks.size()) + 1);
+    if (facings.empty())
+      refuse(where + "facings_wide", "is empty; say how many stand side by side");
+    check_position(*shelf, block.position, where);
+    if (file_.refused.size() == before) shelf->blocks.push_back(block);
+  }
+
+  PlanogramFile finish() {
+    for (auto& [place, shelf] : shelves_) {
+      std::ranges::stable_sort(shelf.blocks, {}, &PlanogramBlock::position);
+      plan_shelf(shelf);
+      file_.shelves.push_back(std::move(shelf));
+    }
+    return std::move(file_);
+  }
+
+ private:
+  void refuse(const std::string& where, std::string message) {
+    file_.refused.push_back(bad_row(where, std::move(message)));
+  }
+
+  PlanogramShelf* shelf_of(const io::CsvRow& row, const std::string& where) {
+    const std::string side = columns_.cell(row, "side");
+    const std::optional<int> number = whole(row, where, "shelf", {1, 100});
+    if (side != "front" && side != "back" && !side.empty()) {
+      refuse(where + "side", "\"" + side + "\" is neither front nor back");
+      return nullptr;
+    }
+    if (!number) {
+      if (columns_.cell(row, "shelf").empty())
+        refuse(where + "shelf", "is empty; shelves count from 1, the lowest");
+      return nullptr;
+    }
+    const std::string fixture = columns_.cell(row, "fixture");
+    const plan::ShelfSide of = side == "back" ? plan::ShelfSide::back : plan::ShelfSide::front;
+    const Result<ShelfFinder::Found> found = finder_.find(fixture, of, *number, where);
+    if (!found.ok()) {
+      file_.refused.push_back(found.error());
+      return nullptr;
+    }
+    const std::uint32_t index = finder_.bays()[found->bay].shelves[found->shelf];
+    const auto [entry, is_new] = shelves_.try_emplace(index);
+    if (is_new)
+      entry->second = {index, fixture, of, *number, row.line, finder_.place(*found), {}, {}};
+    return &entry->second;
+  }
+
+  // Nothing where the cell is empty; a fault is refused.
+  std::optional<int> whole(const io::CsvRow& row,
+                           const std::string& where,
+                           std::string_view column,
+                           IntRange range) {
+    const std::string cell = columns_.cell(row, column);
+    if (cell.empty()) return std::nullopt;
+    const std::optional<int> number = number_of(cell);
+    if (number && *number >= range[0] && *number <= range[1]) return number;
+    refuse(where + std::string(column),
+           fmt::format("\"{}\" is no number from {} to {}", cell, range[0], range[1]));
+    return std::nullopt;
+  }
+
+  std::uint32_t product_of(const io::CsvRow& row, const std::string& where) {
+    const std::string sku = columns_.cell(row, "sku"), gtin = columns_.cell(row, "gtin");
+    const auto of_gtin = by_gtin_.find(gtin);
+    if (sku.empty() && of_gtin != by_gtin_.end()) return of_gtin->second;
+    if (sku.empty()) {
+      refuse(where + "gtin",
+             gtin.empty() ? "no product is named; give its sku or its gtin"
+                          : "no product has the GTIN \"" + gtin +
+                                "\"; name it by its sku, or bring its row with --catalog when "
+                                "the store is generated");
+      return 0;
+    }
+    const catalog::Product* product = catalog_.product(sku);
+    if (product == nullptr) {
+      std::vector<std::string_view> known;
+      for (const catalog::Product& p : catalog_.products)
+        known.push_back(p.sku);
+      file_.refused.push_back(
+          catalog::unknown_name("catalog.unknown_sku", where + "sku", "product", sku, known));
+      return 0;
+    }
+    if (!gtin.empty() && gtin != product->ean)
+      refuse(where + "gtin",
+             fmt::format("{} is not the GTIN of \"{}\", which is {}; empty the one that is wrong",
+                         gtin,
+                         sku,
+                         product->ean.empty() ? "none" : product->ean));
+    return static_cast<std::uint32_t>(product - catalog_.products.data());
+  }
+
+  void check_position(const PlanogramShelf& shelf, int position, const std::string& where) {
+    for (const PlanogramBlock& other : shelf.blocks) {
+      if (other.position != position) continue;
+      refuse(where + "position",
+             fmt::format("{} is the position of line {}, too; count them from the left",
+                         position,
+                         other.line));
+      return;
+    }
+  }
+
+  void plan_shelf(PlanogramShelf& shelf) {
+    std::vector<plan::ShelfBlock> blocks;
+    for (const PlanogramBlock& block : shelf.blocks)
+      blocks.push_back(shelf_block(block, catalog_));
+    StockedShelf made = stocked_shelf(blocks, shelf.place, catalog_);
+    for (ShelfFault& fault : made.faults) {
+      const std::string column = fault.field == "facings" ? "facings_wide" : fault.field;
+      file_.refused.push_back(
+          {"planogram.does_not_fit",
+           fmt::format("{}:{}:/{}", source_, shelf.blocks[fault.block].line, column),
+           std::move(fault.message)});
+    }
+    shelf.planned = std::move(made.shelf);
+  }
+
+ public:
+  // Of loose goods a row's counts above and behind one another are how they came to lie.
+  static plan::ShelfBlock shelf_block(const PlanogramBlock& block,
+                                      const catalog::Catalog& catalog) {
+    const catalog::Product& product = catalog.products[block.product];
+    const int facings = facings_as_wide(product, catalog, block.facings);
+    if (lies_in_a_heap(product)) return {product.sku, facings, block.x_mm, {}, {}};
+    return {product.sku, facings, block.x_mm, block.facings_high, block.facings_deep};
+  }
+
+ private:
+  const std::string& source_;
+  const PlanogramColumns& columns_;
+  const ShelfFinder& finder_;
+  const catalog::Catalog& catalog_;
+  std::map<std::string, std::uint32_t> by_gtin_;
+  std::map<std::uint32_t, PlanogramShelf> shelves_;
+  PlanogramFile file_;
+};
+
+// Rounded to millimetres; places of the scene are floats, which are off by micrometres.
+bool is_at(int x_mm, double metres) {
+  constexpr double half_mm = 0.51;
+  return std::abs(x_mm - metres * 1e3) <= half_mm;
+}
+
+// Facings of the scene by shelf, from left to right.
+std::map<std::uint32_t, std::vector<const Facing*>> facings_by_shelf(const Scene& scene) {
+  std::map<std::uint32_t, std::vector<const Facing*>> shelves;
+  for (const Facing& facing : scene.facings)
+    shelves[facing.shelf].push_back(&facing);
+  return shelves;
+}
+
+bool stands_so(const PlanogramShelf& shelf,
+               const std::vector<const Facing*>& facings,
+               const Scene& scene,
+               const catalog::Catalog& catalog) {
+  const auto same = [&](const PlanogramBlock& said, const Facing* is) {
+    const catalog::Product& product = catalog.products[said.product];
+    const bool loose = lies_in_a_heap(product);
+    return scene.catalog[is->sku].sku == product.sku && is->facings == said.facings &&
+           (!said.x_mm || is_at(*said.x_mm, is->x_m + shelf.place.left_m)) &&
+           (loose || !said.facings_high || *said.facings_high == is->stack) &&
+           (loose || !said.facings_deep || *said.facings_deep == is->rows_deep);
+  };
+  return std::ranges::equal(shelf.blocks, facings, same);
+}
+
+// Without what the stocker does of itself.
+std::vector<plan::ShelfBlock> least_pinned(const PlanogramShelf& shelf,
+                                           const plan::StockSpec& stock,
+                                           const catalog::Catalog& catalog) {
+  std::vector<plan::ShelfBlock> blocks;
+  PlannedShelf spread = shelf.planned;
+  for (std::size_t i = 0; i < shelf.blocks.size(); ++i) {
+    plan::ShelfBlock block = PlanogramReader::shelf_block(shelf.blocks[i], catalog);
+    const catalog::Product& product = catalog.products[shelf.blocks[i].product];
+    if (block.facings_high == stack_height(product, shelf.place.room)) block.facings_high.reset();
+    if (block.facings_deep == rows_that_fit(product, shelf.place.room, stock.depth_fill))
+      block.facings_deep.reset();
+    spread[i].x_m.reset();
+    blocks.push_back(std::move(block));
+  }
+  const std::vector<double> starts = block_starts(spread, shelf.place.room, catalog);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (blocks[i].x_mm && !is_at(*blocks[i].x_mm, starts[i] + shelf.place.left_m)) return blocks;
+  }
+  for (plan::ShelfBlock& block : blocks)
+    block.x_mm.reset();
+  return blocks;
+}
+
+}  // namespace
+
+Result<PlanogramFile> read_planogram(std::string_view text,
+                                     const std::string& source,
+                                     const Scene& scene,
+                                     const plan::Plan& plan,
+                                     const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(const std::vector<io::CsvRow> rows, io::parse_csv(text, source));
+  if (rows.size() < 2) return bad_row(source, "has no rows; the first line names the columns");
+  MARKETGEN_TRY(const PlanogramColumns columns, PlanogramColumns::of(rows.front().fields, source));
+  const ShelfFinder finder(scene, plan, catalog);
+  PlanogramReader reader(source, columns, finder, catalog);
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    reader.take(rows[i]);
+  return reader.finish();
+}
+
+Error refusal_of(const std::vector<Error>& refused) {
+  Error error = refused.front();
+  if (refused.size() > 1)
+    error.message += fmt::format(" ({} more rows are refused)", refused.size() - 1);
+  return error;
+}
+
+PlanogramChanges changes_by(const PlanogramFile& file,
+                            const Scene& scene,
+                            const plan::Plan& plan,
+                            const catalog::Catalog& catalog) {
+  PlanogramChanges changes;
+  auto facings = facings_by_shelf(scene);
+  const plan::Zone fallback;
+  plan::StockShelves patch;
+  for (const PlanogramShelf& shelf : file.shelves) {
+    if (stands_so(shelf, facings[shelf.shelf], scene, catalog)) {
+      ++changes.as_they_were;
+      continue;
+    }
+    const layout::Fixture& fixture = scene.layout.fixtures[scene.shelves[shelf.shelf].fixture];
+    const plan::Zone* zone = plan::find_zone(plan, fixture.zone);
+    const plan::StockSpec& stock = (zone != nullptr ? *zone : fallback).stock;
+    patch.shelves.push_back(
+        {shelf.fixture, shelf.side, shelf.number, least_pinned(shelf, stock, catalog)});
+  }
+  if (patch.shelves.empty()) return changes;
+  changes.patches.patches.emplace_back();
+  changes.patches.patches.back().stock_shelves = std::move(patch);
+  return changes;
+}
+
+}  // namespace marketgen::scene

@@ -1,0 +1,203 @@
+"""Planograms, written by export, changed with csv, brought back; compliance counted again from the tables of `query`."""
+
+import collections
+import csv
+import json
+import math
+import subprocess
+
+import pytest
+from conftest import PROGRAM, run
+
+PROMPT = "a supermarket with bakery, dairy, produce, snacks, frozen and two checkouts"
+PACK_GAP_M = 0.004  # between facings: half of it on either side of a pack
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """`tidy`, in which all stands as planned, and `untidy`, the same store with faults; the planogram of both."""
+    made = tmp_path_factory.mktemp("planogram")
+    run("generate", PROMPT, "--size", "16x12m", "--seed", 4, "-o", made / "shop", "--no-previews", "--quiet")
+    zones = [zone["id"] for zone in json.loads((made / "shop/plan.json").read_text())["zones"]]
+    for name, faults in {
+        "tidy": {"out_of_stock": 0},
+        "untidy": {"out_of_stock": 0.1, "misplaced": 0.1, "price_tags": {"missing": 0.1, "wrong_price": 0.1}},
+    }.items():
+        patches = [{"set_stock": {"zone": zone, **faults}} for zone in zones]
+        (made / "patch.json").write_text(json.dumps({"schema": "market-patch/1", "patches": patches}))
+        run("edit", made / "shop", "--patch", made / "patch.json", "-o", made / name, "--no-previews", "--quiet")
+    run("export", made / "tidy", "--format", "planogram", "-o", made / "planogram.csv", "--quiet")
+    return made
+
+
+def rows_of(file):
+    with open(file, newline="", encoding="utf-8") as opened:
+        return list(csv.DictReader(opened))
+
+
+def write(file, rows, delimiter=",", encoding="utf-8"):
+    with open(file, "w", newline="", encoding=encoding) as opened:
+        writer = csv.DictWriter(opened, rows[0], delimiter=delimiter)
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def compliance(store, planogram):
+    return json.loads(run("check", store, "--planogram", planogram, "--json"))["compliance"]
+
+
+def edit(store, planogram, out):
+    return json.loads(run("edit", store, "--planogram", planogram, "-o", out, "--no-previews", "--json", "--quiet"))
+
+
+def hash_of(store):
+    return json.loads((store / "store.json").read_text())["scene_hash"]
+
+
+def test_a_stores_own_planogram_changes_nothing(folder):
+    done = edit(folder / "tidy", folder / "planogram.csv", folder / "same")
+    assert done["folder"] == "" and done["patches"] == []
+    assert "shelves of" in done["so_already"][0]
+    assert not (folder / "same").exists()
+
+
+def test_own_planogram_of_a_tidy_store_is_met(folder):
+    measured = compliance(folder / "tidy", folder / "planogram.csv")
+    facings = sum(int(row["facings_wide"]) for row in rows_of(folder / "planogram.csv"))
+    assert measured["score"] == 1 and measured["tag_score"] == 1
+    assert measured["facings"]["planned"] == measured["facings"]["met"] == facings
+    assert measured["extra"] == 0 and measured["unmet"] == []
+
+
+def counted_again(folder, store):
+    """Facings met, missing and otherwise, and from `query` alone: where packs stand, and what the planogram's rows say."""
+    table = lambda name: json.loads(run("query", folder / store, name, "--format", "json"))
+    fixtures = {row["id"]: row for row in table("fixtures")}
+    packs = collections.defaultdict(list)
+    for item in table("products"):
+        if item["fixture"]:
+            packs[item["fixture"], item["level"] + 1].append(item)
+    depth = {row["sku"]: int(row["depth_mm"]) / 1000 for row in rows_of(folder / "planogram.csv")}
+    planned = set(depth)
+    counts = collections.Counter()
+    for row in rows_of(folder / "planogram.csv"):
+        if row["merchandising"] == "loose":
+            continue
+        fixture = fixtures[row["fixture"]]
+        turn = math.radians(fixture["yaw_deg"] + (180 if row["side"] == "back" else 0))
+        wide = int(row["bay_width_mm"]) / 1000
+        square = round(turn / (math.pi / 2)) % 2 == round(math.radians(fixture["yaw_deg"]) / (math.pi / 2)) % 2
+        deep = fixture["depth_m"] if square else fixture["width_m"]
+        pitch = int(row["width_mm"]) / 1000 + PACK_GAP_M
+        for column in range(int(row["facings_wide"])):
+            left = int(row["x_mm"]) / 1000 + column * pitch
+            there = []
+            for item in packs[row["fixture"], int(row["shelf"])]:
+                east, north = item["x_m"] - fixture["x_m"], item["y_m"] - fixture["y_m"]
+                x = east * math.cos(turn) + north * math.sin(turn) + wide / 2
+                y = -east * math.sin(turn) + north * math.cos(turn) + deep / 2
+                if left <= x < left + pitch and 0 <= y < deep:
+                    there.append((y, item["sku"]))
+            front = min(there, default=(0, ""))[0]
+            stack = {sku for y, sku in there if y < front + depth.get(sku, 0.06) / 2}
+            strangers = stack - {row["sku"]}
+            if not there:
+                counts["missing"] += 1
+            elif not strangers:
+                counts["met"] += 1
+            else:
+                counts["misplaced" if strangers & planned else "wrong_product"] += 1
+    return counts
+
+
+def test_compliance_is_what_the_tables_say(folder):
+    measured = compliance(folder / "untidy", folder / "planogram.csv")
+    loose = {
+        (row["fixture"], row["side"], int(row["shelf"]), int(row["position"])): int(row["facings_wide"])
+        for row in rows_of(folder / "planogram.csv")
+        if row["merchandising"] == "loose"
+    }
+    again = counted_again(folder, "untidy")
+    gone = sum(
+        loose[place["fixture"], place.get("side", "front"), place["shelf"], place["position"]]
+        for place in measured["unmet"]
+        if (place["fixture"], place.get("side", "front"), place["shelf"], place["position"]) in loose
+    )
+    assert again["misplaced"] + again["wrong_product"] > 10 and again["missing"] > 50
+    assert measured["facings"]["misplaced"] == again["misplaced"]
+    assert measured["facings"]["wrong_product"] == again["wrong_product"]
+    assert measured["facings"]["missing"] == again["missing"] + gone
+    assert measured["facings"]["met"] == again["met"] + sum(loose.values()) - gone
+    assert measured["score"] == pytest.approx(measured["facings"]["met"] / measured["facings"]["planned"])
+    assert measured["tags"]["missing"] > 5 and measured["tags"]["wrong_price"] > 5
+
+
+def test_a_changed_planogram_comes_back_as_it_was_written(folder):
+    rows = rows_of(folder / "planogram.csv")
+    shelves = collections.defaultdict(list)
+    for row in rows:
+        if row["merchandising"] == "unit":
+            shelves[row["fixture"], row["side"], row["shelf"]].append(row)
+    changed = []
+    for place, on_shelf in list(shelves.items())[::7]:
+        on_shelf = [dict(row, x_mm="", facings_high="", facings_deep="") for row in reversed(on_shelf)][1:]
+        if not on_shelf:
+            continue
+        for number, row in enumerate(on_shelf):
+            row["position"] = str(number + 1)
+            row["facings_wide"] = "1"
+        changed += on_shelf
+    assert len(changed) > 10
+    write(folder / "changed.csv", changed, delimiter=";", encoding="utf-8-sig")  # as Excel does in Germany
+    edit(folder / "tidy", folder / "changed.csv", folder / "as-planned")
+    run("check", folder / "as-planned")
+    assert compliance(folder / "as-planned", folder / "changed.csv")["score"] == 1
+    run("export", folder / "as-planned", "--format", "planogram", "-o", folder / "after.csv", "--check", "--quiet")
+    named = {(row["fixture"], row["side"], row["shelf"]) for row in changed}
+    said = lambda rows, columns, ours: sorted(
+        tuple(row[c] for c in columns)
+        for row in rows
+        if ((row["fixture"], row["side"], row["shelf"]) in named) == ours
+    )
+    after = rows_of(folder / "after.csv")
+    ordered = ["fixture", "side", "shelf", "position", "sku", "facings_wide"]
+    assert said(after, ordered, True) == said(changed, ordered, True)
+    whole = [column for column in rows[0] if column != "store"]
+    assert said(after, whole, False) == said(rows, whole, False)
+    before = hash_of(folder / "as-planned")
+    seed = json.loads((folder / "as-planned/store.json").read_text())["seed"]
+    run("generate", "--plan", folder / "as-planned/plan.json", "--seed", seed, "-o", folder / "again", "--no-previews", "--quiet")
+    assert hash_of(folder / "again") == before
+
+
+def test_refused_rows_are_all_named_and_nothing_is_written(folder):
+    rows = rows_of(folder / "planogram.csv")[:3]
+    rows[0]["sku"], rows[0]["gtin"] = "no-such-thing", ""
+    rows[2]["facings_wide"] = "150"
+    write(folder / "wrong.csv", rows)
+    done = subprocess.run(
+        [PROGRAM, "edit", folder / "tidy", "--planogram", folder / "wrong.csv", "-o", folder / "none"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert "wrong.csv:2:/sku" in done.stderr and "wrong.csv:4:/facings_wide" in done.stderr
+    assert not (folder / "none").exists()
+
+
+def test_in_python(folder):
+    import marketgen
+
+    store = marketgen.open_store(folder / "tidy")
+    assert store.compliance(folder / "planogram.csv")["score"] == 1
+    assert store.edit(planogram=folder / "planogram.csv") is store
+    row = dict(rows_of(folder / "planogram.csv")[0], sku="", gtin="", facings_wide="")
+    write(folder / "empty.csv", [row])
+    emptied = store.edit(planogram=folder / "empty.csv", folder=folder / "emptied")
+    where = f"fixture={row['fixture']},level={int(row['shelf']) - 1}"
+    assert store.query("planogram", where) and not emptied.query("planogram", where + ",side=0")
+    with pytest.raises(marketgen.Error, match="no-such-thing") as caught:
+        write(folder / "unknown.csv", [dict(row, sku="no-such-thing", facings_wide="1")])
+        store.edit(planogram=folder / "unknown.csv")
+    assert caught.value.code == "catalog.unknown_sku"
