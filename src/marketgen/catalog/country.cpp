@@ -70,10 +70,13 @@ Product localized(Product product, const Country& country) {
   return product;
 }
 
-Catalog localized(Catalog catalog, const Country& country) {
-  for (Product& product : catalog.products)
-    product = localized(std::move(product), country);
-  return catalog;
+LocalCatalog::LocalCatalog(const Catalog& rows, const std::optional<std::string>& country)
+    : rows_(rows) {
+  const Country* known = country ? find_country(*country) : nullptr;
+  if (known == nullptr) return;
+  local_ = rows;
+  for (Product& product : local_->products)
+    product = localized(std::move(product), *known);
 }
 
 std::string price_text(double price, const Country& country) {

@@ -1,6 +1,7 @@
 // Money and units of price tags by country. Rows of the catalogue are in euro and metric units; a
 // store in a country has rows of its own money (Product::country), made by localized().
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,8 +39,18 @@ double usual_price(double price, const Country& country);
 // The row with its price in the country's money, on the nearest usual ending, never 0. A row that
 // is in that money already stays as it is.
 Product localized(Product product, const Country& country);
-// Every row so.
-Catalog localized(Catalog catalog, const Country& country);
+
+// The catalogue as a store in a country has it; the very one where none is named. `country` must be
+// known, `rows` outlive it.
+class LocalCatalog {
+ public:
+  LocalCatalog(const Catalog& rows, const std::optional<std::string>& country);
+  const Catalog& get() const { return local_ ? *local_ : rows_; }
+
+ private:
+  const Catalog& rows_;
+  std::optional<Catalog> local_;
+};
 
 // "2.38 €", "$2.49", "¥258".
 std::string price_text(double price, const Country& country);

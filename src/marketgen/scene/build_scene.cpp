@@ -306,10 +306,8 @@ Result<Scene> build_scene(const layout::Layout& layout,
                           const plan::Plan& plan,
                           const catalog::Catalog& rows,
                           Seed seed) {
-  const catalog::Country* country = plan.country ? catalog::find_country(*plan.country) : nullptr;
-  const catalog::Catalog local =
-      country != nullptr ? catalog::localized(rows, *country) : catalog::Catalog{};
-  const catalog::Catalog& catalog = country != nullptr ? local : rows;
+  const catalog::LocalCatalog local(rows, plan.country);
+  const catalog::Catalog& catalog = local.get();
   Scene scene;
   scene.seed = seed.value();
   scene.layout = layout;

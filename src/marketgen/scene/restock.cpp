@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "catalog/country.h"
 #include "io/json.h"
 #include "scene/catalog_slice.h"
 
@@ -179,7 +180,7 @@ Result<Scene> restocked(Scene scene,
   }
   give_up_catalog_slice(scene, catalog);
   Splice(scene, rows).run();
-  take_catalog_slice(scene, catalog);
+  take_catalog_slice(scene, catalog::LocalCatalog(catalog, plan.country).get());
   return scene;
 }
 
