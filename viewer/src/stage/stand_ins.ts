@@ -3,8 +3,8 @@
 // (Not instanced: WebGL without a GPU takes 0.1 ms an instance.)
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, Mesh, Vector3, type RawShaderMaterial, type Texture } from "three";
 import type { Sku } from "../store/contract";
-import { faceLight, rotated, type GoodsLight } from "./goods_light";
-import { facesAnyway, fronts, rotationOf, type Cell, type GoodsTable, type Quaternion } from "./goods_table";
+import { lightOn, type GoodsLight } from "./goods_light";
+import { facesAnyway, fronts, type Cell, type GoodsTable } from "./goods_table";
 import { standInMaterial, type Shared } from "./shading";
 
 export enum Form {
@@ -20,13 +20,13 @@ export interface Portraits {
   readonly forms: Uint8Array; // by SKU row
 }
 
-// Sides of a box, in the product frame: -1..1 across, 0..1 up.
+// Sides of a box, in the product frame: -1..1 across, 0..1 up. `look`: along which axis (first of its three numbers), and which way.
 const sides = [
-  { corners: [[-1, -1, 0], [1, -1, 0], [1, -1, 1], [-1, -1, 1]], normal: [0, -1, 0], view: 0 }, // front
-  { corners: [[1, -1, 0], [1, 1, 0], [1, 1, 1], [1, -1, 1]], normal: [1, 0, 0], view: 1 }, // right
-  { corners: [[-1, 1, 0], [-1, -1, 0], [-1, -1, 1], [-1, 1, 1]], normal: [-1, 0, 0], view: 1 }, // left
-  { corners: [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], normal: [0, 0, 1], view: 2 }, // top
-  { corners: [[1, 1, 0], [-1, 1, 0], [-1, 1, 1], [1, 1, 1]], normal: [0, 1, 0], view: 0 }, // back
+  { corners: [[-1, -1, 0], [1, -1, 0], [1, -1, 1], [-1, -1, 1]], look: [3, -1], view: 0 }, // front
+  { corners: [[1, -1, 0], [1, 1, 0], [1, 1, 1], [1, -1, 1]], look: [0, 1], view: 1 }, // right
+  { corners: [[-1, 1, 0], [-1, -1, 0], [-1, -1, 1], [-1, 1, 1]], look: [0, -1], view: 1 }, // left
+  { corners: [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], look: [6, 1], view: 2 }, // top
+  { corners: [[1, 1, 0], [-1, 1, 0], [-1, 1, 1], [1, 1, 1]], look: [3, 1], view: 0 }, // back
 ] as const;
 enum Side {
   front = 0,
@@ -36,12 +36,22 @@ enum Side {
   back = 4,
 }
 const corners = sides.length * 4; // of a pack
+const boxCorners = Float32Array.from(sides.flatMap((side) => side.corners.flat()));
+const tints = Float64Array.from({ length: 256 }, (_, tint) => (tint / 200) ** 0.4545);
 const picture = [
   [0, 0],
   [1, 0],
   [1, 1],
   [0, 1],
 ] as const; // of a side's corners
+const twoTriangles = [0, 1, 2, 0, 2, 3] as const; // of a side's corners
+const perCorner = [
+  ["position", 3],
+  ["across", 1],
+  ["uv", 2],
+  ["color", 4],
+  ["light", 4],
+] as const;
 const seenRows = 2; // how many packs behind one another show their front
 const topShare = 0.93; // of the height: where a round pack's picture from above lies
 const inset = 1.5; // texels about a picture that are not its own
@@ -52,12 +62,12 @@ interface Run {
   readonly starts: Uint32Array; // of each pack, and the end
 }
 
-interface Box {
-  readonly turn: Quaternion;
-  readonly place: readonly [number, number, number];
-  readonly size: readonly [number, number, number];
-  readonly round: boolean;
+// A table of before, whose packs stand as they stood.
+export interface Before {
+  readonly standIns: StandIns;
+  readonly rows: Uint32Array; // by row now: the row then, or nowhere
 }
+export const nowhere = 0xffffffff;
 
 interface Draw {
   readonly mesh: Mesh;
@@ -93,11 +103,15 @@ export class StandIns {
   private portraits: Portraits | undefined;
   private painted: Uint8Array | undefined; // RGB by product row
   private readonly seen: Uint32Array; // by cell: rows that show their front
+  private readonly forms: Uint8Array; // by place in the table's order
 
+  // `light`: the goods' own; undefined: it is still to come.
   constructor(
     private readonly table: GoodsTable,
     private readonly skus: readonly Sku[],
     private readonly shared: Shared,
+    light?: GoodsLight,
+    before?: Before,
   ) {
     const vertices = table.count * corners;
     this.position = new Float32Array(vertices * 3);
@@ -105,18 +119,19 @@ export class StandIns {
     this.uv = new Uint16Array(vertices * 2);
     this.color = new Uint8Array(vertices * 4);
     this.light = new Uint8Array(vertices * 4);
+    this.forms = new Uint8Array(table.order.length);
     this.seen = Uint32Array.from(table.cells, (cell) => this.rowsSeen(cell));
-    this.writeShapes(undefined);
-    this.writeLight(undefined);
+    this.portraits = before?.standIns.portraits;
+    this.uniforms.pictures.value = this.portraits?.texture ?? null;
+    const fresh = before ? this.copyFrom(before) : undefined;
+    this.writeShapes(fresh);
+    this.writeColors(before?.standIns.painted ? undefined : fresh);
+    this.writeLight(light, fresh);
     const attributes = this.attributes();
     const plain = standInMaterial(shared, this.uniforms, []);
     this.draws = [drawOf(attributes, table.count, plain, -500), drawOf(attributes, table.count, plain, -400)];
     this.group.add(...this.draws.map(({ mesh }) => mesh));
-  }
-
-  // What a table that takes this one's place wears from the start.
-  get pictures(): Portraits | undefined {
-    return this.portraits;
+    if (this.portraits) this.wear();
   }
 
   dispose(): void {
@@ -176,7 +191,8 @@ export class StandIns {
   setPortraits(portraits: Portraits): void {
     this.uniforms.pictures.value = portraits.texture;
     this.portraits = portraits;
-    this.writeShapes(portraits);
+    this.writeShapes();
+    this.writeColors();
     this.wear();
     for (const name of ["position", "across", "uv"]) this.draws[0].mesh.geometry.getAttribute(name).needsUpdate = true;
   }
@@ -245,32 +261,55 @@ export class StandIns {
       starts[i] = filled;
       if (!has(i)) continue;
       const v = i * corners + side * 4;
-      indices.set([v, v + 1, v + 2, v, v + 2, v + 3], filled);
-      filled += 6;
+      for (const corner of twoTriangles) indices[filled++] = v + corner;
     }
     starts[count] = filled;
     return { indices: indices.slice(0, filled), starts };
   }
 
-  private writeShapes(portraits: Portraits | undefined): void {
+  // Takes over what has been written of packs before; the places in the table's order of those that are left.
+  private copyFrom({ standIns: old, rows }: Before): Uint32Array {
+    const { order } = this.table;
+    const packs = new Uint32Array(old.table.count).fill(nowhere);
+    old.table.order.forEach((row, i) => (packs[row] = i));
+    const packOf = (i: number): number => (i < order.length && rows[order[i]!] !== nowhere ? packs[rows[order[i]!]!]! : nowhere);
+    const left: number[] = [];
+    for (let i = 0; i < order.length; ) {
+      const first = packOf(i);
+      if (first === nowhere) {
+        left.push(i++);
+        continue;
+      }
+      let count = 1;
+      while (packOf(i + count) === first + count) count++;
+      this.copyPacks(old, first, i, count);
+      i += count;
+    }
+    return Uint32Array.from(left);
+  }
+
+  private copyPacks(old: StandIns, from: number, to: number, count: number): void {
+    this.forms.set(old.forms.subarray(from, from + count), to);
+    for (const [name, width] of perCorner) {
+      const size = width * corners;
+      this[name].set(old[name].subarray(from * size, (from + count) * size), to * size);
+    }
+  }
+
+  private writeShapes(which: Iterable<number> = this.table.order.keys()): void {
     const { order, sku, position } = this.table;
-    const forms = new Uint8Array(this.table.count);
-    order.forEach((row, i) => {
+    const { portraits, forms } = this;
+    for (const i of which) {
+      const row = order[i]!;
       const type = sku[row]!;
-      const turn = rotationOf(this.table, row);
-      const upright = turn[0] ** 2 + turn[1] ** 2 < 0.02;
-      const box: Box = {
-        turn,
-        place: [position[row * 3]!, position[row * 3 + 1]!, position[row * 3 + 2]!],
-        size: this.skus[type]!.size_m,
-        round: upright && portraits?.forms[type] === Form.round,
-      };
+      readAxes(this.table.rotation, row);
+      const upright = axes[8]! > 0.96;
+      const round = upright && portraits?.forms[type] === Form.round;
       const form = portraits?.forms[type] ?? Form.solid;
-      forms[i] = form === Form.round && !box.round ? Form.cut : form;
-      for (let side = 0; side < sides.length; side++) this.writeSide(i * corners + side * 4, side, box);
-      if (portraits && type < portraits.forms.length) this.writePictures(i, type, portraits);
-    });
-    this.writeColors();
+      forms[i] = form === Form.round && !round ? Form.cut : form;
+      this.writeBox(i * corners, position, row * 3, this.skus[type]!.size_m, round);
+      if (portraits && type < portraits.forms.length) this.uv.set(picturesOf(type, portraits), i * corners * 2);
+    }
     const turns = [Side.front, Side.top]; // what a round pack has
     this.runs = sides.map((_, side) => [
       this.runOf(side, (pack) => forms[pack] === Form.solid),
@@ -278,55 +317,98 @@ export class StandIns {
     ]);
   }
 
-  private writeColors(): void {
+  private writeColors(which: Iterable<number> = this.table.order.keys()): void {
     const { order, sku, tint } = this.table;
     const pictured = (type: number): boolean => type < (this.portraits?.forms.length ?? 0);
     const colors = this.skus.map(({ color }, type) => (pictured(type) ? 0xffffff : Number.parseInt(color.slice(1), 16)));
-    order.forEach((row, i) => {
+    const out = this.color;
+    for (const i of which) {
+      const row = order[i]!;
       const color = colors[sku[row]!]!;
-      const own = [16, 8, 0].map((shift, k) => Math.min(((color >> shift) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545, 255));
-      const [r, g, b] = this.painted ? this.painted.subarray(row * 3, row * 3 + 3) : own;
-      const alpha = !this.portraits || pictured(sku[row]!) ? 255 : 0;
-      for (let v = i * corners; v < (i + 1) * corners; v++) this.color.set([r!, g!, b!, alpha], v * 4);
-    });
+      const o = i * corners * 4;
+      for (let k = 0; k < 3; k++) {
+        const own = ((color >> (16 - 8 * k)) & 255) * tints[tint[row * 3 + k]!]!;
+        out[o + k] = this.painted ? this.painted[row * 3 + k]! : Math.min(own, 255);
+      }
+      out[o + 3] = !this.portraits || pictured(sku[row]!) ? 255 : 0;
+      spread(out, o, corners);
+    }
   }
 
-  private writeSide(vertex: number, side: Side, { turn, place, size, round }: Box): void {
-    sides[side]!.corners.forEach(([x, y, z], k) => {
-      const v = vertex + k;
-      let local: [number, number, number] = [(x * size[0]) / 2, (y * size[1]) / 2, z * size[2]];
-      this.across[v] = 0;
-      if (round && side === Side.front) {
-        local = [0, 0, z * size[2]];
-        this.across[v] = (x * Math.max(size[0], size[1])) / 2;
-      } else if (round && side === Side.top) local[2] = size[2] * topShare;
-      const at = rotated(turn, local);
-      for (let axis = 0; axis < 3; axis++) this.position[v * 3 + axis] = at[axis]! + place[axis]!;
-    });
+  // By the pack's axes.
+  private writeBox(vertex: number, places: Float32Array, place: number, size: readonly [number, number, number], round: boolean): void {
+    const [front, top] = [(Side.front + 1) * 4, Side.top * 4];
+    for (let k = 0; k < corners; k++) {
+      const turns = round && k < front; // with the eye, about the upright axis
+      const flat = turns ? 0 : 1;
+      const x = (boxCorners[k * 3]! * size[0] * flat) / 2;
+      const y = (boxCorners[k * 3 + 1]! * size[1] * flat) / 2;
+      const z = round && k >= top && k < top + 4 ? size[2] * topShare : boxCorners[k * 3 + 2]! * size[2];
+      this.across[vertex + k] = turns ? (boxCorners[k * 3]! * Math.max(size[0], size[1])) / 2 : 0;
+      const o = (vertex + k) * 3;
+      for (let axis = 0; axis < 3; axis++) this.position[o + axis] = places[place + axis]! + x * axes[axis]! + y * axes[3 + axis]! + z * axes[6 + axis]!;
+    }
   }
 
-  private writePictures(pack: number, sku: number, { cells, cellTexels }: Portraits): void {
-    sides.forEach(({ view }, side) => {
-      const cell = sku * 3 + view;
-      const [column, line] = [cell % cells[0], Math.floor(cell / cells[0])];
-      picture.forEach(([u, v], k) => {
-        const o = (pack * corners + side * 4 + k) * 2;
-        const within = (share: number, texels: number): number => (inset + share * (texels - 2 * inset)) / texels;
-        this.uv[o] = ((column + within(u, cellTexels[0])) / cells[0]) * 65535;
-        this.uv[o + 1] = ((line + within(v, cellTexels[1])) / cells[1]) * 65535;
-      });
-    });
+  private writeLight(light: GoodsLight | undefined, which: Iterable<number> = this.table.order.keys()): void {
+    const out = this.light;
+    for (const i of which) {
+      const row = this.table.order[i]!;
+      readAxes(this.table.rotation, row);
+      for (let side = 0; side < sides.length; side++) {
+        const o = (i * corners + side * 4) * 4;
+        const [axis, sign] = sides[side]!.look;
+        if (light) lightOn(light, row, sign * axes[axis]!, sign * axes[axis + 1]!, sign * axes[axis + 2]!, out, o);
+        else out.fill(side === Side.top ? 0x74 : 0x6a, o, o + 3);
+        out[o + 3] = 255;
+        spread(out, o, 4);
+      }
+    }
   }
+}
 
-  private writeLight(light: GoodsLight | undefined): void {
-    this.table.order.forEach((row, i) => {
-      const turn = rotationOf(this.table, row);
-      sides.forEach(({ normal }, side) => {
-        const word = light ? faceLight(light, row, turn, normal) : side === Side.top ? 0x747474 : 0x6a6a6a;
-        for (let k = 0; k < 4; k++) {
-          this.light.set([word & 255, (word >> 8) & 255, word >> 16, 255], (i * corners + side * 4 + k) * 4);
-        }
-      });
+// A pack's x, y and z axis in the store, one after another.
+const axes = new Float64Array(9);
+
+function readAxes(rotation: Int16Array, row: number): void {
+  const [x, y, z, w] = [rotation[row * 4]! / 32767, rotation[row * 4 + 1]! / 32767, rotation[row * 4 + 2]! / 32767, rotation[row * 4 + 3]! / 32767];
+  axes[0] = 1 - 2 * (y * y + z * z);
+  axes[1] = 2 * (x * y + w * z);
+  axes[2] = 2 * (x * z - w * y);
+  axes[3] = 2 * (x * y - w * z);
+  axes[4] = 1 - 2 * (x * x + z * z);
+  axes[5] = 2 * (y * z + w * x);
+  axes[6] = 2 * (x * z + w * y);
+  axes[7] = 2 * (y * z - w * x);
+  axes[8] = 1 - 2 * (x * x + y * y);
+}
+
+// The first of so many colours is that of all.
+function spread(colors: Uint8Array, o: number, count: number): void {
+  for (let filled = 4; filled < count * 4; filled *= 2) colors.copyWithin(o + filled, o, o + Math.min(filled, count * 4 - filled));
+}
+
+const pictures = new WeakMap<Portraits, Map<number, Uint16Array>>();
+
+// Where a SKU's pictures lie, for all corners of its box.
+function picturesOf(sku: number, portraits: Portraits): Uint16Array {
+  let known = pictures.get(portraits);
+  if (!known) pictures.set(portraits, (known = new Map<number, Uint16Array>()));
+  let uv = known.get(sku);
+  if (!uv) known.set(sku, (uv = writtenPictures(sku, portraits)));
+  return uv;
+}
+
+function writtenPictures(sku: number, { cells, cellTexels }: Portraits): Uint16Array {
+  const uv = new Uint16Array(corners * 2);
+  const within = (share: number, texels: number): number => (inset + share * (texels - 2 * inset)) / texels;
+  sides.forEach(({ view }, side) => {
+    const cell = sku * 3 + view;
+    const [column, line] = [cell % cells[0], Math.floor(cell / cells[0])];
+    picture.forEach(([u, v], k) => {
+      uv[(side * 4 + k) * 2] = ((column + within(u, cellTexels[0])) / cells[0]) * 65535;
+      uv[(side * 4 + k) * 2 + 1] = ((line + within(v, cellTexels[1])) / cells[1]) * 65535;
     });
-  }
+  });
+  return uv;
 }
