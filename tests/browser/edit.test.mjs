@@ -122,6 +122,125 @@ test("a border is dragged, taken back, done again, saved, and the saved plan mak
   await close();
 });
 
+const done = async (page, count) => {
+  await page.waitForFunction((n) => document.querySelectorAll(".edit .lines li:not(.none):not(.undone)").length === n, count, { timeout: patience });
+  await idle(page);
+};
+const choose = async (page, zone) => {
+  await page.locator(`.plan .zone[data-zone="${zone}"]`).focus();
+  await page.keyboard.press("Enter");
+};
+// Where a run's fixtures are, west to east, in millimetres.
+const placesOf = (page, run) => page.evaluate((id) => window.marketgen.app.summary.fixtures.filter((fixture) => fixture.run === id).map(({ position_m: [x, y] }) => [Math.round(x * 1000), Math.round(y * 1000)]), run);
+
+test("a run of shelves is dragged: rules are seen as it moves, it is taken back, saved, and the plan alone makes it again", async () => {
+  const { page, faults, close } = await open();
+  await openEditor(page);
+  await idle(page);
+  const before = (await steps(page)) - (await undone(page));
+  assert.equal(await page.locator(".plan .run").count(), 0, "of the chosen zone alone");
+  await choose(page, "drinks");
+  const run = await page.evaluate(() => {
+    const gondolas = window.marketgen.app.summary.fixtures.filter(({ zone, kind }) => zone === "drinks" && kind === "gondola");
+    return gondolas[0].run;
+  });
+  const handle = page.locator(`.plan .run[data-run="${run}"]`);
+  const places = await placesOf(page, run);
+  const middle = async () => {
+    const box = await handle.boundingBox();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  };
+  let [x, y] = await middle();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (const far of [10, 30, 50]) await page.mouse.move(x + far, y);
+  await page.locator(".edit > .fault-text").filter({ hasText: /\S/ }).waitFor({ timeout: patience });
+  assert.ok((await page.locator(".plan .fixture").count()) > 0, "where all would stand");
+  await take(page, "edit-run-held");
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  await idle(page);
+  assert.equal((await steps(page)) - (await undone(page)), before, "given up");
+  assert.deepEqual(await placesOf(page, run), places);
+
+  [x, y] = await middle();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (const far of [1, 2, 3]) await page.mouse.move(x - far, y);
+  await page.mouse.up();
+  await done(page, before + 1);
+  const moved = await placesOf(page, run);
+  const by = moved[0][0] - places[0][0];
+  assert.ok(by < -20 && by > -300, `${by} mm`);
+  assert.deepEqual(moved, places.map(([a, b]) => [a + by, b]));
+  assert.match(await page.locator(".edit .lines li").last().textContent(), /X mm \d+/);
+  await take(page, "edit-run-moved");
+
+  await page.keyboard.press("Control+z");
+  await done(page, before);
+  assert.deepEqual(await placesOf(page, run), places);
+  await page.keyboard.press("Control+Shift+z");
+  await done(page, before + 1);
+
+  await page.getByRole("textbox", { name: "Save as" }).fill("run-moved");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByText("Saved as run-moved.").waitFor({ timeout: patience });
+  const read = (name) => JSON.parse(readFileSync(join(folder, name, "store.json"), "utf8"));
+  execFileSync(program, ["generate", "--plan", join(folder, "run-moved", "plan.json"), "--seed", "3", "--no-previews", "--quiet", "-o", join(folder, "run-again")]);
+  assert.equal(read("run-again").scene_hash, read("run-moved").scene_hash);
+
+  await page.locator('[data-field="free"]').focus();
+  await page.keyboard.press("Enter");
+  await done(page, before + 2);
+  assert.deepEqual(await placesOf(page, run), places, "it stands as usual");
+  await handle.focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Enter");
+  await done(page, before + 3);
+  assert.deepEqual(await placesOf(page, run), places.map(([a, b]) => [a - 50, b]));
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await done(page, before);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("facings and aisles of a zone are set by its fields, and taken back", async () => {
+  const { page, faults, close } = await open({ colorScheme: "dark" });
+  await openEditor(page);
+  await idle(page);
+  const before = (await steps(page)) - (await undone(page));
+  const opened = await products(page);
+  await choose(page, "snacks");
+  const fewest = page.getByRole("spinbutton", { name: "Fewest facings of a product" });
+  const most = page.getByRole("spinbutton", { name: "Most facings of a product" });
+  assert.equal(await fewest.inputValue(), "2");
+  await fewest.fill("6");
+  await page.keyboard.press("Enter");
+  await done(page, before + 1);
+  assert.equal(await most.inputValue(), "6", "no fewer than the fewest");
+  assert.notEqual(await products(page), opened);
+  await take(page, "edit-facings-dark");
+  await page.keyboard.press("Control+z");
+  await done(page, before);
+  assert.equal(await products(page), opened);
+  assert.equal(await fewest.inputValue(), "2");
+
+  const aisle = page.getByRole("spinbutton", { name: "Aisles, mm" });
+  assert.equal(await aisle.inputValue(), "");
+  await aisle.fill("1300");
+  await page.keyboard.press("Enter");
+  await done(page, before + 1);
+  assert.equal(await aisle.inputValue(), "1300");
+  await aisle.fill("");
+  await page.keyboard.press("Enter");
+  await done(page, before + 2);
+  assert.equal(await products(page), opened, "as usual");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("a second visitor is told, sees the store as it was opened, and may edit when the first has gone", async () => {
   const first = await open();
   await openEditor(first.page);

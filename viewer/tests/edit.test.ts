@@ -1,8 +1,9 @@
 import { expect, test } from "vitest";
 import type { Cut, EditLine } from "../src/edit/contract";
 import { lineOf, ratioAt } from "../src/edit/cuts";
-import { editedGoods, editedGoodsLight, editedRoom, none } from "../src/edit/delta";
+import { editedGoods, editedGoodsLight, editedRoom, none, rowsBefore } from "../src/edit/delta";
 import { NearLight, wayOf } from "../src/edit/light";
+import { pinsOf, rounded, shifted, unpinned } from "../src/edit/runs";
 import { lineText } from "../src/edit/steps";
 import { EditClient } from "../src/edit/client";
 import { MemorySections } from "../src/store/packed";
@@ -97,6 +98,26 @@ test("a shape stands at each of its places, turned", () => {
   ]);
 });
 
+test("rows that were shown before are those of the same row of the opened store", () => {
+  const from = Uint32Array.from([1, none, 0]);
+  expect([...rowsBefore(from, undefined, 3)]).toEqual([1, none, 0]);
+  expect([...rowsBefore(from, Uint32Array.from([none, 2, 1]), 3)]).toEqual([2, none, none]);
+});
+
+const run = { id: "dairy/run-1", zone: "dairy", fixture: "dairy/run-1/module-1", at_mm: [3000, 4000], rect_mm: [2500, 3500, 6000, 4500], pinned: true } as const;
+
+test("a run that is carried is pinned where it is put down, and set free again", () => {
+  expect(rounded({ x: 123, y: -6 })).toEqual({ x: 120, y: -10 });
+  expect(shifted(run.rect_mm, { x: 120, y: -10 })).toEqual([2620, 3490, 6120, 4490]);
+  expect(pinsOf(run, { x: 120, y: 0 })).toEqual([{ set_override: { fixture: run.fixture, field: "x_mm", value: "3120" } }]);
+  expect(pinsOf(run, { x: 0, y: 0 })).toEqual([]);
+  const places = [
+    { fixture: run.fixture, field: "y_mm", value: "1" },
+    { fixture: "snacks/run-1/module-1", field: "x_mm", value: "2" },
+  ];
+  expect(unpinned({ places, runs: [run] }, "dairy")).toEqual([{ set_override: { fixture: run.fixture, field: "y_mm" } }]);
+});
+
 const cut: Cut = { node: "back", split: "x", ratio: 0.5, gap_mm: 2000, rect_mm: [1000, 0, 13000, 8000] };
 
 test("a border lies in the middle of its gap, and is where it was dragged to", () => {
@@ -111,6 +132,9 @@ test("steps are read as sentences, in the words that were said where there are s
   const line = (patches: object[], words = ""): EditLine => ({ words, patches, lost: [] }) as unknown as EditLine;
   expect(lineText(line([{ set_ratio: { node: "back", ratio: 0.562 } }, { swap_leaves: { a: "dairy", b: "bakery" } }]), speech)).toBe("border back at 56.2 %; dairy ⇄ bakery");
   expect(lineText(line([{ set_fixture: { zone: "drinks", levels: 6 } }]), speech)).toBe("drinks: Levels 6");
+  expect(lineText(line([{ set_override: { fixture: run.fixture, field: "x_mm", value: "3120" } }, { set_override: { fixture: run.fixture, field: "y_mm" } }]), speech)).toBe(
+    "dairy/run-1/module-1: X mm 3120; dairy/run-1/module-1: Y mm as usual",
+  );
   expect(lineText(line([{ drop_zone: { zone: "wine" } }], "no alcohol"), speech)).toBe("no alcohol");
 });
 

@@ -7,6 +7,7 @@
 #include "io/json.h"
 #include "layout/floor.h"
 #include "layout/module_spec.h"
+#include "layout/overrides.h"
 #include "layout/zone_ground.h"
 
 namespace marketgen::layout {
@@ -67,15 +68,15 @@ bool has_tills(const plan::Zone& zone, const catalog::Catalog& catalog) {
   return kind != nullptr && kind->role == catalog::FixtureRole::checkout;
 }
 
-// Zones of fixtures that had a pinned value which they no longer have.
-void add_unpinned(Ids& ids, const plan::Plan& before, const plan::Plan& after) {
-  for (const plan::Override& old : before.overrides) {
-    const bool stays = std::ranges::any_of(after.overrides, [&](const plan::Override& o) {
-      return o.fixture == old.fixture && o.field_name == old.field_name && o.value == old.value;
+// Zones of the fixtures of `pins` that `plan` does not pin to the same value.
+void add_zones_of_pins(Ids& ids, const std::vector<plan::Override>& pins, const plan::Plan& plan) {
+  for (const plan::Override& pin : pins) {
+    const bool stays = std::ranges::any_of(plan.overrides, [&](const plan::Override& o) {
+      return o.fixture == pin.fixture && o.field_name == pin.field_name && o.value == pin.value;
     });
     if (stays) continue;
-    for (const plan::Zone& zone : after.zones) {
-      if (old.fixture.starts_with(zone.id + "/")) ids.insert(zone.id);
+    for (const plan::Zone& zone : plan.zones) {
+      if (pin.fixture.starts_with(zone.id + "/")) ids.insert(zone.id);
     }
   }
 }
@@ -107,7 +108,10 @@ std::set<std::string> zones_to_furnish(const plan::Plan& before,
         before.profile != after.profile)
       ids.insert(zone.id);
   }
-  add_unpinned(ids, before, after);
+  add_zones_of_pins(ids, before.overrides, after);
+  // Accessories go by where the run stands that is moved.
+  add_zones_of_pins(ids, pinned_places(after), before);
+  std::erase_if(ids, [&](const std::string& id) { return plan::find_zone(after, id) == nullptr; });
   return ids;
 }
 

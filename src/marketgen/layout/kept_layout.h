@@ -14,7 +14,7 @@ namespace marketgen::layout {
 // Ids of the zones of `after` that are to be furnished anew: those that are new or whose type,
 // temperature, fixtures or floor changed; those at a door, window or column that changed; with an
 // entrance or exit that changed also the tills; those of a fixture whose pinned value was changed
-// or set free. Preconditions: valid plans.
+// or set free, or whose place is newly pinned. Preconditions: valid plans.
 std::set<std::string> zones_to_furnish(const plan::Plan& before,
                                        const plan::Plan& after,
                                        const catalog::Catalog& catalog);

@@ -57,10 +57,19 @@ void furnish_zones(Build& build) {
   fill_empty_zones(build);
 }
 
-std::vector<Fixture> furnish(const Design& design, Seed seed) {
+// What stands, where the plan pins it, and accessories round it.
+Result<std::vector<Fixture>> with_pins(const Build& build, std::vector<Fixture> fixtures) {
+  std::vector<ZoneFloor> floors;
+  for (const GroundBuild& ground : build.grounds)
+    floors.push_back({build.zones[ground.zone].zone->id, ground.ground.rect});
+  MARKETGEN_CHECK(move_runs(fixtures, build.design.plan, floors));
+  return with_accessories(build, std::move(fixtures));
+}
+
+Result<std::vector<Fixture>> furnish(const Design& design, Seed seed) {
   Build build = start_build(design, seed);
   furnish_zones(build);
-  return with_accessories(build, opened_up(design, build.site.take_fixtures()));
+  return with_pins(build, opened_up(design, build.site.take_fixtures()));
 }
 
 // Puts the fixtures of zones that are not furnished anew where they stood.
@@ -77,10 +86,10 @@ void keep_fixtures(Build& build, const Layout& before) {
   stand_again(build.site, build.design, kept);
 }
 
-std::vector<Fixture> furnish_round(const Design& design,
-                                   Seed seed,
-                                   const Layout& before,
-                                   const std::set<std::string>& furnish) {
+Result<std::vector<Fixture>> furnish_round(const Design& design,
+                                           Seed seed,
+                                           const Layout& before,
+                                           const std::set<std::string>& furnish) {
   Build build = start_build(design, seed);
   std::set<std::string> standing;
   for (ZoneBuild& zone : build.zones) {
@@ -91,7 +100,7 @@ std::vector<Fixture> furnish_round(const Design& design,
                 [&](const GroupBuild& group) { return build.zones[group.zone].stands; });
   keep_fixtures(build, before);
   furnish_zones(build);
-  return with_accessories(build, opened_up(design, build.site.take_fixtures(), standing));
+  return with_pins(build, opened_up(design, build.site.take_fixtures(), standing));
 }
 
 // Everything of the layout but its fixtures, and what depends on all of them.
@@ -127,7 +136,8 @@ Result<Layout> make_layout(const plan::Plan& plan, const catalog::Catalog& catal
   MARKETGEN_CHECK(check_floor(plan.shell));
   const Design design = make_design(plan, catalog);
   MARKETGEN_CHECK(check_modules(design));
-  return with_fixtures(design, furnish(design, seed.child(fixtures_stream)));
+  MARKETGEN_TRY(std::vector<Fixture> fixtures, furnish(design, seed.child(fixtures_stream)));
+  return with_fixtures(design, std::move(fixtures));
 }
 
 Result<Layout> make_layout_keeping(const plan::Plan& plan,
@@ -138,7 +148,9 @@ Result<Layout> make_layout_keeping(const plan::Plan& plan,
   MARKETGEN_CHECK(check_floor(plan.shell));
   const Design design = make_design(plan, catalog);
   MARKETGEN_CHECK(check_modules(design));
-  return with_fixtures(design, furnish_round(design, seed.child(fixtures_stream), before, furnish));
+  MARKETGEN_TRY(std::vector<Fixture> fixtures,
+                furnish_round(design, seed.child(fixtures_stream), before, furnish));
+  return with_fixtures(design, std::move(fixtures));
 }
 
 }  // namespace marketgen::layout

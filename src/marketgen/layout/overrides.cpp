@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <optional>
+#include <set>
 
 #include "base/text.h"
+#include "layout/accessories.h"
 #include "layout/module_spec.h"
+#include "layout/side.h"
 
 namespace marketgen::layout {
 namespace {
+
+constexpr int max_place_mm = 200'000;  // a store is at most so wide
 
 std::string pointer(std::size_t index, std::string_view field) {
   return "/overrides/" + std::to_string(index) + "/" + std::string(field);
@@ -95,6 +101,73 @@ Result<void> change_material(Fixture& fixture,
   return {};
 }
 
+bool is_place(const plan::Override& change) {
+  return change.field_name == "x_mm" || change.field_name == "y_mm";
+}
+
+// move_runs has moved all others.
+Result<void> check_may_move(const Fixture& fixture, std::size_t index) {
+  if (!is_accessory(fixture)) return {};
+  return Error{"plan.bad_value",
+               pointer(index, "field"),
+               "\"" + fixture.id +
+                   "\" stands beside what its zone is for, wherever there is room: its place "
+                   "cannot be pinned; that of a run of shelves can"};
+}
+
+// Whether two fixtures stand back to back, with at most the floor for staff between them.
+bool back_to_back(const Fixture& a, const Fixture& b) {
+  constexpr int between_mm = 1000;
+  const Side back = opposite(facing_of(a.yaw_deg));
+  return a.zone == b.zone && a.kind == b.kind && a.sides == 1 && b.sides == 1 &&
+         facing_of(b.yaw_deg) == back &&
+         overlap(strip_beyond(footprint_of(a), back, between_mm), footprint_of(b));
+}
+
+// The runs that move with one: itself and what stands back to back with it.
+std::set<std::string> moving_runs(const std::vector<Fixture>& fixtures, const std::string& run) {
+  std::set<std::string> runs{run};
+  for (const Fixture& own : fixtures) {
+    if (own.run != run) continue;
+    for (const Fixture& other : fixtures)
+      if (other.run != run && back_to_back(own, other)) runs.insert(other.run);
+  }
+  return runs;
+}
+
+bool on_zone(const Fixture& fixture, const std::vector<ZoneFloor>& floors) {
+  return std::ranges::any_of(floors, [&](const ZoneFloor& floor) {
+    return floor.zone == fixture.zone && overlap(floor.rect, footprint_of(fixture));
+  });
+}
+
+Error beside_its_zone(const Fixture& fixture, std::size_t index) {
+  return {"plan.bad_value",
+          pointer(index, "value"),
+          "\"" + fixture.id + "\" would not stand on the floor of its zone \"" + fixture.zone +
+              "\"; pin a place on it, or set the fixture free (set_override without a value)"};
+}
+
+Result<void> move_run(std::vector<Fixture>& fixtures,
+                      const Fixture& pinned,
+                      const plan::Override& change,
+                      std::size_t index,
+                      const std::vector<ZoneFloor>& floors) {
+  int Fixture::*const axis = change.field_name == "x_mm" ? &Fixture::x_mm : &Fixture::y_mm;
+  MARKETGEN_TRY(const int to, whole_number(change, index, {0, max_place_mm}));
+  const int by = to - pinned.*axis;
+  if (by == 0) return {};
+  const std::set<std::string> runs = moving_runs(fixtures, pinned.run);
+  bool stands = false;  // a run along a wall reaches over half of the gap to the next zone
+  for (Fixture& fixture : fixtures) {
+    if (!runs.contains(fixture.run) && !runs.contains(fixture.endcap_of)) continue;
+    fixture.*axis += by;
+    stands |= on_zone(fixture, floors);
+  }
+  if (!stands) return beside_its_zone(pinned, index);
+  return {};
+}
+
 Result<void> apply(Fixture& fixture,
                    const plan::Override& change,
                    std::size_t index,
@@ -116,10 +189,12 @@ Result<void> apply(Fixture& fixture,
     respace(fixture);
     return {};
   }
+  if (is_place(change)) return check_may_move(fixture, index);
   return Error{"plan.bad_value",
                pointer(index, "field"),
                "\"" + change.field_name +
-                   "\" cannot be overridden; levels, height_mm, color, material and kind can"};
+                   "\" cannot be overridden; levels, height_mm, color, material, kind, x_mm and "
+                   "y_mm can"};
 }
 
 // The kind's generator knows what it can build.
@@ -135,6 +210,26 @@ Result<void> check_buildable(const Fixture& fixture,
 }
 
 }  // namespace
+
+std::vector<plan::Override> pinned_places(const plan::Plan& plan) {
+  std::vector<plan::Override> places;
+  std::ranges::copy_if(plan.overrides, std::back_inserter(places), is_place);
+  return places;
+}
+
+Result<void> move_runs(std::vector<Fixture>& fixtures,
+                       const plan::Plan& plan,
+                       const std::vector<ZoneFloor>& floors) {
+  for (std::size_t i = 0; i < plan.overrides.size(); ++i) {
+    const plan::Override& change = plan.overrides[i];
+    if (!is_place(change)) continue;
+    const auto fixture = std::ranges::find(fixtures, change.fixture, &Fixture::id);
+    if (fixture == fixtures.end() || is_accessory(*fixture)) continue;
+    const Fixture pinned = *fixture;
+    MARKETGEN_CHECK(move_run(fixtures, pinned, change, i, floors));
+  }
+  return {};
+}
 
 Result<void> apply_overrides(std::vector<Fixture>& fixtures,
                              const plan::Plan& plan,

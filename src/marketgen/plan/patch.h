@@ -267,13 +267,13 @@ struct SetRelation {
 struct SetOverride {
   std::string fixture, field_name;
   std::optional<std::string> value;
-  static constexpr auto fields =
-      field_list(field("fixture", &SetOverride::fixture, "its id", required(), reference()),
-                 field("field",
-                       &SetOverride::field_name,
-                       "levels, height_mm, color, material or kind",
-                       required()),
-                 field("value", &SetOverride::value, "the value as text; left out: its own again"));
+  static constexpr auto fields = field_list(
+      field("fixture", &SetOverride::fixture, "its id", required(), reference()),
+      field("field",
+            &SetOverride::field_name,
+            "levels, height_mm, color, material or kind; x_mm or y_mm: its middle, with its run",
+            required()),
+      field("value", &SetOverride::value, "the value as text; left out: its own again"));
 };
 
 // The goods of one shelf.

@@ -389,14 +389,17 @@ struct EquipmentSpec {
             reference()));
 };
 
-// Pins one value of one fixture.
+// Pins one value of one fixture. A fixture whose x_mm or y_mm is pinned takes along what stands in
+// a line with it: its run, the run back to back with that, and their endcaps.
 struct Override {
   std::string fixture, field_name, value;
 
   static constexpr auto fields = field_list(
       field("fixture", &Override::fixture, "fixture id in the layout", required(), reference()),
-      field(
-          "field", &Override::field_name, "levels, height_mm, color, material or kind", required()),
+      field("field",
+            &Override::field_name,
+            "levels, height_mm, color, material or kind; x_mm or y_mm: its middle, with its run",
+            required()),
       field("value", &Override::value, "the value as text", required()));
 };
 

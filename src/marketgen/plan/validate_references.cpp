@@ -14,8 +14,8 @@
 namespace marketgen::plan {
 namespace {
 
-constexpr std::array<std::string_view, 5> override_fields = {
-    "levels", "height_mm", "color", "material", "kind"};
+constexpr std::array<std::string_view, 7> override_fields = {
+    "levels", "height_mm", "color", "material", "kind", "x_mm", "y_mm"};
 
 std::vector<std::string_view> places_of(const Plan& plan) {
   std::vector<std::string_view> places(fixed_places.begin(), fixed_places.end());

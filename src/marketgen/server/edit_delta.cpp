@@ -1,6 +1,7 @@
 #include "server/edit_delta.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -21,12 +22,14 @@ void add_bits(std::string& bytes, const Value& value) {
 
 // Where a product stands and what it is; `sku` is the page's number.
 std::uint64_t hash_of(const scene::SceneProduct& item, std::uint32_t sku) {
-  std::string bytes;
-  add_bits(bytes, item.position_m);
-  add_bits(bytes, item.rotation_wxyz);
-  add_bits(bytes, item.flags);
-  add_bits(bytes, sku);
-  return hash64(bytes);
+  struct Bits {  // without gaps
+    std::array<float, 3> position_m;
+    std::array<float, 4> rotation_wxyz;
+    std::uint32_t flags, sku;
+  };
+  static_assert(sizeof(Bits) == 9 * sizeof(std::uint32_t));
+  const Bits bits{item.position_m, item.rotation_wxyz, item.flags, sku};
+  return hash64({reinterpret_cast<const char*>(&bits), sizeof bits});
 }
 
 // How a fixture stands and what it is made of, without the numbers of rows.
@@ -154,6 +157,7 @@ DeltaBase::DeltaBase(const scene::Scene& scene) : base_(scene), looks_(looks_of(
     skus_[scene.catalog[i].sku] = i;
   for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i)
     fixtures_[scene.layout.fixtures[i].id] = i;
+  products_.reserve(scene.products.size());
   for (std::uint32_t i = 0; i < scene.products.size(); ++i)
     products_[hash_of(scene.products[i], scene.products[i].sku)] = i;
 }

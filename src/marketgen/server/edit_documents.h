@@ -96,13 +96,29 @@ struct EditCut {
       field("rect_mm", &EditCut::rect_mm, "floor of the node: west, south, east, north"));
 };
 
+// A run of shelves: what a page lets move.
+struct EditRun {
+  std::string id, zone, fixture;
+  std::array<int, 2> at_mm{};
+  std::array<int, 4> rect_mm{};
+  bool pinned = false;
+  static constexpr auto fields =
+      field_list(field("id", &EditRun::id, "the line"),
+                 field("zone", &EditRun::zone, "its zone"),
+                 field("fixture", &EditRun::fixture, "one of its modules: pin its x_mm and y_mm"),
+                 field("at_mm", &EditRun::at_mm, "where that module's middle is"),
+                 field("rect_mm", &EditRun::rect_mm, "its floor: west, south, east, north"),
+                 field("pinned", &EditRun::pinned, "the plan says its place"));
+};
+
 // What a page lets change of a zone.
 struct EditZone {
   std::string id, type, label, kind;
-  std::optional<int> levels;  // as the plan says; absent: as usual for the kind
+  std::optional<int> levels, aisle_mm;  // as the plan says; absent: as usual
   int usual_levels = 0;
   std::array<int, 2> level_range{};
   double fill = 0;
+  IntRange facings{};
   std::uint64_t fixtures = 0, products = 0;
   static constexpr auto fields =
       field_list(field("id", &EditZone::id, "zone"),
@@ -113,6 +129,8 @@ struct EditZone {
                  field("usual_levels", &EditZone::usual_levels, "of the kind"),
                  field("level_range", &EditZone::level_range, "fewest and most of the kind"),
                  field("fill", &EditZone::fill, "occupied share of the shelf front"),
+                 field("facings", &EditZone::facings, "fewest and most facings of one SKU"),
+                 field("aisle_mm", &EditZone::aisle_mm, "between runs; absent = as usual"),
                  field("fixtures", &EditZone::fixtures, "modules in it"),
                  field("products", &EditZone::products, "items in it"));
 };
@@ -131,6 +149,8 @@ struct EditState {
   std::vector<ViewSku> new_skus;            // that the opened store does not have
   std::vector<std::uint32_t> new_sku_rows;  // their rows below /edit/skus/
   std::vector<EditCut> cuts;
+  std::vector<EditRun> runs;
+  std::vector<plan::Override> places;
   std::vector<EditZone> zones;
   std::vector<std::string> kinds;
   std::vector<std::string> unparsed, so_already;
@@ -149,6 +169,8 @@ struct EditState {
       field("new_skus", &EditState::new_skus, "SKUs that the opened store does not have"),
       field("new_sku_rows", &EditState::new_sku_rows, "their rows in edit/skus"),
       field("cuts", &EditState::cuts, "cuts of the floor"),
+      field("runs", &EditState::runs, "runs that can be moved"),
+      field("places", &EditState::places, "pinned places, as overrides of the plan"),
       field("zones", &EditState::zones, "zones with what can be changed"),
       field("kinds", &EditState::kinds, "fixture kinds with shelves"),
       field("unparsed", &EditState::unparsed, "words that were not understood"),
@@ -157,16 +179,25 @@ struct EditState {
       field("save_as", &EditState::save_as, "a folder's name that is free"));
 };
 
+// A fixture's footprint.
+struct EditFootprint {
+  std::string run;
+  std::array<int, 4> rect_mm{};
+  static constexpr auto fields =
+      field_list(field("run", &EditFootprint::run, "the line it stands in"),
+                 field("rect_mm", &EditFootprint::rect_mm, "west, south, east, north"));
+};
+
 // preview
 struct EditPreview {
   std::vector<layout::LayoutZone> zones;
   std::vector<layout::Violation> offences, violations;
-  std::uint64_t fixtures = 0;
+  std::vector<EditFootprint> fixtures;
   static constexpr auto fields =
       field_list(field("zones", &EditPreview::zones, "floors after the patches"),
                  field("offences", &EditPreview::offences, "hard rules that would newly be broken"),
                  field("violations", &EditPreview::violations, "all broken rules"),
-                 field("fixtures", &EditPreview::fixtures, "modules there would be"));
+                 field("fixtures", &EditPreview::fixtures, "where modules would stand"));
 };
 
 struct EditSaved {

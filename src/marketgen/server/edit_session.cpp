@@ -101,10 +101,15 @@ Result<EditPreview> EditSession::preview(const std::vector<plan::Patch>& patches
   set.patches = patches;
   MARKETGEN_TRY(store::Replanned then,
                 store::replan(before->store, set, std::string(patches_source), *catalog_));
-  return EditPreview{std::move(then.layout.zones),
-                     std::move(then.offences),
-                     std::move(then.layout.violations),
-                     then.layout.fixtures.size()};
+  EditPreview preview{std::move(then.layout.zones),
+                      std::move(then.offences),
+                      std::move(then.layout.violations),
+                      {}};
+  for (const layout::Fixture& fixture : then.layout.fixtures) {
+    const RectMm at = layout::footprint_of(fixture);
+    preview.fixtures.push_back({fixture.run, {at.x0, at.y0, at.x1, at.y1}});
+  }
+  return preview;
 }
 
 Result<std::filesystem::path> EditSession::save(const std::string& name, const Now& what) const {

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 #include <utility>
 
 #include "catalog/catalog.h"
 #include "io/json.h"
+#include "layout/accessories.h"
+#include "layout/overrides.h"
 #include "plan/bsp.h"
 
 namespace marketgen::server {
@@ -41,11 +44,43 @@ std::vector<EditCut> cuts_of(const plan::Plan& plan) {
   return cuts;
 }
 
+std::vector<EditRun> runs_of(const layout::Layout& layout,
+                             const std::vector<plan::Override>& places) {
+  std::map<std::string, std::pair<EditRun, RectMm>> runs;
+  for (const layout::Fixture& fixture : layout.fixtures) {
+    if (layout::is_accessory(fixture) || !fixture.endcap_of.empty()) continue;
+    const RectMm at = layout::footprint_of(fixture);
+    EditRun run{fixture.run, fixture.zone, fixture.id, {fixture.x_mm, fixture.y_mm}, {}, false};
+    const auto [known, is_new] = runs.try_emplace(fixture.run, std::move(run), at);
+    RectMm& all = known->second.second;
+    if (!is_new)
+      all = {std::min(all.x0, at.x0),
+             std::min(all.y0, at.y0),
+             std::max(all.x1, at.x1),
+             std::max(all.y1, at.y1)};
+    if (std::ranges::find(places, fixture.id, &plan::Override::fixture) != places.end())
+      known->second.first.pinned = true;
+  }
+  std::vector<EditRun> rows;
+  for (auto& [id, run] : runs) {
+    const RectMm& r = run.second;
+    run.first.rect_mm = {r.x0, r.y0, r.x1, r.y1};
+    rows.push_back(std::move(run.first));
+  }
+  return rows;
+}
+
 std::vector<EditZone> zones_of(const store::Store& store, const catalog::Catalog& catalog) {
   std::vector<EditZone> zones;
   for (const plan::Zone& zone : store.plan.zones) {
-    EditZone row{zone.id, zone.type, zone.label, zone.fixture.kind, zone.fixture.levels};
+    EditZone row{zone.id,
+                 zone.type,
+                 zone.label,
+                 zone.fixture.kind,
+                 zone.fixture.levels,
+                 zone.fixture.aisle_mm};
     row.fill = zone.stock.fill;
+    row.facings = zone.stock.facings;
     if (const catalog::FixtureKind* kind = catalog.fixture_kind(zone.fixture.kind)) {
       row.usual_levels = kind->levels;
       row.level_range = kind->level_range;
@@ -113,20 +148,18 @@ HttpReply Editor::picture(EditSnapshot at) const {
   EditState& state = at.state;
   PackedSections sections;
   state.new_sku_rows = delta_->describe(scene, sections);
-  const std::vector<ViewSku> skus = skus_of(scene, grasps_, catalog_->frictions);
-  for (const std::uint32_t row : state.new_sku_rows)
-    state.new_skus.push_back(skus[row]);
+  state.new_skus = skus_of(scene, state.new_sku_rows, grasps_, catalog_->frictions);
   state.counts = scene::count(scene);
   state.floors = scene.layout.zones;
   state.aisles = scene.layout.aisles;
   state.violations = at.now->report.rules;
   state.fixtures = fixtures_of(scene);
   state.cuts = cuts_of(at.now->store.plan);
+  state.places = layout::pinned_places(at.now->store.plan);
+  state.runs = runs_of(scene.layout, state.places);
   state.zones = zones_of(at.now->store, *catalog_);
   state.kinds = kinds_of(*catalog_);
-  const auto head = nlohmann::ordered_json::parse(io::write_json_line(state));
-  for (const auto& [name, value] : head.items())
-    sections.note(name, value);
+  sections.note_members(io::write_json_line(state));
   return {.body = make_body("application/octet-stream", sections.file())};
 }
 

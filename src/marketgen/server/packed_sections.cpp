@@ -36,6 +36,10 @@ void PackedSections::note(const std::string& name, nlohmann::ordered_json value)
 
 std::string PackedSections::file() const {
   std::string text = head_.dump();
+  if (!members_.empty()) {
+    text.back() = ',';
+    text.append(members_, 1);
+  }
   pad(text, ' ');
   std::string file = "MGV1";
   append_u32(file, text.size());

@@ -21,6 +21,8 @@ class PackedSections {
   }
   // Beside "sections" in the head.
   void note(const std::string& name, nlohmann::ordered_json value);
+  // All members of a JSON object, beside what is noted. `object`: its text, with at least one.
+  void note_members(std::string object) { members_ = std::move(object); }
   std::string file() const;
 
  private:
@@ -40,7 +42,7 @@ class PackedSections {
                  std::span<const std::byte> bytes);
 
   nlohmann::ordered_json head_{{"sections", nlohmann::ordered_json::object()}};
-  std::string data_;
+  std::string members_, data_;
 };
 
 }  // namespace marketgen::server

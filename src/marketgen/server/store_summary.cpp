@@ -1,6 +1,7 @@
 #include "server/store_summary.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "catalog/country.h"
@@ -94,11 +95,16 @@ std::vector<ViewFixture> fixtures_of(const scene::Scene& scene) {
 }
 
 std::vector<ViewSku> skus_of(const scene::Scene& scene,
+                             const std::vector<std::uint32_t>& rows,
                              const GraspFacts& grasps,
                              const std::vector<catalog::FrictionRow>& frictions) {
-  std::vector<ViewSku> rows;
-  for (const catalog::Product& p : scene.catalog)
-    rows.push_back({p.sku,
+  std::vector<std::uint64_t> counts(scene.catalog.size(), 0);
+  for (const scene::SceneProduct& item : scene.products)
+    ++counts[item.sku];
+  std::vector<ViewSku> skus;
+  for (const std::uint32_t row : rows) {
+    const catalog::Product& p = scene.catalog[row];
+    skus.push_back({p.sku,
                     p.ean,
                     p.name,
                     p.name_zh,
@@ -111,10 +117,9 @@ std::vector<ViewSku> skus_of(const scene::Scene& scene,
                     p.mass_kg,
                     pick_rate(grasps_of(p, grasps, frictions)),
                     p.label.primary,
-                    0});
-  for (const scene::SceneProduct& item : scene.products)
-    ++rows[item.sku].products;
-  return rows;
+                    counts[row]});
+  }
+  return skus;
 }
 
 std::vector<ViewOpening> openings_of(const scene::Scene& scene) {
@@ -161,7 +166,9 @@ StoreSummary summary_of(int number,
   summary.violations = scene.layout.violations;
   summary.fixtures = fixtures_of(scene);
   summary.joints = joints_of(scene);
-  summary.skus = skus_of(scene, grasps, frictions);
+  std::vector<std::uint32_t> skus(scene.catalog.size());
+  std::iota(skus.begin(), skus.end(), 0);
+  summary.skus = skus_of(scene, skus, grasps, frictions);
   return summary;
 }
 

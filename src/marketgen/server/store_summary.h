@@ -172,7 +172,9 @@ struct StoreSummary {
 std::vector<ViewOpening> openings_of(const scene::Scene& scene);
 // By row of the scene.
 std::vector<ViewFixture> fixtures_of(const scene::Scene& scene);
+// Of those rows of the scene's catalogue.
 std::vector<ViewSku> skus_of(const scene::Scene& scene,
+                             const std::vector<std::uint32_t>& rows,
                              const GraspFacts& grasps,
                              const std::vector<catalog::FrictionRow>& frictions);
 StoreLine line_of(int number, const store::Store& store);

@@ -1,6 +1,11 @@
 #include "store/scene_changes.h"
 
+#include <array>
+#include <bit>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "io/json.h"
 #include "scene/placements.h"
@@ -8,73 +13,93 @@
 namespace marketgen::store {
 namespace {
 
-// A thing with an id, by what it is called, where it stands and what it is.
+// A thing with an id, by what it is called, where it stands and what it is. The scene has its
+// texts.
+template <class Shape>
 struct Thing {
-  std::string zone;   // "" for products that the plan places
-  std::string what;   // of another kind it is another thing
-  std::string shape;  // how it stands
+  std::string id;
+  std::string_view zone;  // "" for products that the plan places
+  std::string_view what;  // of another kind it is another thing
+  Shape shape;            // how it stands
 };
-using Things = std::unordered_map<std::string, Thing>;
+template <class Shape>
+using Things = std::vector<Thing<Shape>>;
+// The bits of a product's position, rotation and flags.
+using ProductShape = std::array<std::uint32_t, 8>;
 
-Things zones_of(const scene::Scene& scene) {
-  Things things;
+Things<std::string> zones_of(const scene::Scene& scene) {
+  Things<std::string> things;
   for (const layout::LayoutZone& zone : scene.layout.zones)
-    things[zone.id] = {zone.id, zone.type, io::write_json_line(zone)};
+    things.push_back({zone.id, zone.id, zone.type, io::write_json_line(zone)});
   return things;
 }
 
-Things fixtures_of(const scene::Scene& scene) {
-  Things things;
-  for (layout::Fixture fixture : scene.layout.fixtures) {
-    fixture.material.clear();
-    fixture.color.clear();
-    things[fixture.id] = {fixture.zone, fixture.kind, io::write_json_line(fixture)};
+Things<std::string> fixtures_of(const scene::Scene& scene) {
+  Things<std::string> things;
+  for (const layout::Fixture& fixture : scene.layout.fixtures) {
+    layout::Fixture bare = fixture;
+    bare.material.clear();
+    bare.color.clear();
+    things.push_back({fixture.id, fixture.zone, fixture.kind, io::write_json_line(bare)});
   }
   return things;
 }
 
-template <std::size_t Count>
-void add_bits(std::string& bits, const std::array<float, Count>& values) {
-  bits.append(reinterpret_cast<const char*>(values.data()), sizeof(values));
+ProductShape shape_of(const scene::SceneProduct& item) {
+  ProductShape shape{};
+  std::size_t at = 0;
+  for (const float value : item.position_m)
+    shape[at++] = std::bit_cast<std::uint32_t>(value);
+  for (const float value : item.rotation_wxyz)
+    shape[at++] = std::bit_cast<std::uint32_t>(value);
+  shape[at] = item.flags;
+  return shape;
 }
 
-Things products_of(const scene::Scene& scene) {
-  Things things;
+Things<ProductShape> products_of(const scene::Scene& scene) {
+  Things<ProductShape> things;
   things.reserve(scene.products.size());
   for (std::uint32_t i = 0; i < scene.products.size(); ++i) {
     const scene::SceneProduct& item = scene.products[i];
-    Thing thing;
-    thing.what = scene.catalog[item.sku].sku;
-    add_bits(thing.shape, item.position_m);
-    add_bits(thing.shape, item.rotation_wxyz);
-    thing.shape += std::to_string(item.flags);
+    Thing<ProductShape> thing{
+        scene::product_id(scene, i), {}, scene.catalog[item.sku].sku, shape_of(item)};
     if (item.facing != scene::no_facing) {
       const scene::SceneShelf& shelf = scene.shelves[scene.facings[item.facing].shelf];
       thing.zone = scene.layout.fixtures[shelf.fixture].zone;
     }
-    things[scene::product_id(scene, i)] = std::move(thing);
+    things.push_back(std::move(thing));
   }
   return things;
 }
 
-ChangeCount compare(const Things& before, const Things& after, std::set<std::string>& touched) {
+template <class Shape>
+ChangeCount compare(const Things<Shape>& before,
+                    const Things<Shape>& after,
+                    std::set<std::string>& touched) {
+  std::unordered_map<std::string_view, std::size_t> rows;
+  rows.reserve(before.size());
+  for (std::size_t i = 0; i < before.size(); ++i)
+    rows.emplace(before[i].id, i);
   ChangeCount count;
-  for (const auto& [id, thing] : after) {
-    const auto old = before.find(id);
-    const bool is_new = old == before.end() || old->second.what != thing.what;
-    if (!is_new && old->second.shape == thing.shape) {
+  std::set<std::string_view> zones;
+  std::vector<bool> goes_on(before.size(), false);
+  for (const Thing<Shape>& thing : after) {
+    const auto row = rows.find(thing.id);
+    const bool is_new = row == rows.end() || before[row->second].what != thing.what;
+    if (!is_new) goes_on[row->second] = true;
+    if (!is_new && before[row->second].shape == thing.shape) {
       ++count.kept;
       continue;
     }
     ++(is_new ? count.added : count.moved);
-    touched.insert(thing.zone);
+    zones.insert(thing.zone);
   }
-  for (const auto& [id, thing] : before) {
-    const auto now = after.find(id);
-    if (now != after.end() && now->second.what == thing.what) continue;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (goes_on[i]) continue;
     ++count.gone;
-    touched.insert(thing.zone);
+    zones.insert(before[i].zone);
   }
+  touched.insert(zones.begin(), zones.end());
   return count;
 }
 

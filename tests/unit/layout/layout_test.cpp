@@ -182,6 +182,78 @@ TEST(Layout, OverridesOfNothingAreErrors) {
   EXPECT_EQ(layout.error().code, "plan.bad_value");
 }
 
+// By how much each fixture of the layout has moved; those that have not are left out.
+std::map<std::string, PointMm> shifts(const layout::Layout& before, const layout::Layout& after) {
+  std::map<std::string, PointMm> moved;
+  for (const layout::Fixture& old : before.fixtures) {
+    const layout::Fixture* now = layout::find_fixture(after, old.id);
+    if (now == nullptr) {
+      ADD_FAILURE() << old.id << " is gone";
+      continue;
+    }
+    const PointMm by{now->x_mm - old.x_mm, now->y_mm - old.y_mm};
+    if (by != PointMm{0, 0}) moved[old.id] = by;
+  }
+  return moved;
+}
+
+TEST(Layout, APinnedPlaceMovesTheWholeRunWithItsEndcaps) {
+  plan::Plan plan = sample::small_shop();
+  plan.zones[1].fixture.endcaps = plan::Endcaps::both;
+  const layout::Layout before = lay_out(plan);
+  const layout::Fixture pinned = of_kind(before, "gondola").at(1);
+  plan.overrides = {{pinned.id, "x_mm", std::to_string(pinned.x_mm + 150)},
+                    {pinned.id, "y_mm", std::to_string(pinned.y_mm - 50)}};
+  const layout::Layout after = lay_out(plan);
+  std::map<std::string, PointMm> run;
+  for (const layout::Fixture& f : before.fixtures)
+    if (f.run == pinned.run || f.endcap_of == pinned.run) run[f.id] = {150, -50};
+  EXPECT_GT(run.size(), 3U) << "modules and two endcaps";
+  EXPECT_EQ(shifts(before, after), run);
+  EXPECT_NE(io::write_json(after.aisles), io::write_json(before.aisles));
+}
+
+TEST(Layout, WhatStandsBackToBackMovesTogether) {
+  plan::Plan plan = sample::small_shop();
+  plan.zones[1].fixture.kind = "multideck";
+  const layout::Layout before = lay_out(plan);
+  for (const layout::Fixture& a : before.fixtures) {
+    for (const layout::Fixture& b : before.fixtures) {
+      const bool behind =
+          a.yaw_deg == 90 && b.yaw_deg == 270 && a.y_mm == b.y_mm && a.x_mm - b.x_mm == a.depth_mm;
+      if (!behind) continue;
+      plan.overrides = {{a.id, "x_mm", std::to_string(a.x_mm + 40)}};
+      const auto moved = shifts(before, lay_out(plan));
+      EXPECT_TRUE(moved.contains(a.id) && moved.contains(b.id));
+      for (const auto& [id, by] : moved)
+        EXPECT_TRUE(id.starts_with(a.run + "/") || id.starts_with(b.run + "/")) << id;
+      return;
+    }
+  }
+  FAIL() << "no pair stands back to back";
+}
+
+TEST(Layout, APinnedPlaceIsHeldAgainstTheRules) {
+  plan::Plan plan = sample::small_shop();
+  const layout::Fixture pinned = of_kind(lay_out(plan), "gondola").front();
+  plan.overrides = {{pinned.id, "x_mm", std::to_string(pinned.x_mm + 1200)}};
+  const layout::Layout after = lay_out(plan);
+  EXPECT_TRUE(std::ranges::any_of(after.violations, [](const layout::Violation& v) {
+    return v.code == "AISLE_TOO_NARROW" || v.code == "FIXTURE_OVERLAP";
+  }));
+}
+
+TEST(Layout, NothingIsPinnedBesideItsZone) {
+  plan::Plan plan = sample::small_shop();
+  const layout::Fixture pinned = of_kind(lay_out(plan), "gondola").front();
+  plan.overrides = {{pinned.id, "y_mm", "900"}};
+  const auto layout = layout::make_layout(plan, sample::catalog(), Seed(1));
+  ASSERT_FALSE(layout.ok());
+  EXPECT_EQ(layout.error().code, "plan.bad_value");
+  EXPECT_EQ(layout.error().where, "/overrides/0/value");
+  EXPECT_NE(layout.error().message.find("goods"), std::string::npos);
+}
+
 TEST(Layout, NoRoomForAnythingIsAnError) {
   const catalog::Catalog catalog = sample::catalog();
   const plan::Plan plan = sample::one_zone(4000, 4000, sample::zone("back", "backroom", "gondola"));

@@ -146,6 +146,52 @@ class EditedOnline : public testing::Test {
   std::string token;
 };
 
+// What a page pins of a run is where it is told that the run stands.
+TEST_F(EditedOnline, ARunIsLookedAtAndMovedByItsPin) {
+  const Picture opened = picture("begin", Json::object());
+  const Json& runs = opened.head["runs"];
+  const auto of_drinks = std::ranges::find_if(runs, [](const Json& run) {
+    return run["zone"] == "drinks" &&
+           run["id"].get<std::string>().find("wall") == std::string::npos;
+  });
+  ASSERT_NE(of_drinks, runs.end());
+  const Json run = *of_drinks;
+  EXPECT_FALSE(run["pinned"]);
+  const int x = run["at_mm"][0].get<int>() + 40;
+  const Json pin{
+      {"patches",
+       {{{"set_override",
+          {{"fixture", run["fixture"]}, {"field", "x_mm"}, {"value", std::to_string(x)}}}}}}};
+  const Json seen = json("preview", pin);
+  EXPECT_EQ(seen["offences"], Json::array());
+  const auto west = [&](const Json& rows, const char* name) {
+    int least = 1'000'000;
+    for (const Json& row : rows)
+      if (row[name] == run["id"]) least = std::min(least, row["rect_mm"][0].get<int>());
+    return least;
+  };
+  const int moved = west(runs, "id") + 40;
+  EXPECT_EQ(west(seen["fixtures"], "run"), moved);
+  const Picture edit = picture("patches", pin);
+  EXPECT_EQ(west(edit.head["runs"], "id"), moved);
+  EXPECT_EQ(edit.head["places"].size(), 1U);
+  EXPECT_EQ(edit.head["places"][0]["fixture"], run["fixture"]);
+}
+
+TEST_F(EditedOnline, FacingsAndAislesOfAZoneAreSaidAndChanged) {
+  const auto drinks = [](const Picture& picture) {
+    const Json& zones = picture.head["zones"];
+    return *std::ranges::find_if(zones, [](const Json& zone) { return zone["id"] == "drinks"; });
+  };
+  EXPECT_FALSE(drinks(picture("begin", Json::object())).contains("aisle_mm"));
+  const Picture edit = picture("patches",
+                               {{"patches",
+                                 {{{"set_stock", {{"zone", "drinks"}, {"facings", {3, 6}}}}},
+                                  {{"set_fixture", {{"zone", "drinks"}, {"aisle_mm", 1500}}}}}}});
+  EXPECT_EQ(drinks(edit)["facings"], Json({3, 6}));
+  EXPECT_EQ(drinks(edit)["aisle_mm"], 1500);
+}
+
 // The page's own work: rows of the opened store by runs, and those that are new.
 TEST_F(EditedOnline, TablesMakeTheEditedStoreOfTheOpenedOne) {
   const Picture edit = picture("patches", levels(6));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -200,6 +201,40 @@ TEST(Edits, KeepTheFixturesOfAZoneWhoseShelvesChange) {
     ++modules;
   }
   EXPECT_GT(modules, 0U);
+}
+
+// Pinned, pinned elsewhere with other edits between, set free: the plan alone says where it stands.
+TEST(Edits, MoveARunAndLetItGoAgain) {
+  const std::vector<layout::Fixture>& fixtures = shop().scene.layout.fixtures;
+  const auto old = std::ranges::find_if(fixtures, [](const layout::Fixture& fixture) {
+    return fixture.zone == "canned" && fixture.kind == "gondola" && fixture.sides == 2;
+  });
+  ASSERT_NE(old, fixtures.end());
+  const auto pin = [&](int by) {
+    return R"({"set_override": {"fixture": ")" + old->id + R"(", "field": "x_mm", "value": ")" +
+           std::to_string(old->x_mm + by) + "\"}}";
+  };
+  const auto x_in = [&](const store::Store& store) {
+    const layout::Fixture* now = layout::find_fixture(store.scene.layout, old->id);
+    return now == nullptr ? -1 : now->x_mm - old->x_mm;
+  };
+  const auto first = edited(shop(), pin(30));
+  ASSERT_TRUE(first.ok()) << to_string(first.error());
+  const store::Store moved = opened_last(*first);
+  EXPECT_EQ(x_in(moved), 30);
+  EXPECT_EQ(things(moved.scene, {"canned"}), things(shop().scene, {"canned"}));
+  EXPECT_TRUE(*store::follows_from_plan(moved, committed_catalog()));
+
+  const auto second = edited(moved, R"({"set_stock": {"zone": "snacks", "fill": 0.5}})");
+  ASSERT_TRUE(second.ok()) << to_string(second.error());
+  EXPECT_EQ(x_in(opened_last(*second)), 30) << "it is not moved twice";
+  const auto third = edited(moved, pin(-20));
+  ASSERT_TRUE(third.ok()) << to_string(third.error());
+  EXPECT_EQ(x_in(opened_last(*third)), -20);
+  const auto back =
+      edited(moved, R"({"set_override": {"fixture": ")" + old->id + R"(", "field": "x_mm"}})");
+  ASSERT_TRUE(back.ok()) << to_string(back.error());
+  EXPECT_EQ(back->created.manifest.scene_hash, shop().manifest.scene_hash);
 }
 
 TEST(Edits, FollowOneAnother) {

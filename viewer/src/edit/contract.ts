@@ -26,6 +26,18 @@ export interface Cut {
   readonly rect_mm: readonly [number, number, number, number]; // west, south, east, north
 }
 
+// A run of shelves that can be moved: by pinning one of its modules.
+export interface Run {
+  readonly id: string;
+  readonly zone: string;
+  readonly fixture: string;
+  readonly at_mm: readonly [number, number]; // the module's middle
+  readonly rect_mm: Rect;
+  readonly pinned: boolean;
+}
+
+export type Rect = readonly [number, number, number, number]; // west, south, east, north
+
 export interface EditZone {
   readonly id: string;
   readonly type: string;
@@ -35,6 +47,8 @@ export interface EditZone {
   readonly usual_levels: number;
   readonly level_range: readonly [number, number];
   readonly fill: number;
+  readonly facings: readonly [number, number]; // of one SKU
+  readonly aisle_mm?: number; // undefined: as usual
   readonly fixtures: number;
   readonly products: number;
 }
@@ -52,6 +66,8 @@ export interface EditHead {
   readonly new_skus: readonly Sku[];
   readonly new_sku_rows: readonly number[];
   readonly cuts: readonly Cut[];
+  readonly runs: readonly Run[];
+  readonly places: readonly { readonly fixture: string; readonly field: string; readonly value: string }[]; // that are pinned
   readonly zones: readonly EditZone[];
   readonly kinds: readonly string[];
   readonly unparsed: readonly string[];
@@ -64,7 +80,7 @@ export interface Preview {
   readonly zones: readonly Zone[];
   readonly offences: readonly Violation[];
   readonly violations: readonly Violation[];
-  readonly fixtures: number;
+  readonly fixtures: readonly { readonly run: string; readonly rect_mm: Rect }[];
 }
 
 export interface Saved {

@@ -1,5 +1,6 @@
 // What the server says of an edit, as the tables that the page draws: rows of the store as it was opened, and rows that are new.
 import type { GoodsTable } from "../stage/goods_table";
+import type { Shaped } from "../stage/room_parts";
 import type { RoomHead } from "../store/contract";
 import { MemorySections, PackedError, type Sections } from "../store/packed";
 import { wayOf, type NearLight } from "./light";
@@ -68,6 +69,15 @@ function renumber(from: Uint32Array, values: Record<number, number>, rows: Array
   }
 }
 
+// By row now: the row that was shown before, where both come from one row of the store as it was opened. `before`: undefined while the
+// opened store is shown.
+export function rowsBefore(from: Uint32Array, before: Uint32Array | undefined, rows: number): Uint32Array {
+  if (!before) return from;
+  const shown = new Uint32Array(rows).fill(none);
+  before.forEach((row, i) => row !== none && (shown[row] = i));
+  return from.map((row) => (row === none ? none : shown[row]!));
+}
+
 // The light on goods: their own where they stay, else that of where they stand now.
 export function editedGoodsLight(light: Uint8Array, near: NearLight, position: Float32Array, from: Uint32Array): Uint8Array {
   const row = 18;
@@ -81,7 +91,7 @@ export function editedGoodsLight(light: Uint8Array, near: NearLight, position: F
 }
 
 // Fixtures that are new or stand otherwise, as room.bin would have them: each shape at its places. Undefined: there are none.
-export function editedRoom(edit: Sections, near: NearLight): (Sections & { readonly head: RoomHead }) | undefined {
+export function editedRoom(edit: Sections, near: NearLight): EditedRoom | undefined {
   const places = edit.u32("places", 2);
   const shapes = edit.u32("shapes", 5);
   if (places.length === 0) return undefined;
@@ -90,7 +100,7 @@ export function editedRoom(edit: Sections, near: NearLight): (Sections & { reado
   for (let i = 0; i < places.length / 2; i++) {
     const [first, count, index, solid, panes] = shapes.subarray(places[i * 2]! * 5) as unknown as readonly [number, number, number, number, number];
     const shift = room.vertices - first;
-    room.addVertices(i, places[i * 2 + 1]!, first, count);
+    room.addVertices(i, first, count);
     room.addIndices(shift, index, solid);
     glass.push([shift, index + solid, panes]);
   }
@@ -100,11 +110,15 @@ export function editedRoom(edit: Sections, near: NearLight): (Sections & { reado
   return room.sections();
 }
 
+export type EditedRoom = Sections & { readonly head: RoomHead; readonly shaped: ReadonlyMap<number, Shaped> };
+
 class RoomOfPlaces {
   vertices = 0;
   private readonly source;
   private readonly out;
-  private readonly index: number[] = [];
+  private readonly index: Uint32Array;
+  private indices = 0;
+  private readonly shaped = new Map<number, Shaped>();
   private readonly batches: RoomHead["batches"][number][] = [];
   private layerBegan = 0;
 
@@ -122,8 +136,13 @@ class RoomOfPlaces {
     };
     const places = edit.u32("places", 2);
     const shapes = edit.u32("shapes", 5);
-    let count = 0;
-    for (let i = 0; i < places.length; i += 2) count += shapes[places[i]! * 5 + 1]!;
+    let [count, indices] = [0, 0];
+    for (let i = 0; i < places.length; i += 2) {
+      const [, vertices, , solid, panes] = shapes.subarray(places[i]! * 5) as unknown as readonly [number, number, number, number, number];
+      count += vertices;
+      indices += solid + panes;
+    }
+    this.index = new Uint32Array(indices);
     this.out = {
       position: new Float32Array(count * 3),
       normal: new Int8Array(count * 4),
@@ -135,37 +154,44 @@ class RoomOfPlaces {
     };
   }
 
-  // Of the place with that number, where the fixture of that row stands.
-  addVertices(place: number, fixture: number, first: number, count: number): void {
+  // Of the place with that number.
+  addVertices(place: number, first: number, count: number): void {
+    const [shape, fixture] = this.edit.u32("places", 2).subarray(place * 2) as unknown as readonly [number, number];
     const at = this.edit.f32("place_at", 3).subarray(place * 3, place * 3 + 3);
+    this.shaped.set(fixture, { shape, vertex: this.vertices });
     const turned = quarterTurn(this.edit.u8("place_turns", 1)[place]!);
     const { source, out, vertices } = this;
     for (const name of ["color", "light", "finish"] as const) out[name].set(source[name].subarray(first * 4, (first + count) * 4), vertices * 4);
     for (let i = 0; i < count; i++) {
       const [from, to] = [first + i, vertices + i];
       const [x, y] = turned(source.position[from * 3]!, source.position[from * 3 + 1]!);
-      out.position.set([x + at[0]!, y + at[1]!, source.position[from * 3 + 2]! + at[2]!], to * 3);
+      out.position[to * 3] = x + at[0]!;
+      out.position[to * 3 + 1] = y + at[1]!;
+      out.position[to * 3 + 2] = source.position[from * 3 + 2]! + at[2]!;
       const [nx, ny] = turned(source.normal[from * 4]!, source.normal[from * 4 + 1]!);
-      out.normal.set([nx, ny, source.normal[from * 4 + 2]!, 0], to * 4);
-      out.owner.set([fixture, noRow], to * 2);
+      out.normal[to * 4] = nx;
+      out.normal[to * 4 + 1] = ny;
+      out.normal[to * 4 + 2] = source.normal[from * 4 + 2]!;
+      out.owner[to * 2] = fixture;
+      out.owner[to * 2 + 1] = noRow;
       this.shine(to);
     }
     this.vertices += count;
   }
 
   addIndices(shift: number, first: number, count: number): void {
-    for (let i = first; i < first + count; i++) this.index.push(this.source.index[i]! + shift);
+    for (let i = first; i < first + count; i++) this.index[this.indices++] = this.source.index[i]! + shift;
   }
 
   endLayer(layer: "solid" | "glass"): void {
-    const count = this.index.length - this.layerBegan;
+    const count = this.indices - this.layerBegan;
     if (count > 0) this.batches.push({ first_index: this.layerBegan, index_count: count, layer, texture: -1, low_m: [0, 0, 0], high_m: [0, 0, 0] });
-    this.layerBegan = this.index.length;
+    this.layerBegan = this.indices;
   }
 
-  sections(): Sections & { readonly head: RoomHead } {
-    const arrays = new MemorySections({ ...this.out, index: Uint32Array.from(this.index) });
-    return Object.assign(arrays, { head: { batches: this.batches, textures: [] } });
+  sections(): EditedRoom {
+    const arrays = new MemorySections({ ...this.out, index: this.index });
+    return Object.assign(arrays, { head: { batches: this.batches, textures: [] }, shaped: this.shaped });
   }
 
   // Lamps have their light already.

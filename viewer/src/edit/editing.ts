@@ -12,7 +12,7 @@ import type { Speech } from "../ui/speech";
 import type { Status } from "../ui/status";
 import type { EditClient } from "./client";
 import type { EditHead, Patch } from "./contract";
-import { editedGoods, editedGoodsLight, editedRoom } from "./delta";
+import { editedGoods, editedGoodsLight, editedRoom, rowsBefore } from "./delta";
 import { NearLight, wayOf } from "./light";
 import { EditPanel } from "./panel";
 
@@ -49,6 +49,7 @@ export class Editing {
   private nextPreview: readonly Patch[] | undefined;
   private previews = 0; // what is let go makes those that are under way void
   private beating = 0;
+  private from: Uint32Array | undefined; // of the rows that are shown: rows of the opened store
 
   constructor(
     private readonly client: EditClient,
@@ -117,7 +118,7 @@ export class Editing {
     this.working = this.working.then(async () => {
       this.panel.busy(true);
       try {
-        await this.take(await ask());
+        this.take(await ask());
       } catch (error) {
         this.fail(error);
       }
@@ -188,7 +189,7 @@ export class Editing {
     return (this.opened = { table, light, skus: this.summary.skus.length, floors: JSON.stringify(this.summary.zones), nearGoods, nearRoom: nearRoom(this.stage.room!) });
   }
 
-  private async take(packed: Packed<EditHead>): Promise<void> {
+  private take(packed: Packed<EditHead>): void {
     const base = this.base();
     const { head } = packed;
     this.app.changing();
@@ -200,7 +201,7 @@ export class Editing {
       jointOfServer: packed.u32("joint_rows", 1),
     });
     this.takeGoods(packed, base);
-    await this.takeRoom(packed, base);
+    this.takeRoom(packed, base);
     this.app.changed();
     this.stage.redraw();
     this.panel.show(head);
@@ -221,9 +222,10 @@ export class Editing {
     const { goods: sections, from } = editedGoods(base.table, packed);
     const table = readGoods(sections, summary.skus);
     const before = stage.goods!;
-    const goods = new Goods(table, summary.skus, stage.shared, () => stage.redraw(), stage.redrawSoon);
-    goods.takeOver(before);
-    goods.setLight({ cube: editedGoodsLight(base.light, base.nearGoods, table.position, from) });
+    const light = { cube: editedGoodsLight(base.light, base.nearGoods, table.position, from) };
+    const earlier = { goods: before, rows: rowsBefore(from, this.from, base.table.count), light };
+    const goods = new Goods(table, summary.skus, stage.shared, () => stage.redraw(), stage.redrawSoon, earlier);
+    this.from = from;
     before.dispose();
     stage.overlays?.group.removeFromParent();
     stage.goods = goods;
@@ -231,11 +233,11 @@ export class Editing {
     stage.scene.add(goods.group, stage.overlays.group);
   }
 
-  private async takeRoom(packed: Packed<EditHead>, base: Opened): Promise<void> {
+  private takeRoom(packed: Packed<EditHead>, base: Opened): void {
     const { stage, summary } = this;
     stage.room!.revise(packed.u16("fixture_rows", 1), packed.u8("fixture_tags", 1), JSON.stringify(packed.head.floors) === base.floors);
     const sections = editedRoom(packed, base.nearRoom);
-    const annexe = sections && (await Room.create(sections, [], stage.shared));
+    const annexe = sections && Room.ofShapes(sections, sections.shaped, stage.shared);
     stage.annexe?.dispose();
     stage.annexe = annexe;
     if (annexe) stage.scene.add(annexe.group);

@@ -8,6 +8,7 @@ const offset = 512; // cells: a store is at most 200 m wide, and some of it may 
 export class NearLight {
   private readonly sums = new Map<number, Float64Array>(); // the bytes, and how many rows
   private readonly all = new Map<number, Float64Array>(); // by kind
+  private readonly means = new Map<number, Uint8Array | undefined>(); // that were asked for, by place and kind
 
   constructor(
     private readonly kinds: number,
@@ -15,16 +16,22 @@ export class NearLight {
   ) {}
 
   add(x: number, y: number, z: number, kind: number, light: Uint8Array, at: number): void {
+    if (this.means.size > 0) this.means.clear();
     this.into(this.sums, this.key(this.column(x), this.column(y), this.column(z), kind), light, at);
     this.into(this.all, kind, light, at);
   }
 
   // Writes the light at a place to `out[o]` and on; nothing where none is known at all.
   read(x: number, y: number, z: number, kind: number, out: Uint8Array, o: number): void {
-    const sum = this.nearest(this.column(x), this.column(y), this.column(z), kind) ?? this.all.get(kind);
-    if (!sum) return;
-    const rows = sum[this.bytes]!;
-    for (let k = 0; k < this.bytes; k++) out[o + k] = Math.round(sum[k]! / rows);
+    const [column, line, layer] = [this.column(x), this.column(y), this.column(z)];
+    const key = this.key(column, line, layer, kind);
+    let mean = this.means.get(key);
+    if (!mean && !this.means.has(key)) this.means.set(key, (mean = this.meanOf(this.nearest(column, line, layer, kind) ?? this.all.get(kind))));
+    if (mean) for (let k = 0; k < this.bytes; k++) out[o + k] = mean[k]!;
+  }
+
+  private meanOf(sum: Float64Array | undefined): Uint8Array | undefined {
+    return sum && Uint8Array.from({ length: this.bytes }, (_, k) => Math.round(sum[k]! / sum[this.bytes]!));
   }
 
   private nearest(x: number, y: number, z: number, kind: number): Float64Array | undefined {

@@ -4,6 +4,7 @@ import { element } from "../ui/dom";
 import type { Speech } from "../ui/speech";
 import type { EditHead, Patch, Preview, Saved } from "./contract";
 import { PlanMap, type MapActions } from "./plan_map";
+import { heldAt, pinsOf } from "./runs";
 import { lineText } from "./steps";
 import { ZoneCard } from "./zone_card";
 
@@ -77,7 +78,7 @@ export class EditPanel {
     this.taken.hidden = true;
     this.body.hidden = false;
     this.fault.textContent = "";
-    this.map.show(head.floors, head.fixtures, head.cuts, head.violations);
+    this.map.show(head);
     this.showZone();
     this.undo.disabled = head.done === 0;
     this.redo.disabled = head.done === head.lines.length;
@@ -91,7 +92,7 @@ export class EditPanel {
       if (this.head) this.show(this.head);
       return;
     }
-    this.map.showPreview(preview.zones, [...preview.offences, ...preview.violations]);
+    this.map.showPreview(preview);
     this.fault.textContent = preview.offences.map(({ message }) => this.speech.say("editBroken", { message })).join("\n");
     this.state.textContent = preview.offences.length === 0 ? this.speech.say("editFits") : "";
   }
@@ -133,6 +134,8 @@ export class EditPanel {
       },
       border: ({ node }, value) => this.actions.preview(ratio(node, value)),
       letGo: ({ node }, value) => (value === undefined ? this.showPreview(undefined) : this.actions.change(ratio(node, value))),
+      carry: (run, by) => this.actions.preview(heldAt(run, by)),
+      putDown: (run, by) => (by === undefined ? this.showPreview(undefined) : this.actions.change(pinsOf(run, by))),
       swap: (a, b) => this.actions.change([{ swap_leaves: { a, b } }]),
     };
   }
@@ -181,7 +184,7 @@ export class EditPanel {
 
   private showZone(): void {
     const { head } = this;
-    if (head) this.card.show(head.zones.find(({ id }) => id === this.zone), head.zones, head.kinds);
+    if (head) this.card.show(head.zones.find(({ id }) => id === this.zone), head);
   }
 
   private stateOf(head: EditHead): string {

@@ -1,10 +1,12 @@
 // The store from above, to be changed by hand: borders between zones are dragged (or moved by arrow keys), a zone is dragged onto
-// another to swap the two, a click chooses one.
+// another to swap the two, a click chooses one; runs of shelves of the chosen zone are dragged (or moved by arrow keys), too.
 import type { Fixture, Summary, Violation, Zone } from "../store/contract";
 import { zoneColor } from "../stage/overlays";
 import type { Speech } from "../ui/speech";
-import type { Cut } from "./contract";
+import type { Cut, EditHead, Preview, Rect, Run } from "./contract";
 import { limited, lineOf, ratioAt } from "./cuts";
+import { keyShift, rounded, shifted, type Shift } from "./runs";
+import { follow, shape } from "./shapes";
 
 export interface MapActions {
   choose(zone: string): void;
@@ -12,30 +14,25 @@ export interface MapActions {
   border(cut: Cut, ratio: number): void;
   letGo(cut: Cut, ratio: number | undefined): void;
   swap(a: string, b: string): void;
+  // A run, while it is carried, and when it is put down or given up (undefined).
+  carry(run: Run, by: Shift): void;
+  putDown(run: Run, by: Shift | undefined): void;
 }
 
-const svg = "http://www.w3.org/2000/svg";
 const margin = 300; // millimetres round the store
 const clickMoves = 6; // pixels a click may shake
 const keyStep = 0.01;
-
-type Attributes = Readonly<Record<string, string | number>>;
-
-function shape(name: string, attributes: Attributes, text?: string): SVGElement {
-  const made = document.createElementNS(svg, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
-  if (text !== undefined) made.textContent = text;
-  return made;
-}
 
 export class PlanMap {
   readonly root = shape("svg", { class: "plan", role: "group" }) as SVGSVGElement;
   private cuts: readonly Cut[] = [];
   private zones: readonly Zone[] = [];
-  private fixtures: readonly Fixture[] = [];
+  private fixtures: readonly Rect[] = [];
+  private runs: readonly Run[] = [];
   private violations: readonly Violation[] = [];
   private chosen: string | undefined;
   private held: { cut: Cut; ratio: number } | undefined;
+  private carried: { run: Run; by: Shift } | undefined;
   private height = 0; // of the store, so that north is up
 
   constructor(
@@ -52,14 +49,14 @@ export class PlanMap {
     });
   }
 
-  show(floors: readonly Zone[], fixtures: readonly Fixture[], cuts: readonly Cut[], violations: readonly Violation[]): void {
-    Object.assign(this, { zones: floors, fixtures, cuts, violations, held: undefined });
+  show({ floors, fixtures, runs, cuts, violations }: Pick<EditHead, "floors" | "fixtures" | "runs" | "cuts" | "violations">): void {
+    Object.assign(this, { zones: floors, fixtures: fixtures.map(rectOf), runs, cuts, violations, held: undefined, carried: undefined });
     this.draw();
   }
 
-  // While a border is held: floors as they would be, without the fixtures that would move.
-  showPreview(floors: readonly Zone[], violations: readonly Violation[]): void {
-    Object.assign(this, { zones: floors, violations });
+  // While a border is held or a run is carried: floors and fixtures as they would be.
+  showPreview({ zones, fixtures, offences, violations }: Preview): void {
+    Object.assign(this, { zones, fixtures: fixtures.map(({ rect_mm }) => rect_mm), violations: [...offences, ...violations] });
     this.draw();
   }
 
@@ -74,9 +71,10 @@ export class PlanMap {
     this.root.replaceChildren(
       shape("polygon", { class: "outline", points: this.points(this.store.outline_mm) }),
       ...this.zones.map((zone) => this.zoneShape(zone, `#${zoneColor(types.indexOf(zone.type)).getHexString()}`)),
-      ...(this.held ? [] : this.fixtures.map((fixture) => this.fixtureShape(fixture))),
+      ...this.fixtures.map((fixture) => this.rect(fixture, { class: "fixture" })),
       ...this.zones.map((zone) => this.nameOf(zone)),
       ...this.cuts.map((cut) => this.border(cut)),
+      ...this.runs.filter(({ zone }) => zone === this.chosen).map((run) => this.runShape(run)),
       ...this.violations.flatMap((violation) => this.fault(violation)),
     );
     if (focused) this.root.querySelector<SVGElement>(`[data-key="${CSS.escape(focused)}"]`)?.focus();
@@ -108,9 +106,28 @@ export class PlanMap {
     return made;
   }
 
-  private fixtureShape({ position_m: [x, y], size_m: [width, depth], yaw_deg }: Fixture): SVGElement {
-    const [w, d] = yaw_deg % 180 === 0 ? [width * 1000, depth * 1000] : [depth * 1000, width * 1000];
-    return shape("rect", { class: "fixture", x: x * 1000 - w / 2, y: this.height - y * 1000 - d / 2, width: w, height: d });
+  private rect([west, south, east, north]: Rect, more: Readonly<Record<string, string | number>>): SVGElement {
+    return shape("rect", { x: west, y: this.height - north, width: east - west, height: north - south, ...more });
+  }
+
+  private runShape(run: Run): SVGElement {
+    const carried = this.carried?.run.id === run.id ? this.carried : undefined;
+    const by = carried?.by ?? { x: 0, y: 0 };
+    const metres = (value: number): string => this.speech.number(value / 1000, 2);
+    const at = this.speech.say("editRunAt", { x: metres(run.at_mm[0] + by.x), y: metres(run.at_mm[1] + by.y) });
+    const handle = this.rect(shifted(run.rect_mm, by), {
+      class: `run${carried ? " carried" : ""}${run.pinned ? " pinned" : ""}`,
+      tabindex: 0,
+      role: "button",
+      "aria-label": `${this.speech.say("editRun", { run: run.id })}, ${at}`,
+      "data-key": `run ${run.id}`,
+      "data-run": run.id,
+    });
+    handle.append(shape("title", {}, `${run.id}, ${at}`));
+    handle.addEventListener("pointerdown", (event) => this.liftRun(event, run));
+    handle.addEventListener("keydown", (event) => this.keyOnRun(event, run));
+    handle.addEventListener("blur", () => this.left(`run ${run.id}`, () => this.carried?.run.id === run.id && this.putDown(run, true)));
+    return handle;
   }
 
   private nameOf(zone: Zone): SVGElement {
@@ -144,7 +161,7 @@ export class PlanMap {
     handle.append(shape("line", { class: "grip", ...places }), shape("line", { class: "line", ...places }));
     handle.addEventListener("pointerdown", (event) => this.liftBorder(event, cut));
     handle.addEventListener("keydown", (event) => this.keyOnBorder(event, cut));
-    handle.addEventListener("blur", () => this.blurred(cut));
+    handle.addEventListener("blur", () => this.left(`cut ${cut.node}`, () => this.held?.cut.node === cut.node && this.release(cut, true)));
     return handle;
   }
 
@@ -162,24 +179,9 @@ export class PlanMap {
     return [at.x, this.height - at.y];
   }
 
-  // The pointer is followed on the whole page: the shape under it is drawn anew while it moves.
-  private follow(event: PointerEvent, moved: (event: PointerEvent) => void, done: (event: PointerEvent | undefined) => void): void {
-    event.preventDefault();
-    const controller = new AbortController();
-    const { signal } = controller;
-    const end = (last: PointerEvent | undefined): void => {
-      controller.abort();
-      done(last);
-    };
-    window.addEventListener("pointermove", moved, { signal });
-    window.addEventListener("pointerup", end, { signal });
-    window.addEventListener("pointercancel", () => end(undefined), { signal });
-    window.addEventListener("keydown", (key) => key.key === "Escape" && (key.stopPropagation(), end(undefined)), { signal, capture: true });
-  }
-
   private liftBorder(event: PointerEvent, cut: Cut): void {
     (event.currentTarget as SVGElement).focus();
-    this.follow(
+    follow(
       event,
       (moved) => this.hold(cut, ratioAt(cut, ...this.place(moved))),
       (last) => this.release(cut, last !== undefined),
@@ -212,11 +214,48 @@ export class PlanMap {
   }
 
   // Drawing anew takes the focus away and gives it back: only who goes elsewhere lets go.
-  private blurred(cut: Cut): void {
-    setTimeout(() => {
-      const key = document.activeElement?.getAttribute("data-key");
-      if (this.held?.cut.node === cut.node && key !== `cut ${cut.node}`) this.release(cut, true);
-    });
+  private left(key: string, letGo: () => void): void {
+    setTimeout(() => document.activeElement?.getAttribute("data-key") !== key && letGo());
+  }
+
+  private liftRun(event: PointerEvent, run: Run): void {
+    (event.currentTarget as SVGElement).focus();
+    const [x, y] = this.place(event);
+    follow(
+      event,
+      (moved) => {
+        const [nowX, nowY] = this.place(moved);
+        this.carry(run, rounded({ x: nowX - x, y: nowY - y }));
+      },
+      (last) => this.putDown(run, last !== undefined),
+    );
+  }
+
+  private keyOnRun(event: KeyboardEvent, run: Run): void {
+    const step = { ArrowUp: [0, 1], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowLeft: [-1, 0] }[event.key];
+    const by = this.carried?.by ?? { x: 0, y: 0 };
+    if (step) this.carry(run, { x: by.x + step[0]! * keyShift, y: by.y + step[1]! * keyShift });
+    else if (event.key === "Enter" && this.carried) this.putDown(run, true);
+    else if (event.key === "Escape" && this.carried) {
+      event.stopPropagation();
+      this.putDown(run, false);
+    } else return;
+    event.preventDefault();
+  }
+
+  private carry(run: Run, by: Shift): void {
+    const now = this.carried?.by ?? { x: 0, y: 0 };
+    if (now.x === by.x && now.y === by.y) return;
+    this.carried = { run, by };
+    this.draw();
+    this.actions.carry(run, by);
+  }
+
+  private putDown(run: Run, take: boolean): void {
+    if (!this.carried) return;
+    const { by } = this.carried;
+    this.carried = undefined;
+    this.actions.putDown(run, take && (by.x !== 0 || by.y !== 0) ? by : undefined);
   }
 
   private liftZone(event: PointerEvent, zone: string): void {
@@ -227,7 +266,7 @@ export class PlanMap {
     const mark = (target: string | undefined): void => {
       for (const found of this.root.querySelectorAll(".zone")) found.classList.toggle("target", target !== zone && found.getAttribute("data-zone") === target);
     };
-    this.follow(
+    follow(
       event,
       (moved) => mark(under(moved)),
       (last) => {
@@ -240,4 +279,9 @@ export class PlanMap {
       },
     );
   }
+}
+
+function rectOf({ position_m: [x, y], size_m: [width, depth], yaw_deg }: Fixture): Rect {
+  const [w, d] = yaw_deg % 180 === 0 ? [width * 500, depth * 500] : [depth * 500, width * 500];
+  return [x * 1000 - w, y * 1000 - d, x * 1000 + w, y * 1000 + d];
 }

@@ -13,6 +13,10 @@ export function patchText(patch: Patch, speech: Speech): string {
   const given = value as Record<string, unknown>;
   if (operation === "set_ratio") return speech.say("editPatchRatio", { node: String(given["node"]), share: speech.number(Number(given["ratio"]) * 100, 1) });
   if (operation === "swap_leaves") return speech.say("editPatchSwap", { a: String(given["a"]), b: String(given["b"]) });
+  if (operation === "set_override") {
+    const value = given["value"] === undefined ? speech.say("editAsUsual") : String(given["value"]);
+    return speech.say("editPatchPin", { fixture: String(given["fixture"]), field: words(String(given["field"])), value });
+  }
   if (operation === "set_fixture" || operation === "set_stock") return speech.say("editPatchZone", { zone: String(given["zone"]), values: zoneValues(given) });
   return `${words(operation)} ${Object.values(given).map((part) => (typeof part === "object" ? JSON.stringify(part) : String(part))).join(" ")}`;
 }

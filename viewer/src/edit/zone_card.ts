@@ -1,7 +1,8 @@
-// What can be changed of a zone: kind of its fixtures, levels, how full they are, and its place.
+// What can be changed of a zone: kind of its fixtures, levels, aisles, how full they are and with how many facings, and its place.
 import { element, words } from "../ui/dom";
 import type { Speech } from "../ui/speech";
-import type { EditZone, Patch } from "./contract";
+import type { EditHead, EditZone, Patch } from "./contract";
+import { unpinned } from "./runs";
 
 export class ZoneCard {
   readonly root = element("div", { class: "zone-card" });
@@ -11,7 +12,8 @@ export class ZoneCard {
     private readonly change: (patches: readonly Patch[]) => void,
   ) {}
 
-  show(zone: EditZone | undefined, zones: readonly EditZone[], kinds: readonly string[]): void {
+  show(zone: EditZone | undefined, head: EditHead): void {
+    const { zones, kinds } = head;
     const { speech } = this;
     if (!zone) return this.root.replaceChildren(element("p", { class: "muted", text: speech.say("editPickZone") }));
     const figures = speech.say("editZoneFigures", { fixtures: speech.number(zone.fixtures), products: speech.number(zone.products) });
@@ -21,9 +23,12 @@ export class ZoneCard {
       element("p", { class: "muted", text: figures }),
       this.field("kind", speech.say("editKind"), this.kinds(zone, kinds)),
       this.field("levels", speech.say("editLevels"), this.levels(zone)),
+      this.field("aisle", speech.say("editAisle"), this.aisle(zone)),
       this.field("fill", speech.say("editFill"), this.fill(zone)),
+      this.facings(zone),
       this.field("swap", speech.say("editSwap"), this.swap(zone, zones)),
     );
+    if (head.runs.some((run) => run.zone === zone.id)) this.root.append(this.runs(zone, head));
     if (focused) this.root.querySelector<HTMLElement>(`[data-field="${focused}"]`)?.focus();
   }
 
@@ -54,13 +59,51 @@ export class ZoneCard {
     );
   }
 
-  private fill(zone: EditZone): HTMLElement {
-    const input = element("input", { attributes: { type: "number", min: "0", max: "100", step: "5", value: String(Math.round(zone.fill * 100)) } });
+  // `take` is given what is typed where it is within the limits; `usual`: what nothing typed stands for.
+  private number(value: string, limits: Readonly<Record<"min" | "max" | "step", number>>, take: (value: number) => void, usual?: { readonly hint: string; readonly take: () => void }): HTMLInputElement {
+    const bounds = Object.entries(limits).map(([name, limit]) => [name, String(limit)]);
+    const input = element("input", { attributes: { type: "number", value, ...Object.fromEntries(bounds), ...(usual ? { placeholder: usual.hint } : { required: "" }) } });
     input.addEventListener("change", () => {
-      if (input.validity.valid && input.value !== "") this.change([{ set_stock: { zone: zone.id, fill: Number(input.value) / 100 } }]);
-      else input.reportValidity();
+      if (!input.reportValidity()) return;
+      if (input.value === "") usual?.take();
+      else take(Number(input.value));
     });
     return input;
+  }
+
+  private fill(zone: EditZone): HTMLElement {
+    return this.number(String(Math.round(zone.fill * 100)), { min: 0, max: 100, step: 1 }, (share) => this.change([{ set_stock: { zone: zone.id, fill: share / 100 } }]));
+  }
+
+  private aisle(zone: EditZone): HTMLElement {
+    const set = (values: object): void => this.change([{ set_fixture: { zone: zone.id, ...values } }]);
+    const usual = { hint: this.speech.say("editAsUsual"), take: () => set({ usual: ["aisle_mm"] }) };
+    return this.number(zone.aisle_mm === undefined ? "" : String(zone.aisle_mm), { min: 600, max: 8000, step: 1 }, (aisle_mm) => set({ aisle_mm }), usual);
+  }
+
+  // Fewest and most; who sets one beyond the other moves both.
+  private facings(zone: EditZone): HTMLElement {
+    const { speech } = this;
+    const set = (facings: readonly [number, number]): void => this.change([{ set_stock: { zone: zone.id, facings } }]);
+    const [fewest, most] = zone.facings;
+    const limits = { min: 1, max: 40, step: 1 };
+    const low = this.number(String(fewest), limits, (count) => set([count, Math.max(count, most)]));
+    const high = this.number(String(most), limits, (count) => set([Math.min(fewest, count), count]));
+    low.dataset["field"] = "facings";
+    high.dataset["field"] = "facings-most";
+    low.setAttribute("aria-label", speech.say("editFacingsFewest"));
+    high.setAttribute("aria-label", speech.say("editFacingsMost"));
+    return element("div", { class: "field" }, element("span", { text: speech.say("editFacings") }), element("span", { class: "pair" }, low, element("span", { text: "–" }), high));
+  }
+
+  private runs(zone: EditZone, head: EditHead): HTMLElement {
+    const { speech } = this;
+    const made = element("p", { class: "muted runs", text: speech.say("editRuns") });
+    const patches = unpinned(head, zone.id);
+    if (patches.length === 0) return made;
+    const free = element("button", { class: "act", text: speech.say("editRunsFree"), attributes: { type: "button" }, on: { click: () => this.change(patches) } });
+    free.dataset["field"] = "free";
+    return element("div", {}, made, free);
   }
 
   private swap(zone: EditZone, zones: readonly EditZone[]): HTMLElement {

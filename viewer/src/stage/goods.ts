@@ -17,6 +17,13 @@ import type { Sight } from "./sight";
 import { SkuPlaces } from "./sku_places";
 import { StandIns } from "./stand_ins";
 
+// Goods that were shown before: the same SKUs, and perhaps fewer.
+export interface Earlier {
+  readonly goods: Goods;
+  readonly rows: Uint32Array; // by row now: the row then, which stands as it stood; or `nowhere`
+  readonly light: GoodsLight; // on the goods now
+}
+
 export interface Limits {
   readonly sheetLayers: number;
   readonly sharpness: number; // anisotropy
@@ -55,8 +62,10 @@ export class Goods {
     private readonly shared: Shared,
     private readonly changed: () => void,
     private readonly changedSoon: () => void,
+    earlier?: Earlier,
   ) {
-    this.standIns = new StandIns(table, skus, shared);
+    this.light = earlier?.light;
+    this.standIns = new StandIns(table, skus, shared, earlier?.light, earlier && { standIns: earlier.goods.standIns, rows: earlier.rows });
     this.group.add(this.standIns.group);
     this.shown = table.cells.map((cell, number) => ({
       number,
@@ -66,6 +75,7 @@ export class Goods {
       built: undefined,
       distance: 0,
     }));
+    if (earlier) this.takeOver(earlier.goods);
   }
 
   get trianglesOfMeshes(): number {
@@ -135,12 +145,11 @@ export class Goods {
     this.changed();
   }
 
-  // Takes over shapes, labels and their pictures from what was shown before: the same SKUs, and perhaps more that have none.
-  takeOver(from: Goods): void {
+  // Shapes, labels and their pictures; SKUs that are new have none.
+  private takeOver(from: Goods): void {
     this.far = from.far;
     this.sheets = from.sheets;
     this.materials = from.materials;
-    if (from.standIns.pictures) this.standIns.setPortraits(from.standIns.pictures);
     if (this.far) for (const shown of this.shown) shown.triangles = this.trianglesOf(shown.cell, this.far);
     this.changed();
   }

@@ -26,12 +26,3 @@ export function lightOn(light: GoodsLight, row: number, x: number, y: number, z:
     out[o + k] = Math.sqrt(x * x * fx * fx + y * y * fy * fy + z * z * fz * fz);
   }
 }
-
-const scratch = new Uint8Array(3);
-
-// The light on one face of a pack, as a word 0xBBGGRR.
-export function faceLight(light: GoodsLight, row: number, turn: Quaternion, normal: readonly [number, number, number]): number {
-  const [x, y, z] = rotated(turn, normal);
-  lightOn(light, row, x, y, z, scratch, 0);
-  return scratch[0]! | (scratch[1]! << 8) | (scratch[2]! << 16);
-}

@@ -55,6 +55,7 @@ export const fronts = [
 
 interface Placed {
   row: number;
+  width: number;
   across: number;
   depth: number;
 }
@@ -76,16 +77,15 @@ function rankShelf(rows: readonly number[], facing: number, position: Float32Arr
   const placed: Placed[] = rows.map((row) => {
     const x = position[row * 3]!;
     const y = position[row * 3 + 1]!;
-    return { row, across: -fy * x + fx * y, depth: -(fx * x + fy * y) };
+    return { row, width: widthOf(row), across: -fy * x + fx * y, depth: -(fx * x + fy * y) };
   });
   placed.sort((a, b) => a.depth - b.depth);
   for (let i = 0; i < placed.length; i++) {
     const behind = placed[i]!;
-    const width = widthOf(behind.row);
     let before = 0;
     for (let j = i - 1; j >= 0; j--) {
       const other = placed[j]!;
-      const apart = 0.35 * (width + widthOf(other.row));
+      const apart = 0.35 * (behind.width + other.width);
       if (behind.depth - other.depth < 0.02 || Math.abs(behind.across - other.across) > apart) continue;
       before = Math.max(before, rank[other.row]! + 1);
     }
@@ -125,7 +125,8 @@ export function readGoods(packed: Sections, skus: Summary["skus"], without: Read
     rank: new Uint8Array(count),
   };
   const { shelf } = base;
-  const size = (row: number): readonly [number, number, number] => skus[base.sku[row]!]!.size_m;
+  const widths = Float64Array.from(skus, ({ size_m }) => size_m[0]);
+  const reaches = Float64Array.from(skus, ({ size_m }) => Math.hypot(...size_m));
   const facing = new Uint8Array(count);
   for (let row = 0; row < count; row++) facing[row] = facingOf(rotationOf(base, row));
 
@@ -134,7 +135,7 @@ export function readGoods(packed: Sections, skus: Summary["skus"], without: Read
     for (const row of rows) seen[facing[row]!]!++;
     const main = seen.indexOf(Math.max(...seen));
     if (seen[main]! < rows.length * 0.8) for (const row of rows) facing[row] = facesAnyway;
-    else rankShelf(rows, main, position, (row) => size(row)[0], base.rank);
+    else rankShelf(rows, main, position, (row) => widths[base.sku[row]!]!, base.rank);
   }
 
   const order = new Uint32Array(count);
@@ -144,7 +145,7 @@ export function readGoods(packed: Sections, skus: Summary["skus"], without: Read
     const rows = all.filter((row) => !without.has(row));
     if (rows.length === 0) continue;
     rows.sort((a, b) => base.rank[a]! - base.rank[b]! || a - b);
-    cells.push(cellOf(rows, facing[rows[0]!]!, first, base, (row) => Math.hypot(...size(row))));
+    cells.push(cellOf(rows, facing[rows[0]!]!, first, base, (row) => reaches[base.sku[row]!]!));
     order.set(rows, first);
     first += rows.length;
   }

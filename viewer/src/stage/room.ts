@@ -12,7 +12,7 @@ import {
 import type { Joint, RoomHead } from "../store/contract";
 import type { Sections } from "../store/packed";
 import type { Effort } from "./effort";
-import { boundsOf, divideRoom, type Batch, type RoomParts } from "./room_parts";
+import { boundsOf, divideRoom, divideShapes, type Batch, type RoomParts, type RoomSource, type Shaped } from "./room_parts";
 import { MovingParts } from "./moving_parts";
 import { roomMaterial, type Shared } from "./shading";
 import type { Sight } from "./sight";
@@ -63,7 +63,16 @@ export class Room {
 
   static async create(packed: Sections & { readonly head: RoomHead }, joints: readonly Joint[], shared: Shared): Promise<Room> {
     const room = new Room(packed, joints, shared);
-    await room.divide();
+    const plan = room.plan();
+    room.wear(await divideRoom(room.source, plan));
+    return room;
+  }
+
+  // Of fixtures alone, few shapes in many places (by fixture row), without joints: at once.
+  static ofShapes(packed: Sections & { readonly head: RoomHead }, shaped: ReadonlyMap<number, Shaped>, shared: Shared): Room {
+    const room = new Room(packed, [], shared);
+    const plan = room.plan();
+    room.wear(divideShapes(room.source, plan, shaped));
     return room;
   }
 
@@ -165,7 +174,11 @@ export class Room {
     for (const surface of this.surfaces) hand(surface);
   }
 
-  private async divide(): Promise<void> {
+  private get source(): RoomSource {
+    return { ...this.arrays, normal: this.packed.i8("normal", 4), color: this.packed.u8("color", 4) };
+  }
+
+  private plan(): Batch[] {
     const { packed } = this;
     const { batches, textures } = packed.head;
     const attributes = {
@@ -176,15 +189,17 @@ export class Room {
       light: new BufferAttribute(packed.u8("light", 4), 4, true),
       finish: new BufferAttribute(packed.u8("finish", 4), 4, true),
     };
-    const plan = batches.map((batch): Batch => {
+    return batches.map((batch): Batch => {
       this.layerOf.fill(layers.indexOf(batch.layer), batch.first_index / 3, (batch.first_index + batch.index_count) / 3);
       const exact = batch.texture >= 0 && !(textures[batch.texture]?.repeat ?? false);
       return { first: batch.first_index, count: batch.index_count, surface: this.surfaceOf(batch, exact, attributes), exact };
     });
-    const source = { ...this.arrays, normal: packed.i8("normal", 4), color: packed.u8("color", 4) };
-    this.divided = await divideRoom(source, plan);
+  }
+
+  private wear(divided: RoomParts): void {
+    this.divided = divided;
     this.surfaces.forEach((surface, i) => {
-      surface.shown = new Uint32Array(this.divided!.surfaces[i] ?? 0);
+      surface.shown = new Uint32Array(divided.surfaces[i] ?? 0);
       const index = new BufferAttribute(surface.shown, 1);
       index.setUsage(DynamicDrawUsage);
       surface.mesh.geometry.setIndex(index);

@@ -149,8 +149,18 @@ export interface RoomParts {
   readonly surfaces: readonly number[]; // how many indices at most each surface shows
 }
 
-// Groups in turn: between two of them the page lives on.
-export async function divideRoom(source: RoomSource, batches: readonly Batch[]): Promise<RoomParts> {
+// Fixtures of one shape have the same triangles, from their first vertices on.
+export interface Shaped {
+  readonly shape: number;
+  readonly vertex: number; // its first
+}
+
+interface PartSource {
+  readonly batch: Batch;
+  readonly triangles: Uint32Array;
+}
+
+function groupsOf(source: RoomSource, batches: readonly Batch[]): PartSource[] {
   const groups = new Map<number, { batch: Batch; triangles: number[] }>();
   for (const batch of batches) {
     for (let i = batch.first; i < batch.first + batch.count; i += 3) {
@@ -161,19 +171,70 @@ export async function divideRoom(source: RoomSource, batches: readonly Batch[]):
       group.triangles.push(source.index[i]!, source.index[i + 1]!, source.index[i + 2]!);
     }
   }
+  return [...groups.values()].map(({ batch, triangles }) => ({ batch, triangles: new Uint32Array(triangles) }));
+}
+
+// Where the triangles of each fixture lie together.
+function stretchesOf({ index, owner }: RoomSource, batches: readonly Batch[]): PartSource[] {
+  const stretches: PartSource[] = [];
+  for (const batch of batches) {
+    const end = batch.first + batch.count;
+    for (let first = batch.first; first < end; ) {
+      let next = first + 3;
+      while (next < end && owner[index[next]! * 2] === owner[index[first]! * 2]) next += 3;
+      stretches.push({ batch, triangles: index.subarray(first, next) });
+      first = next;
+    }
+  }
+  return stretches;
+}
+
+// Groups in turn: between two of them the page lives on.
+export async function divideRoom(source: RoomSource, batches: readonly Batch[]): Promise<RoomParts> {
   const levels: number[][] = grains.map(() => []);
   const together = new Grains(source);
   const parts: Part[] = [];
   let worked = performance.now();
-  for (const { batch, triangles } of groups.values()) {
-    parts.push(partOf(source, batch, Uint32Array.from(triangles), levels, together));
+  for (const { batch, triangles } of groupsOf(source, batches)) {
+    parts.push(partOf(source, batch, triangles, levels, together));
     if (performance.now() - worked < 12) continue;
     await new Promise((done) => setTimeout(done));
     worked = performance.now();
   }
+  return joined(parts, levels);
+}
+
+// At once, each shape the first time that it stands somewhere. `shaped`: by fixture row; in each batch one fixture comes after another.
+export function divideShapes(source: RoomSource, batches: readonly Batch[], shaped: ReadonlyMap<number, Shaped>): RoomParts {
+  const levels: number[][] = grains.map(() => []);
+  const together = new Grains(source);
+  const known = new Map<string, { part: Part; vertex: number }>();
+  const parts = stretchesOf(source, batches).map(({ batch, triangles }) => {
+    const { shape, vertex } = shaped.get(source.owner[triangles[0]! * 2]!)!;
+    const key = `${batch.surface} ${shape}`;
+    const like = known.get(key);
+    if (like) return copied(like.part, vertex - like.vertex, source, levels, triangles);
+    const part = partOf(source, batch, triangles, levels, together);
+    known.set(key, { part, vertex });
+    return part;
+  });
+  return joined(parts, levels);
+}
+
+function copied(like: Part, shift: number, source: RoomSource, levels: readonly number[][], triangles: Uint32Array): Part {
+  const runs = like.runs.map(({ start, end }, level): Run => {
+    const into = levels[level]!;
+    const from = into.length;
+    for (let i = start; i < end; i++) into.push(into[i]! + shift);
+    return { start: from, end: into.length };
+  });
+  return { ...like, fixture: source.owner[triangles[0]! * 2]!, ...boundsOf(source.position, triangles), runs };
+}
+
+function joined(parts: readonly Part[], levels: readonly number[][]): RoomParts {
   const surfaces: number[] = [];
   for (const { surface, runs } of parts) surfaces[surface] = (surfaces[surface] ?? 0) + runs[0]!.end - runs[0]!.start;
-  return { parts, indices: levels.map((level) => Uint32Array.from(level)), surfaces };
+  return { parts, indices: levels.map((level) => new Uint32Array(level)), surfaces };
 }
 
 export function boundsOf(position: Float32Array, vertices: Uint32Array): { low: Corner; high: Corner } {

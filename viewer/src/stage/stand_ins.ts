@@ -3,8 +3,8 @@
 // (Not instanced: WebGL without a GPU takes 0.1 ms an instance.)
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, Mesh, Vector3, type RawShaderMaterial, type Texture } from "three";
 import type { Sku } from "../store/contract";
-import { faceLight, type GoodsLight } from "./goods_light";
-import { facesAnyway, fronts, rotationOf, type Cell, type GoodsTable, type Quaternion } from "./goods_table";
+import { lightOn, type GoodsLight } from "./goods_light";
+import { facesAnyway, fronts, type Cell, type GoodsTable } from "./goods_table";
 import { standInMaterial, type Shared } from "./shading";
 
 export enum Form {
@@ -20,13 +20,13 @@ export interface Portraits {
   readonly forms: Uint8Array; // by SKU row
 }
 
-// Sides of a box, in the product frame: -1..1 across, 0..1 up.
+// Sides of a box, in the product frame: -1..1 across, 0..1 up. `look`: along which axis (first of its three numbers), and which way.
 const sides = [
-  { corners: [[-1, -1, 0], [1, -1, 0], [1, -1, 1], [-1, -1, 1]], normal: [0, -1, 0], view: 0 }, // front
-  { corners: [[1, -1, 0], [1, 1, 0], [1, 1, 1], [1, -1, 1]], normal: [1, 0, 0], view: 1 }, // right
-  { corners: [[-1, 1, 0], [-1, -1, 0], [-1, -1, 1], [-1, 1, 1]], normal: [-1, 0, 0], view: 1 }, // left
-  { corners: [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], normal: [0, 0, 1], view: 2 }, // top
-  { corners: [[1, 1, 0], [-1, 1, 0], [-1, 1, 1], [1, 1, 1]], normal: [0, 1, 0], view: 0 }, // back
+  { corners: [[-1, -1, 0], [1, -1, 0], [1, -1, 1], [-1, -1, 1]], look: [3, -1], view: 0 }, // front
+  { corners: [[1, -1, 0], [1, 1, 0], [1, 1, 1], [1, -1, 1]], look: [0, 1], view: 1 }, // right
+  { corners: [[-1, 1, 0], [-1, -1, 0], [-1, -1, 1], [-1, 1, 1]], look: [0, -1], view: 1 }, // left
+  { corners: [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], look: [6, 1], view: 2 }, // top
+  { corners: [[1, 1, 0], [-1, 1, 0], [-1, 1, 1], [1, 1, 1]], look: [3, 1], view: 0 }, // back
 ] as const;
 enum Side {
   front = 0,
@@ -36,12 +36,22 @@ enum Side {
   back = 4,
 }
 const corners = sides.length * 4; // of a pack
+const boxCorners = Float32Array.from(sides.flatMap((side) => side.corners.flat()));
+const tints = Float64Array.from({ length: 256 }, (_, tint) => (tint / 200) ** 0.4545);
 const picture = [
   [0, 0],
   [1, 0],
   [1, 1],
   [0, 1],
 ] as const; // of a side's corners
+const twoTriangles = [0, 1, 2, 0, 2, 3] as const; // of a side's corners
+const perCorner = [
+  ["position", 3],
+  ["across", 1],
+  ["uv", 2],
+  ["color", 4],
+  ["light", 4],
+] as const;
 const seenRows = 2; // how many packs behind one another show their front
 const plainTimes = 2; // times as far as where packs are shown by their fronts alone: only the first row is
 const topShare = 0.93; // of the height: where a round pack's picture from above lies
@@ -53,12 +63,12 @@ interface Run {
   readonly starts: Uint32Array; // of each pack, and the end
 }
 
-interface Box {
-  readonly turn: Quaternion;
-  readonly place: readonly [number, number, number];
-  readonly size: readonly [number, number, number];
-  readonly round: boolean;
+// A table of before, whose packs stand as they stood.
+export interface Before {
+  readonly standIns: StandIns;
+  readonly rows: Uint32Array; // by row now: the row then, or nowhere
 }
+export const nowhere = 0xffffffff;
 
 interface Draw {
   readonly mesh: Mesh;
@@ -96,11 +106,15 @@ export class StandIns {
   private painted: Uint8Array | undefined; // RGB by product row
   private readonly seen: Uint32Array; // by cell: where those end that show their front
   private readonly firstRow: Uint32Array; // and the first row
+  private readonly forms: Uint8Array; // by place in the table's order
 
+  // `light`: the goods' own; undefined: it is still to come.
   constructor(
     private readonly table: GoodsTable,
     private readonly skus: readonly Sku[],
     private readonly shared: Shared,
+    light?: GoodsLight,
+    before?: Before,
   ) {
     const vertices = table.count * corners;
     this.position = new Float32Array(vertices * 3);
@@ -108,19 +122,20 @@ export class StandIns {
     this.uv = new Uint16Array(vertices * 2);
     this.color = new Uint8Array(vertices * 4);
     this.light = new Uint8Array(vertices * 4);
+    this.forms = new Uint8Array(table.order.length);
     this.seen = Uint32Array.from(table.cells, (cell) => this.rowsEnd(cell, seenRows));
     this.firstRow = Uint32Array.from(table.cells, (cell) => this.rowsEnd(cell, 1));
-    this.writeShapes(undefined);
-    this.writeLight(undefined);
+    this.portraits = before?.standIns.portraits;
+    this.uniforms.pictures.value = this.portraits?.texture ?? null;
+    const fresh = before ? this.copyFrom(before) : undefined;
+    this.writeShapes(fresh);
+    this.writeColors(before?.standIns.painted ? undefined : fresh);
+    this.writeLight(light, fresh);
     const attributes = this.attributes();
     const plain = standInMaterial(shared, this.uniforms, []);
     this.draws = [drawOf(attributes, table.count, plain, -500), drawOf(attributes, table.count, plain, -400)];
     this.group.add(...this.draws.map(({ mesh }) => mesh));
-  }
-
-  // What a table that takes this one's place wears from the start.
-  get pictures(): Portraits | undefined {
-    return this.portraits;
+    if (this.portraits) this.wear();
   }
 
   dispose(): void {
@@ -183,7 +198,8 @@ export class StandIns {
   setPortraits(portraits: Portraits): void {
     this.uniforms.pictures.value = portraits.texture;
     this.portraits = portraits;
-    this.writeShapes(portraits);
+    this.writeShapes();
+    this.writeColors();
     this.wear();
     for (const name of ["position", "across", "uv"]) this.draws[0].mesh.geometry.getAttribute(name).needsUpdate = true;
   }
@@ -252,36 +268,55 @@ export class StandIns {
       starts[i] = filled;
       if (!has(i)) continue;
       const v = i * corners + side * 4;
-      indices[filled++] = v;
-      indices[filled++] = v + 1;
-      indices[filled++] = v + 2;
-      indices[filled++] = v;
-      indices[filled++] = v + 2;
-      indices[filled++] = v + 3;
+      for (const corner of twoTriangles) indices[filled++] = v + corner;
     }
     starts[count] = filled;
     return { indices: indices.slice(0, filled), starts };
   }
 
-  private writeShapes(portraits: Portraits | undefined): void {
+  // Takes over what has been written of packs before; the places in the table's order of those that are left.
+  private copyFrom({ standIns: old, rows }: Before): Uint32Array {
+    const { order } = this.table;
+    const packs = new Uint32Array(old.table.count).fill(nowhere);
+    old.table.order.forEach((row, i) => (packs[row] = i));
+    const packOf = (i: number): number => (i < order.length && rows[order[i]!] !== nowhere ? packs[rows[order[i]!]!]! : nowhere);
+    const left: number[] = [];
+    for (let i = 0; i < order.length; ) {
+      const first = packOf(i);
+      if (first === nowhere) {
+        left.push(i++);
+        continue;
+      }
+      let count = 1;
+      while (packOf(i + count) === first + count) count++;
+      this.copyPacks(old, first, i, count);
+      i += count;
+    }
+    return Uint32Array.from(left);
+  }
+
+  private copyPacks(old: StandIns, from: number, to: number, count: number): void {
+    this.forms.set(old.forms.subarray(from, from + count), to);
+    for (const [name, width] of perCorner) {
+      const size = width * corners;
+      this[name].set(old[name].subarray(from * size, (from + count) * size), to * size);
+    }
+  }
+
+  private writeShapes(which: Iterable<number> = this.table.order.keys()): void {
     const { order, sku, position } = this.table;
-    const forms = new Uint8Array(this.table.count);
-    order.forEach((row, i) => {
+    const { portraits, forms } = this;
+    for (const i of which) {
+      const row = order[i]!;
       const type = sku[row]!;
-      const turn = rotationOf(this.table, row);
-      const upright = turn[0] ** 2 + turn[1] ** 2 < 0.02;
-      const box: Box = {
-        turn,
-        place: [position[row * 3]!, position[row * 3 + 1]!, position[row * 3 + 2]!],
-        size: this.skus[type]!.size_m,
-        round: upright && portraits?.forms[type] === Form.round,
-      };
+      readAxes(this.table.rotation, row);
+      const upright = axes[8]! > 0.96;
+      const round = upright && portraits?.forms[type] === Form.round;
       const form = portraits?.forms[type] ?? Form.solid;
-      forms[i] = form === Form.round && !box.round ? Form.cut : form;
-      for (let side = 0; side < sides.length; side++) this.writeSide(i * corners + side * 4, side, box);
-      if (portraits && type < portraits.forms.length) this.writePictures(i, type, portraits);
-    });
-    this.writeColors();
+      forms[i] = form === Form.round && !round ? Form.cut : form;
+      this.writeBox(i * corners, position, row * 3, this.skus[type]!.size_m, round);
+      if (portraits && type < portraits.forms.length) this.uv.set(picturesOf(type, portraits), i * corners * 2);
+    }
     const turns = [Side.front, Side.top]; // what a round pack has
     this.runs = sides.map((_, side): readonly [Run, Run] => [
       this.runOf(side, (pack) => forms[pack] === Form.solid),
@@ -289,71 +324,98 @@ export class StandIns {
     ]);
   }
 
-  private writeColors(): void {
+  private writeColors(which: Iterable<number> = this.table.order.keys()): void {
     const { order, sku, tint } = this.table;
     const pictured = (type: number): boolean => type < (this.portraits?.forms.length ?? 0);
-    const words = new Uint32Array(this.color.buffer);
     const colors = this.skus.map(({ color }, type) => (pictured(type) ? 0xffffff : Number.parseInt(color.slice(1), 16)));
-    order.forEach((row, i) => {
-      const color = colors[sku[row]!]!;
-      const own = (k: number): number => Math.min(((color >> (16 - 8 * k)) & 255) * (tint[row * 3 + k]! / 200) ** 0.4545, 255);
-      const [r, g, b] = [0, 1, 2].map((k) => (this.painted ? this.painted[row * 3 + k]! : own(k))) as [number, number, number];
-      const alpha = !this.portraits || pictured(sku[row]!) ? 255 : 0;
-      words.fill(wordOf(r, g, b, alpha), i * corners, (i + 1) * corners);
-    });
-  }
-
-  private writeSide(vertex: number, side: number, { turn, place, size, round }: Box): void {
-    const [x, y, z, w] = turn;
-    const shape = sides[side]!.corners;
-    for (let k = 0; k < 4; k++) {
-      const corner = shape[k]!;
-      const v = vertex + k;
-      let [lx, ly, lz] = [(corner[0] * size[0]) / 2, (corner[1] * size[1]) / 2, corner[2] * size[2]];
-      this.across[v] = 0;
-      if (round && side === Side.front) {
-        lx = ly = 0;
-        this.across[v] = (corner[0] * Math.max(size[0], size[1])) / 2;
-      } else if (round && side === Side.top) lz = size[2] * topShare;
-      // As rotated() has it, without an array a corner.
-      const tx = 2 * (y * lz - z * ly);
-      const ty = 2 * (z * lx - x * lz);
-      const tz = 2 * (x * ly - y * lx);
-      this.position[v * 3] = place[0] + lx + w * tx + y * tz - z * ty;
-      this.position[v * 3 + 1] = place[1] + ly + w * ty + z * tx - x * tz;
-      this.position[v * 3 + 2] = place[2] + lz + w * tz + x * ty - y * tx;
-    }
-  }
-
-  private writePictures(pack: number, sku: number, { cells, cellTexels }: Portraits): void {
-    for (let side = 0; side < sides.length; side++) {
-      const cell = sku * 3 + sides[side]!.view;
-      const column = cell % cells[0];
-      const line = Math.floor(cell / cells[0]);
-      for (let k = 0; k < 4; k++) {
-        const o = (pack * corners + side * 4 + k) * 2;
-        this.uv[o] = ((column + within(picture[k]![0], cellTexels[0])) / cells[0]) * 65535;
-        this.uv[o + 1] = ((line + within(picture[k]![1], cellTexels[1])) / cells[1]) * 65535;
-      }
-    }
-  }
-
-  private writeLight(light: GoodsLight | undefined): void {
-    const words = new Uint32Array(this.light.buffer);
-    const { order } = this.table;
-    for (let i = 0; i < order.length; i++) {
+    const out = this.color;
+    for (const i of which) {
       const row = order[i]!;
-      const turn = rotationOf(this.table, row);
+      const color = colors[sku[row]!]!;
+      const o = i * corners * 4;
+      for (let k = 0; k < 3; k++) {
+        const own = ((color >> (16 - 8 * k)) & 255) * tints[tint[row * 3 + k]!]!;
+        out[o + k] = this.painted ? this.painted[row * 3 + k]! : Math.min(own, 255);
+      }
+      out[o + 3] = !this.portraits || pictured(sku[row]!) ? 255 : 0;
+      spread(out, o, corners);
+    }
+  }
+
+  // By the pack's axes.
+  private writeBox(vertex: number, places: Float32Array, place: number, size: readonly [number, number, number], round: boolean): void {
+    const [front, top] = [(Side.front + 1) * 4, Side.top * 4];
+    for (let k = 0; k < corners; k++) {
+      const turns = round && k < front; // with the eye, about the upright axis
+      const flat = turns ? 0 : 1;
+      const x = (boxCorners[k * 3]! * size[0] * flat) / 2;
+      const y = (boxCorners[k * 3 + 1]! * size[1] * flat) / 2;
+      const z = round && k >= top && k < top + 4 ? size[2] * topShare : boxCorners[k * 3 + 2]! * size[2];
+      this.across[vertex + k] = turns ? (boxCorners[k * 3]! * Math.max(size[0], size[1])) / 2 : 0;
+      const o = (vertex + k) * 3;
+      for (let axis = 0; axis < 3; axis++) this.position[o + axis] = places[place + axis]! + x * axes[axis]! + y * axes[3 + axis]! + z * axes[6 + axis]!;
+    }
+  }
+
+  private writeLight(light: GoodsLight | undefined, which: Iterable<number> = this.table.order.keys()): void {
+    const out = this.light;
+    for (const i of which) {
+      const row = this.table.order[i]!;
+      readAxes(this.table.rotation, row);
       for (let side = 0; side < sides.length; side++) {
-        const word = light ? faceLight(light, row, turn, sides[side]!.normal) : side === Side.top ? 0x747474 : 0x6a6a6a;
-        const first = i * corners + side * 4;
-        words.fill((word | 0xff000000) >>> 0, first, first + 4);
+        const o = (i * corners + side * 4) * 4;
+        const [axis, sign] = sides[side]!.look;
+        if (light) lightOn(light, row, sign * axes[axis]!, sign * axes[axis + 1]!, sign * axes[axis + 2]!, out, o);
+        else out.fill(side === Side.top ? 0x74 : 0x6a, o, o + 3);
+        out[o + 3] = 255;
+        spread(out, o, 4);
       }
     }
   }
 }
 
-const within = (share: number, texels: number): number => (inset + share * (texels - 2 * inset)) / texels;
+// A pack's x, y and z axis in the store, one after another.
+const axes = new Float64Array(9);
 
-// As the bytes of a colour lie in memory; WebGL runs on machines that have the lowest first.
-const wordOf = (r: number, g: number, b: number, a: number): number => ((r | (g << 8) | (b << 16)) | (a << 24)) >>> 0;
+function readAxes(rotation: Int16Array, row: number): void {
+  const [x, y, z, w] = [rotation[row * 4]! / 32767, rotation[row * 4 + 1]! / 32767, rotation[row * 4 + 2]! / 32767, rotation[row * 4 + 3]! / 32767];
+  axes[0] = 1 - 2 * (y * y + z * z);
+  axes[1] = 2 * (x * y + w * z);
+  axes[2] = 2 * (x * z - w * y);
+  axes[3] = 2 * (x * y - w * z);
+  axes[4] = 1 - 2 * (x * x + z * z);
+  axes[5] = 2 * (y * z + w * x);
+  axes[6] = 2 * (x * z + w * y);
+  axes[7] = 2 * (y * z - w * x);
+  axes[8] = 1 - 2 * (x * x + y * y);
+}
+
+// The first of so many colours is that of all.
+function spread(colors: Uint8Array, o: number, count: number): void {
+  for (let filled = 4; filled < count * 4; filled *= 2) colors.copyWithin(o + filled, o, o + Math.min(filled, count * 4 - filled));
+}
+
+const pictures = new WeakMap<Portraits, Map<number, Uint16Array>>();
+
+// Where a SKU's pictures lie, for all corners of its box.
+function picturesOf(sku: number, portraits: Portraits): Uint16Array {
+  let known = pictures.get(portraits);
+  if (!known) pictures.set(portraits, (known = new Map<number, Uint16Array>()));
+  let uv = known.get(sku);
+  if (!uv) known.set(sku, (uv = writtenPictures(sku, portraits)));
+  return uv;
+}
+
+function writtenPictures(sku: number, { cells, cellTexels }: Portraits): Uint16Array {
+  const uv = new Uint16Array(corners * 2);
+  const within = (share: number, texels: number): number => (inset + share * (texels - 2 * inset)) / texels;
+  sides.forEach(({ view }, side) => {
+    const cell = sku * 3 + view;
+    const [column, line] = [cell % cells[0], Math.floor(cell / cells[0])];
+    picture.forEach(([u, v], k) => {
+      uv[(side * 4 + k) * 2] = ((column + within(u, cellTexels[0])) / cells[0]) * 65535;
+      uv[(side * 4 + k) * 2 + 1] = ((line + within(v, cellTexels[1])) / cells[1]) * 65535;
+    });
+  });
+  return uv;
+}
