@@ -93,7 +93,7 @@ export class ZoneCard {
     high.dataset["field"] = "facings-most";
     low.setAttribute("aria-label", speech.say("editFacingsFewest"));
     high.setAttribute("aria-label", speech.say("editFacingsMost"));
-    return element("div", { class: "field" }, element("span", { text: speech.say("editFacings") }), element("span", { class: "pair" }, low, element("span", { text: "–" }), high));
+    return element("div", { class: "two-fields" }, element("span", { text: speech.say("editFacings") }), element("span", { class: "pair" }, low, element("span", { text: "–" }), high));
   }
 
   private runs(zone: EditZone, head: EditHead): HTMLElement {
