@@ -15,9 +15,8 @@ with env.show(store=store) as view:
     print(view.address, flush=True)
     action = np.zeros(env.action_space.shape, np.float32)
     action[-1] = -1
-    action[[i for i, name in enumerate(env.action_names) if name.startswith("base")][0]] = 1
+    action[env.action_names.index("drive")] = 1
     for line in sys.stdin:
         for _ in range(int(line)):
             env.step(action)
-        names = env.robot_names
-        print(json.dumps(dict(zip(names, map(float, env.robot_numbers()), strict=True))), flush=True)
+        print(json.dumps(env.environment.time_s()), flush=True)
