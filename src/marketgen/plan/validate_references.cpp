@@ -130,7 +130,7 @@ Result<void> check_placements(const PlanCheck& check) {
 
 Result<void> check_planogram(const PlanCheck& check) {
   if (!check.plan.planogram) return {};
-  std::map<std::tuple<std::string_view, ShelfSide, int>, std::size_t> places;
+  std::map<std::tuple<std::string, ShelfSide, int>, std::size_t> places;
   for (std::size_t i = 0; i < check.plan.planogram->size(); ++i) {
     const StockedShelf& shelf = (*check.plan.planogram)[i];
     const auto [first, is_new] =
