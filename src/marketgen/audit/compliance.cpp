@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "catalog/country.h"
 #include "scene/placements.h"
 #include "scene/price_tags.h"
 #include "scene/shelf_fill.h"
@@ -214,7 +215,9 @@ class ComplianceCount {
 Compliance compliance_of(const scene::Scene& scene,
                          const scene::PlanogramFile& planogram,
                          const catalog::Catalog& catalog) {
-  return ComplianceCount(scene, planogram, catalog).count();
+  const catalog::LocalCatalog local(
+      catalog, scene.catalog.empty() ? std::nullopt : scene.catalog.front().country);
+  return ComplianceCount(scene, planogram, local.get()).count();
 }
 
 }  // namespace marketgen::audit
