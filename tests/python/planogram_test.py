@@ -1,8 +1,10 @@
-"""Planograms, written by export, changed with csv, brought back."""
+"""Planograms, written by export, changed with csv, brought back; strangers in front counted again from the table of items."""
 
 import collections
 import csv
 import json
+import math
+import statistics
 import subprocess
 
 import pytest
@@ -65,6 +67,39 @@ def test_own_planogram_of_a_tidy_store_is_met(folder):
     assert measured["score"] == 1 and measured["tag_score"] == 1
     assert measured["facings"]["planned"] == measured["facings"]["met"] == facings
     assert measured["extra"] == 0 and measured["unmet"] == []
+
+
+def columns_of(items, width_m):
+    """(towards the front, item) of each column of a block, from where its packs stand and face alone; a column's packs lie within half a pack."""
+    turn = math.radians(round(statistics.median(item["yaw_deg"] for item in items) / 90) * 90)  # 0 faces south
+    front, along = (math.sin(turn), -math.cos(turn)), (math.cos(turn), math.sin(turn))
+    columns, last = [], -math.inf
+    for item in sorted(items, key=lambda item: item["x_m"] * along[0] + item["y_m"] * along[1]):
+        at = item["x_m"] * along[0] + item["y_m"] * along[1]
+        if at - last > width_m / 2:
+            columns.append([])
+        columns[-1].append((item["x_m"] * front[0] + item["y_m"] * front[1], item))
+        last = at
+    return columns
+
+
+def test_strangers_in_front_are_those_that_the_table_of_items_has(folder):
+    size = {row["sku"]: (int(row["width_mm"]) / 1000, int(row["depth_mm"]) / 1000) for row in rows_of(folder / "planogram.csv")}
+    blocks = collections.defaultdict(list)
+    for item in json.loads(run("query", folder / "untidy", "products", "--format", "json")):
+        if item["fixture"]:
+            blocks[item["id"].rsplit("/item-", 1)[0]].append(item)
+    strangers = []
+    for items in blocks.values():
+        own = [item for item in items if not item["misplaced"]] or items
+        for column in columns_of(items, size.get(own[0]["sku"], (0.06, 0))[0]):
+            foremost = max(at for at, _ in column)
+            stack = [item for at, item in column if at > foremost - size.get(item["sku"], (0, 0.06))[1] / 2]
+            strangers += [item["sku"] for item in stack if item["misplaced"]][:1]
+    measured = compliance(folder / "untidy", folder / "planogram.csv")["facings"]
+    assert len(strangers) > 100
+    assert measured["misplaced"] == sum(sku in size for sku in strangers)
+    assert measured["wrong_product"] == sum(sku not in size for sku in strangers)
 
 
 def test_a_changed_planogram_comes_back_as_it_was_written(folder):
