@@ -89,12 +89,12 @@ std::vector<SaidBlock> planogram_of(const scene::Scene& scene) {
   return blocks;
 }
 
-HandLaidShop whole_shop() {
+HandLaidShop shop_of_all_zones() {
   return shop_of(selling_types());
 }
 
 TEST(PlanogramFile, OfTheStoreItselfChangesNothing) {
-  const HandLaidShop shop = whole_shop();
+  const HandLaidShop shop = shop_of_all_zones();
   const scene::Scene scene = scene_of(shop);
   const scene::PlanogramFile file = read(file_of(scene), scene, shop.plan);
   EXPECT_TRUE(file.refused.empty());
@@ -107,7 +107,7 @@ TEST(PlanogramFile, OfTheStoreItselfChangesNothing) {
 // A store that was stocked otherwise gets the planogram of another, and with that one's seed its
 // every item, too.
 TEST(PlanogramFile, BringsAnotherStoresPlanogramWhole) {
-  const HandLaidShop shop = whole_shop();
+  const HandLaidShop shop = shop_of_all_zones();
   for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
     const scene::Scene wanted = scene_of(shop, seed), other = scene_of(shop, seed + 100);
     ASSERT_NE(planogram_of(wanted), planogram_of(other));
@@ -119,7 +119,7 @@ TEST(PlanogramFile, BringsAnotherStoresPlanogramWhole) {
 }
 
 TEST(PlanogramFile, SpreadsBlocksOfWhichItSaysNoPlace) {
-  const HandLaidShop shop = whole_shop();
+  const HandLaidShop shop = shop_of_all_zones();
   const scene::Scene wanted = scene_of(shop, 1), other = scene_of(shop, 2);
   const plan::Plan plan = plan_with(file_of(wanted, false), other, shop.plan);
   EXPECT_EQ(scene::scene_hash(scene_of_plan(shop, plan, 1)), scene::scene_hash(wanted));
@@ -239,7 +239,7 @@ TEST(PlanogramFile, PutsBlocksWhereItSays) {
 
 // Shelves stocked anew are those of the whole store made anew, byte for byte.
 TEST(Restock, IsWhatTheWholeStoreWouldBe) {
-  HandLaidShop shop = whole_shop();
+  HandLaidShop shop = shop_of_all_zones();
   for (plan::Zone& zone : shop.plan.zones)
     zone.stock.price_tags = plan::PriceTagSpec{0.1, 0.1, 0.1, 0.2};
   const scene::Scene scene = scene_of(shop);
@@ -258,7 +258,7 @@ TEST(Restock, IsWhatTheWholeStoreWouldBe) {
 }
 
 TEST(Restock, IsNotForWhatReachesFurther) {
-  HandLaidShop shop = whole_shop();
+  HandLaidShop shop = shop_of_all_zones();
   const plan::Plan plan = plan_with(file_of(scene_of(shop, 2)), scene_of(shop), shop.plan);
   EXPECT_TRUE(scene::shelves_changed(shop.plan, plan, committed_catalog()));
   EXPECT_FALSE(scene::shelves_changed(plan, shop.plan, committed_catalog()));  // taken back
