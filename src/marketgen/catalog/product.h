@@ -164,18 +164,18 @@ struct Product {
             &Product::price,
             "shelf price, in euro where no country is named",
             range(0.01, 200000)),
-      field("country",
-            &Product::country,
-            "country whose money the price is in and whose units the tag has: eu, us, gb, cn, jp, "
-            "ch, se, pl, ca or au; absent: eu",
-            reference()),
       field("shelf_life_days",
             &Product::shelf_life_days,
             "days from delivery to the date printed on the pack",
             range(1, 4000)),
       field("family", &Product::family, "shared by look-alikes", at_most_bytes(80)),
       field("label", &Product::label, "how the pack is printed"),
-      field("contents", &Product::contents, "what is seen through a clear wall"));
+      field("contents", &Product::contents, "what is seen through a clear wall"),
+      field("country",
+            &Product::country,
+            "country whose money the price is in and whose units the tag has: eu, us, gb, cn, jp, "
+            "ch, se, pl, ca or au; absent: eu",
+            reference()));
 };
 
 }  // namespace marketgen::catalog
