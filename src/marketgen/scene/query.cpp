@@ -57,9 +57,10 @@ struct ZoneQueryRow {
 struct PriceQueryRow {
   std::string sku, ean, name, net;
   double price = 0, unit_price = 0;
-  std::string per, currency;
+  std::string per;
   bool promotion = false;
   std::uint64_t labels = 0, products = 0;
+  std::string currency;
   static constexpr auto fields =
       field_list(field("sku", &PriceQueryRow::sku, "SKU"),
                  field("ean", &PriceQueryRow::ean, "EAN-13"),
@@ -68,10 +69,10 @@ struct PriceQueryRow {
                  field("price", &PriceQueryRow::price, "in `currency`"),
                  field("unit_price", &PriceQueryRow::unit_price, "in `currency`, a unit"),
                  field("per", &PriceQueryRow::per, "unit"),
-                 field("currency", &PriceQueryRow::currency, "ISO 4217"),
                  field("promotion", &PriceQueryRow::promotion, "has a promotion label"),
                  field("labels", &PriceQueryRow::labels, "price labels"),
-                 field("products", &PriceQueryRow::products, "items"));
+                 field("products", &PriceQueryRow::products, "items"),
+                 field("currency", &PriceQueryRow::currency, "ISO 4217"));
 };
 
 double rounded(double value, double step) {
@@ -166,10 +167,10 @@ std::vector<PriceQueryRow> price_rows(const Scene& scene) {
                     p.price,
                     rounded(unit.price, 0.01),
                     std::string(unit.per),
-                    std::string(catalog::country_of(p).currency),
                     false,
                     0,
-                    0});
+                    0,
+                    std::string(catalog::country_of(p).currency)});
   }
   for (const PriceLabel& label : scene.price_labels) {
     ++rows[label.sku].labels;

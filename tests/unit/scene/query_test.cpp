@@ -87,7 +87,8 @@ TEST(Query, OtherTables) {
                                       "l",
                                       "false",
                                       "1",
-                                      "5"}));
+                                      "5",
+                                      "EUR"}));
   EXPECT_EQ(table_of("prices", "promotion=true").rows.size(), 1U);
   EXPECT_EQ(table_of("planogram").rows.size(), 8U);
   EXPECT_EQ(table_of("materials").rows.size(), 0U);
