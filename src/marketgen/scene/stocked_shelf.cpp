@@ -158,7 +158,7 @@ StockedShelf stocked_shelf(const std::vector<plan::ShelfBlock>& blocks,
 ShelfFinder::ShelfFinder(const Scene& scene,
                          const plan::Plan& plan,
                          const catalog::Catalog& catalog)
-    : scene_(scene), catalog_(catalog), bays_(bays_of(scene)), stocks_(scene, plan, catalog) {
+    : scene_(scene), bays_(bays_of(scene)), stocks_(scene, plan, catalog) {
   for (std::size_t i = 0; i < bays_.size(); ++i)
     bay_of_[{scene.layout.fixtures[bays_[i].fixture].id, bays_[i].side}] = i;
 }

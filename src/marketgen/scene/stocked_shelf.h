@@ -62,7 +62,6 @@ class ShelfFinder {
 
  private:
   const Scene& scene_;
-  const catalog::Catalog& catalog_;
   std::vector<BayRef> bays_;
   std::map<std::pair<std::string, int>, std::size_t> bay_of_;  // by fixture and side
   Stocks stocks_;
