@@ -157,7 +157,7 @@ TEST_F(EditedOnline, ARunIsLookedAtAndMovedByItsPin) {
   ASSERT_NE(of_drinks, runs.end());
   const Json run = *of_drinks;
   EXPECT_FALSE(run["pinned"]);
-  const int x = run["at_mm"][0].get<int>() + 40;
+  const int x = run["at_mm"][0].get<int>() - 40;
   const Json pin{
       {"patches",
        {{{"set_override",
@@ -170,7 +170,7 @@ TEST_F(EditedOnline, ARunIsLookedAtAndMovedByItsPin) {
       if (row[name] == run["id"]) least = std::min(least, row["rect_mm"][0].get<int>());
     return least;
   };
-  const int moved = west(runs, "id") + 40;
+  const int moved = west(runs, "id") - 40;
   EXPECT_EQ(west(seen["fixtures"], "run"), moved);
   const Picture edit = picture("patches", pin);
   EXPECT_EQ(west(edit.head["runs"], "id"), moved);

@@ -156,6 +156,10 @@ const std::vector<Example>& examples() {
       {"set_override",
        R"({"set_override": {"fixture": "canned/run-1/module-1", "field": "levels", "value": "3"}})",
        {"canned"}},
+      {"stock_shelves",
+       R"({"stock_shelves": {"shelves": [{"fixture": "canned/run-1/module-1", "shelf": 3,
+           "blocks": [{"sku": "canned-sweetcorn-crisp-340g", "facings": 4}]}]}})",
+       {"canned"}},
   };
   return all;
 }
