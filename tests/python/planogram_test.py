@@ -69,9 +69,9 @@ def test_own_planogram_of_a_tidy_store_is_met(folder):
     assert measured["extra"] == 0 and measured["unmet"] == []
 
 
-def columns_of(items, width_m):
-    """(towards the front, item) of each column of a block, from where its packs stand and face alone; a column's packs lie within half a pack."""
-    turn = math.radians(round(statistics.median(item["yaw_deg"] for item in items) / 90) * 90)  # 0 faces south
+def columns_of(items, facing_deg, width_m):
+    """(towards the front, item) of each column of a block, from where its packs stand alone; a column's packs lie within half a pack."""
+    turn = math.radians(round(facing_deg / 90) * 90)  # 0 faces south
     front, along = (math.sin(turn), -math.cos(turn)), (math.cos(turn), math.sin(turn))
     columns, last = [], -math.inf
     for item in sorted(items, key=lambda item: item["x_m"] * along[0] + item["y_m"] * along[1]):
@@ -92,7 +92,8 @@ def test_strangers_in_front_are_those_that_the_table_of_items_has(folder):
     strangers = []
     for items in blocks.values():
         own = [item for item in items if not item["misplaced"]] or items
-        for column in columns_of(items, size.get(own[0]["sku"], (0.06, 0))[0]):
+        facing = statistics.median(item["yaw_deg"] for item in own)  # strangers lie as they were put
+        for column in columns_of(items, facing, size.get(own[0]["sku"], (0.06, 0))[0]):
             foremost = max(at for at, _ in column)
             stack = [item for at, item in column if at > foremost - size.get(item["sku"], (0, 0.06))[1] / 2]
             strangers += [item["sku"] for item in stack if item["misplaced"]][:1]
