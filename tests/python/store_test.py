@@ -116,7 +116,7 @@ def test_edits_say_what_they_leave_out(store, tmp_path):
         store.edit("oak floor, concrete floor", tmp_path / "shop", strict=True)
     with pytest.raises(marketgen.Error, match="plan.unknown_reference"):
         store.edit(patches=[{"drop_zone": {"zone": "nowhere"}}], folder=tmp_path / "shop")
-    with pytest.raises(marketgen.Error, match="either words or patches"):
+    with pytest.raises(marketgen.Error, match="either words, patches or a planogram"):
         store.edit()
     assert list(tmp_path.iterdir()) == []
 
