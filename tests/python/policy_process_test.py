@@ -113,7 +113,7 @@ def test_time_in_which_it_does_not_compute_is_not_counted():
 
 def test_one_that_waits_for_ever_hangs_and_is_not_called_slow():
     with pytest.raises(PolicyFailed, match="hang_limit_s") as caught:
-        PolicyProcess(policies.Waits(), act_limit_s=100, hang_limit_s=1).ask("act", 1000)
+        PolicyProcess(policies.Waits(), act_limit_s=100, hang_limit_s=5).ask("act", 1000)
     assert caught.value.code == "episode.policy_hung"
 
 
