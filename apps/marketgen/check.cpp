@@ -8,7 +8,6 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "say.h"
-#include "store/planogram.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -48,18 +47,6 @@ Result<CheckOutput> check_plan(const CheckFlags& flags) {
   return CheckOutput{flags.path, true, std::move(report.rules), {}, std::move(report.repairs), {}};
 }
 
-// Rows that are refused are all printed: a planogram that this store cannot have measures nothing.
-Result<audit::Compliance> compliance_with(const std::string& file,
-                                          const store::Store& store,
-                                          const catalog::Catalog& catalog) {
-  MARKETGEN_TRY(const scene::PlanogramFile planogram,
-                store::read_planogram_file(file, store, catalog));
-  for (std::size_t i = 1; i < planogram.refused.size(); ++i)
-    fail(planogram.refused[i]);
-  if (!planogram.refused.empty()) return planogram.refused.front();
-  return audit::compliance_of(store.scene, planogram, catalog);
-}
-
 Result<CheckOutput> check_store(const CheckFlags& flags) {
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows_of_store(flags.path));
   MARKETGEN_CHECK(store::verify_store(flags.path, catalog));
@@ -69,7 +56,9 @@ Result<CheckOutput> check_store(const CheckFlags& flags) {
   CheckOutput output{
       flags.path, true, std::move(audit.rules), std::move(audit.requirements), {}, {}};
   if (flags.planogram_file.empty()) return output;
-  MARKETGEN_TRY(output.compliance, compliance_with(flags.planogram_file, store, catalog));
+  MARKETGEN_TRY(const scene::PlanogramFile planogram,
+                planogram_for(flags.planogram_file, store, catalog));
+  output.compliance = audit::compliance_of(store.scene, planogram, catalog);
   return output;
 }
 

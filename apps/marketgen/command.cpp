@@ -53,6 +53,16 @@ Result<catalog::Catalog> load_rows_of_store(const std::string& folder) {
   return catalog::with_own_products(std::move(catalog), *manifest.own);
 }
 
+Result<scene::PlanogramFile> planogram_for(const std::string& file,
+                                           const store::Store& store,
+                                           const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(scene::PlanogramFile planogram, store::read_planogram_file(file, store, catalog));
+  for (std::size_t i = 1; i < planogram.refused.size(); ++i)
+    fail(planogram.refused[i]);
+  if (!planogram.refused.empty()) return planogram.refused.front();
+  return planogram;
+}
+
 Result<scene::Scene> scene_in_skin(const std::string& folder, const std::string& skin) {
   MARKETGEN_TRY(scene::Scene scene, store::open_store_scene(folder));
   if (skin.empty()) return scene;

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 #include "scene/scene.h"
+#include "store/planogram.h"
 
 namespace marketgen::app {
 
@@ -39,6 +40,12 @@ Result<catalog::Catalog> load_rows(const std::vector<std::string>& extra = {});
 
 // The store's own rows beside ours.
 Result<catalog::Catalog> load_rows_of_store(const std::string& folder);
+
+// The planogram's file, read for the store. Rows that are refused are all printed; the error is the
+// first of them.
+Result<scene::PlanogramFile> planogram_for(const std::string& file,
+                                           const store::Store& store,
+                                           const catalog::Catalog& catalog);
 
 // The scene of a store folder; in the look of another style when `skin` names one.
 Result<scene::Scene> scene_in_skin(const std::string& folder, const std::string& skin);

@@ -13,7 +13,6 @@
 #include "say_unparsed.h"
 #include "store/edit.h"
 #include "store/edit_words.h"
-#include "store/planogram.h"
 
 namespace marketgen::app {
 namespace {
@@ -42,15 +41,11 @@ struct EditOutput {
       field("report", &EditOutput::report, "report.json"));
 };
 
-// Rows that are refused are all printed; nothing is done when there are any.
 Result<store::SaidPatches> patches_of_planogram(const EditFlags& flags,
                                                 const store::Store& store,
                                                 const catalog::Catalog& catalog) {
   MARKETGEN_TRY(const scene::PlanogramFile planogram,
-                store::read_planogram_file(flags.planogram_file, store, catalog));
-  for (std::size_t i = 1; i < planogram.refused.size(); ++i)
-    fail(planogram.refused[i]);
-  if (!planogram.refused.empty()) return planogram.refused.front();
+                planogram_for(flags.planogram_file, store, catalog));
   scene::PlanogramChanges changes = scene::changes_by(planogram, store.scene, store.plan, catalog);
   store::SaidPatches said;
   said.patches = std::move(changes.patches);

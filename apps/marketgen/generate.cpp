@@ -265,6 +265,59 @@ void add_planner(CLI::App& command, GenerateFlags& flags) {
       ->type_name("FLOAT");
 }
 
+// What the store is made of beside words.
+void add_sources(CLI::App& command, GenerateFlags& flags) {
+  command.add_option("--prompt-file", flags.prompt_file, "read the prompt from a file")
+      ->type_name("FILE");
+  command
+      .add_option("--plan", flags.plan_file, "start from a market-plan/1 file instead of a prompt")
+      ->type_name("FILE");
+  command
+      .add_option("--floor-plan",
+                  flags.floor_plan,
+                  "SVG, DXF, PNG or JPEG of the room: outline, doors and columns")
+      ->type_name("FILE");
+  command
+      .add_option("--floor-plan-scale",
+                  flags.floor_plan_scale,
+                  "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100")
+      ->type_name("SCALE");
+  command
+      .add_option("--image",
+                  flags.images,
+                  "PNG or JPEG: a photo of a shop, whose materials, light and shelves the store "
+                  "gets, or one drawing of zones with names on them (repeatable); a language "
+                  "model that plans "
+                  "is shown them, too")
+      ->type_name("FILE");
+}
+
+// What of it is said apart from the words.
+void add_shop(CLI::App& command, GenerateFlags& flags) {
+  command.add_option("--size", flags.size, "size of the room, e.g. 24x15m")->type_name("SIZE");
+  command
+      .add_option("--profile",
+                  flags.profile,
+                  "kind of shop, e.g. supermarket-eu, discounter, convenience-us")
+      ->type_name("PROFILE");
+  command.add_option("--style", flags.style, "look, e.g. scandinavian, industrial, warm-deli")
+      ->type_name("STYLE");
+  command
+      .add_option("--country",
+                  flags.country,
+                  "whose money and units price tags have, e.g. us, gb, cn, jp; by itself euro, or "
+                  "what the kind of shop says (\"American supermarket\")")
+      ->type_name("COUNTRY");
+  command
+      .add_option(
+          "--skin", flags.skin, "a style's materials, colours and light; the layout stays as it is")
+      ->type_name("STYLE");
+  command
+      .add_option(
+          "--catalog", flags.catalogs, "products of your own: CSV, JSON or asset.json (repeatable)")
+      ->type_name("FILE");
+}
+
 }  // namespace
 
 Run add_generate(CLI::App& app) {
@@ -274,54 +327,8 @@ Run add_generate(CLI::App& app) {
       ->type_name("WORDS");
   add_output(*command, "-o,--output", flags->folder, "folder to make; must not exist or be empty")
       ->required();
-  command->add_option("--prompt-file", flags->prompt_file, "read the prompt from a file")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--plan", flags->plan_file, "start from a market-plan/1 file instead of a prompt")
-      ->type_name("FILE");
-  command
-      ->add_option("--floor-plan",
-                   flags->floor_plan,
-                   "SVG, DXF, PNG or JPEG of the room: outline, doors and columns")
-      ->type_name("FILE");
-  command
-      ->add_option("--floor-plan-scale",
-                   flags->floor_plan_scale,
-                   "its scale where the file says none: \"1 unit = 10 mm\", \"1 px = 2 cm\", 1:100")
-      ->type_name("SCALE");
-  command
-      ->add_option("--image",
-                   flags->images,
-                   "PNG or JPEG: a photo of a shop, whose materials, light and shelves the store "
-                   "gets, or one drawing of zones with names on them (repeatable); a language "
-                   "model that plans "
-                   "is shown them, too")
-      ->type_name("FILE");
-  command->add_option("--size", flags->size, "size of the room, e.g. 24x15m")->type_name("SIZE");
-  command
-      ->add_option("--profile",
-                   flags->profile,
-                   "kind of shop, e.g. supermarket-eu, discounter, convenience-us")
-      ->type_name("PROFILE");
-  command->add_option("--style", flags->style, "look, e.g. scandinavian, industrial, warm-deli")
-      ->type_name("STYLE");
-  command
-      ->add_option("--country",
-                   flags->country,
-                   "whose money and units price tags have, e.g. us, gb, cn, jp; by itself euro, or "
-                   "what the kind of shop says (\"American supermarket\")")
-      ->type_name("COUNTRY");
-  command
-      ->add_option("--skin",
-                   flags->skin,
-                   "a style's materials, colours and light; the layout stays as it is")
-      ->type_name("STYLE");
-  command
-      ->add_option("--catalog",
-                   flags->catalogs,
-                   "products of your own: CSV, JSON or asset.json (repeatable)")
-      ->type_name("FILE");
+  add_sources(*command, *flags);
+  add_shop(*command, *flags);
   add_planner(*command, *flags);
   command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")
       ->check(whole_number(1, 10000));

@@ -41,9 +41,13 @@ const Country* find_country(std::string_view id) {
   return at == countries().end() ? nullptr : &*at;
 }
 
-const Country& country_of(const Product& product) {
-  const Country* country = product.country ? find_country(*product.country) : nullptr;
+const Country& country_or_euro(const std::optional<std::string>& id) {
+  const Country* country = id ? find_country(*id) : nullptr;
   return country != nullptr ? *country : countries().front();
+}
+
+const Country& country_of(const Product& product) {
+  return country_or_euro(product.country);
 }
 
 Result<void> check_country(std::string_view id, std::string code, std::string where) {

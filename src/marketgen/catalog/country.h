@@ -28,7 +28,9 @@ struct Country {
 const std::vector<Country>& countries();
 // Null for an id that is not there.
 const Country* find_country(std::string_view id);
-// The country whose money and units the row has: the euro area where it names none.
+// That of a plan or a row: the euro area where none is named.
+const Country& country_or_euro(const std::optional<std::string>& id);
+// The country whose money and units the row has.
 const Country& country_of(const Product& product);
 // Error `code`, with the nearest id.
 Result<void> check_country(std::string_view id, std::string code, std::string where);

@@ -1,11 +1,11 @@
 // Operations on values: fixtures, goods, openings, look, shell, relations, overrides, shelves.
 #include <algorithm>
 #include <map>
-#include <tuple>
 #include <type_traits>
 
 #include "plan/patch_change.h"
 #include "plan/plan_edit.h"
+#include "plan/shelf_key.h"
 #include "plan/validation.h"
 
 namespace marketgen::plan {
@@ -177,15 +177,14 @@ Result<void> change(PlanChange& task, const SetOverride& patch) {
 }
 
 Result<void> change(PlanChange& task, const StockShelves& patch) {
-  const auto place_of = [](const auto& s) { return std::tuple(s.fixture, s.side, s.shelf); };
-  std::map<std::tuple<std::string, ShelfSide, int>, StockedShelf> shelves;
+  std::map<ShelfKey, StockedShelf> shelves;
   for (StockedShelf& shelf : task.plan.planogram.value_or(std::vector<StockedShelf>{}))
-    shelves[place_of(shelf)] = std::move(shelf);
+    shelves[key_of(shelf)] = std::move(shelf);
   for (std::size_t i = 0; i < patch.shelves.size(); ++i) {
     const ShelfChange& shelf = patch.shelves[i];
     if (shelf.blocks) {
-      shelves[place_of(shelf)] = {shelf.fixture, shelf.side, shelf.shelf, *shelf.blocks};
-    } else if (shelves.erase(place_of(shelf)) == 0) {
+      shelves[key_of(shelf)] = {shelf.fixture, shelf.side, shelf.shelf, *shelf.blocks};
+    } else if (shelves.erase(key_of(shelf)) == 0) {
       task.where += "/shelves/" + std::to_string(i);
       return nothing_to_take_back(task, "shelf in its planogram");
     }
@@ -194,7 +193,7 @@ Result<void> change(PlanChange& task, const StockShelves& patch) {
   task.plan.planogram.reset();
   if (shelves.empty()) return {};
   task.plan.planogram.emplace();
-  for (auto& [place, shelf] : shelves)
+  for (auto& [key, shelf] : shelves)
     task.plan.planogram->push_back(std::move(shelf));
   return {};
 }

@@ -3,12 +3,12 @@
 #include <charconv>
 #include <map>
 #include <numbers>
-#include <tuple>
 
 #include "base/text.h"
 #include "catalog/standing_box.h"
 #include "geometry/box_tree.h"
 #include "plan/floor_places.h"
+#include "plan/shelf_key.h"
 #include "plan/validation.h"
 
 namespace marketgen::plan {
@@ -130,11 +130,10 @@ Result<void> check_placements(const PlanCheck& check) {
 
 Result<void> check_planogram(const PlanCheck& check) {
   if (!check.plan.planogram) return {};
-  std::map<std::tuple<std::string, ShelfSide, int>, std::size_t> places;
+  std::map<ShelfKey, std::size_t> places;
   for (std::size_t i = 0; i < check.plan.planogram->size(); ++i) {
     const StockedShelf& shelf = (*check.plan.planogram)[i];
-    const auto [first, is_new] =
-        places.emplace(std::tuple{shelf.fixture, shelf.side, shelf.shelf}, i);
+    const auto [first, is_new] = places.emplace(key_of(shelf), i);
     if (!is_new)
       return Error{"plan.duplicate_id",
                    check.at(element_pointer("planogram", i, "shelf")),

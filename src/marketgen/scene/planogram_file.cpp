@@ -26,12 +26,6 @@ constexpr std::array<std::string_view, 10> read_columns = {"fixture",
                                                            "facings_high",
                                                            "facings_deep"};
 
-std::string without_blanks(std::string_view text) {
-  const std::size_t start = text.find_first_not_of(" \t");
-  if (start == std::string_view::npos) return {};
-  return std::string(text.substr(start, text.find_last_not_of(" \t") - start + 1));
-}
-
 Error bad_row(const std::string& where, std::string message) {
   return {"planogram.bad_row", where, std::move(message)};
 }
@@ -43,7 +37,7 @@ class PlanogramColumns {
                                      const std::string& source) {
     PlanogramColumns columns;
     for (std::size_t i = 0; i < header.size(); ++i) {
-      const std::string name = without_blanks(header[i]);
+      const std::string name(trimmed(header[i]));
       const bool read = std::ranges::find(read_columns, name) != read_columns.end();
       if (read && !columns.places_.emplace(name, i).second)
         return bad_row(source + ":1", "two columns are called \"" + name + "\"; keep one");
@@ -64,7 +58,7 @@ class PlanogramColumns {
   // Empty where there is no such column.
   std::string cell(const io::CsvRow& row, std::string_view column) const {
     const auto place = places_.find(std::string(column));
-    return place == places_.end() ? std::string() : without_blanks(row.fields[place->second]);
+    return place == places_.end() ? std::string() : std::string(trimmed(row.fields[place->second]));
   }
 
  private:
@@ -76,7 +70,7 @@ class PlanogramColumns {
       if (!places_.contains(std::string(name))) absent.push_back(name);
     }
     for (const std::string& heading : header) {
-      const std::string name = without_blanks(heading);
+      const std::string name(trimmed(heading));
       if (name.empty() || places_.contains(name)) continue;
       const std::string meant = did_you_mean(name, absent);
       if (!meant.empty())

@@ -125,8 +125,7 @@ TagFault fault_of(const Scene& scene, const PriceLabel& label) {
 void fault_price_tags(Scene& scene, const plan::Plan& plan, Seed seed) {
   const auto has_faults = [](const plan::Zone& zone) { return zone.stock.price_tags.has_value(); };
   if (std::ranges::none_of(plan.zones, has_faults)) return;
-  const catalog::Country* country = plan.country ? catalog::find_country(*plan.country) : nullptr;
-  TagFaults made(scene, seed, country != nullptr ? *country : catalog::countries().front());
+  TagFaults made(scene, seed, catalog::country_or_euro(plan.country));
   for (std::size_t row = 0; row < scene.price_labels.size();) {
     ShelfTags shelf;
     const std::uint32_t number = scene.price_labels[row].shelf;

@@ -2,25 +2,19 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 #include "catalog/country.h"
 #include "io/json.h"
+#include "plan/shelf_key.h"
 #include "scene/catalog_slice.h"
 
 namespace marketgen::scene {
 namespace {
 
-using ShelfKey = std::tuple<std::string, plan::ShelfSide, int>;
-
-ShelfKey key_of(const plan::StockedShelf& shelf) {
-  return {shelf.fixture, shelf.side, shelf.shelf};
-}
-
-std::map<ShelfKey, std::string> lines_of(const plan::Plan& plan) {
-  std::map<ShelfKey, std::string> lines;
+std::map<plan::ShelfKey, std::string> lines_of(const plan::Plan& plan) {
+  std::map<plan::ShelfKey, std::string> lines;
   for (const plan::StockedShelf& shelf : plan.planogram.value_or(std::vector<plan::StockedShelf>{}))
-    lines[key_of(shelf)] = io::write_json_line(shelf);
+    lines[plan::key_of(shelf)] = io::write_json_line(shelf);
   return lines;
 }
 
@@ -147,10 +141,10 @@ std::optional<std::vector<plan::StockedShelf>> shelves_changed(const plan::Plan&
   if (!catalog.own.empty() || !after.placements.empty() || !after.planogram) return std::nullopt;
   if (!std::ranges::all_of(after.zones, stands_for_itself)) return std::nullopt;
   if (without_shelves(before) != without_shelves(after)) return std::nullopt;
-  std::map<ShelfKey, std::string> old = lines_of(before);
+  std::map<plan::ShelfKey, std::string> old = lines_of(before);
   std::vector<plan::StockedShelf> changed;
   for (const plan::StockedShelf& shelf : *after.planogram) {
-    const auto was = old.find(key_of(shelf));
+    const auto was = old.find(plan::key_of(shelf));
     if (was == old.end() || was->second != io::write_json_line(shelf)) changed.push_back(shelf);
     if (was != old.end()) old.erase(was);
   }
@@ -173,7 +167,7 @@ Result<Scene> restocked(Scene scene,
     const std::string& id = few.layout.fixtures[shelf.fixture].id;
     const plan::ShelfSide side = shelf.side == 0 ? plan::ShelfSide::front : plan::ShelfSide::back;
     const bool named = std::ranges::any_of(shelves, [&](const plan::StockedShelf& said) {
-      return key_of(said) == ShelfKey{id, side, shelf.level + 1};
+      return plan::key_of(said) == plan::ShelfKey{id, side, shelf.level + 1};
     });
     const std::uint32_t in_fixture = s - few.fixtures[shelf.fixture].first_shelf;
     if (named) rows[scene.fixtures[fixture_of.at(id)].first_shelf + in_fixture] = rows_on(few, s);

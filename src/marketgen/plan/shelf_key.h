@@ -1,0 +1,19 @@
+// By what a plan's planogram knows a shelf.
+#pragma once
+#include <string>
+#include <tuple>
+
+#include "plan/planogram.h"
+
+namespace marketgen::plan {
+
+using ShelfKey =
+    std::tuple<std::string, ShelfSide, int>;  // fixture, side, number from the floor up
+
+// Of a StockedShelf or a ShelfChange.
+template <class Shelf>
+ShelfKey key_of(const Shelf& shelf) {
+  return {shelf.fixture, shelf.side, shelf.shelf};
+}
+
+}  // namespace marketgen::plan
