@@ -304,30 +304,30 @@ void add_stock(Scene& scene,
 
 Result<Scene> build_scene(const layout::Layout& layout,
                           const plan::Plan& plan,
-                          const catalog::Catalog& rows,
+                          const catalog::Catalog& catalog,
                           Seed seed) {
-  const catalog::LocalCatalog local(rows, plan.country);
-  const catalog::Catalog& catalog = local.get();
+  const catalog::LocalCatalog local(catalog, plan.country);
+  const catalog::Catalog& rows = local.get();
   Scene scene;
   scene.seed = seed.value();
   scene.layout = layout;
   for (const std::string* id :
        {&layout.look.floor, &layout.look.wall, &layout.look.ceiling, &layout.look.fixture}) {
-    material_row(scene, *id, catalog);
+    material_row(scene, *id, rows);
   }
-  MARKETGEN_TRY(const FixtureModels models, FixtureModels::build(layout, catalog));
+  MARKETGEN_TRY(const FixtureModels models, FixtureModels::build(layout, rows));
   for (std::size_t f = 0; f < layout.fixtures.size(); ++f)
-    add_fixture(scene, layout.fixtures[f], models.of(f), catalog);
+    add_fixture(scene, layout.fixtures[f], models.of(f), rows);
 
   std::vector<BayRef> bays = bays_of(scene);
-  plan_bays(bays, scene, plan, catalog, seed);
-  MARKETGEN_CHECK(stock_by_planogram(bays, scene, plan, catalog));
-  MARKETGEN_CHECK(check_number(bays, scene, plan, catalog));
-  add_stock(scene, bays, fill_bays(bays, scene, plan, catalog, seed), catalog, seed);
-  misplace_items(scene, plan, catalog, seed);
+  plan_bays(bays, scene, plan, rows, seed);
+  MARKETGEN_CHECK(stock_by_planogram(bays, scene, plan, rows));
+  MARKETGEN_CHECK(check_number(bays, scene, plan, rows));
+  add_stock(scene, bays, fill_bays(bays, scene, plan, rows, seed), rows, seed);
+  misplace_items(scene, plan, rows, seed);
   fault_price_tags(scene, plan, seed);
-  MARKETGEN_CHECK(add_placements(scene, plan, catalog));
-  take_catalog_slice(scene, catalog);
+  MARKETGEN_CHECK(add_placements(scene, plan, rows));
+  take_catalog_slice(scene, rows);
   return scene;
 }
 

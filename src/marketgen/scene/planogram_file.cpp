@@ -69,12 +69,14 @@ class PlanogramColumns {
     for (const std::string_view name : read_columns) {
       if (!places_.contains(std::string(name))) absent.push_back(name);
     }
+    const std::string place = source + ":1";
     for (const std::string& heading : header) {
       const std::string name(trimmed(heading));
       if (name.empty() || places_.contains(name)) continue;
       const std::string meant = did_you_mean(name, absent);
       if (!meant.empty())
-        return bad_row(source + ":1", "there is no column \"" + name + "\"" + meant);
+        return bad_row(
+            place, std::string("there is no column \"").append(name).append("\"").append(meant));
     }
     return {};
   }

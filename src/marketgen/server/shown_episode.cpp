@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "episodes/track_entry.h"
 #include "io/json.h"
@@ -20,9 +21,9 @@ Result<std::unique_ptr<ShownEpisode>> ShownEpisode::of(environments::Environment
                                                        std::shared_ptr<const store::Store> store,
                                                        const catalog::Catalog& catalog) {
   std::unique_ptr<ShownEpisode> shown(new ShownEpisode(environment));
-  shown->things_ = ReplayThings(store, catalog);
-  MARKETGEN_CHECK(shown->begin());
   const std::shared_ptr<const scene::Scene> scene(store, &store->scene);
+  shown->things_ = ReplayThings(std::move(store), catalog);
+  MARKETGEN_CHECK(shown->begin());
   MARKETGEN_TRY(shown->place_,
                 episodes::entry_of(shown->spec().track)
                     .place_of(ground.data(), shown->now_, scene, ground.catalog()));
