@@ -26,6 +26,10 @@ char separator_of(std::string_view text) {
   return separators[static_cast<std::size_t>(std::ranges::max_element(found) - found.begin())];
 }
 
+std::string_view name_of(char separator) {
+  return separator == ';' ? "semicolon" : separator == '\t' ? "tab" : "comma";
+}
+
 class CsvReader {
  public:
   CsvReader(std::string_view text, const std::string& source)
@@ -71,8 +75,9 @@ class CsvReader {
     } while (takes({&separator_, 1}));
     if (!rest_.empty() && !ends_row())
       return fault(line_,
-                   "expected the next field or the end of the line; double the quotes within a "
-                   "quoted field");
+                   fmt::format("expected a {} or the end of the line; double the quotes within a "
+                               "quoted field",
+                               name_of(separator_)));
     ++line_;
     return row;
   }

@@ -21,6 +21,12 @@ TEST(Csv, FieldsQuotesAndLineEnds) {
   EXPECT_EQ(rows->at(3).line, 6);  // after the two lines of a field and an empty one
 }
 
+TEST(Csv, SeparatorIsTheHeaders) {
+  EXPECT_EQ(io::parse_csv("a;b\n1,5;2\n", "x.csv")->at(1).fields, (Fields{"1,5", "2"}));
+  EXPECT_EQ(io::parse_csv("a\tb\n1,5\t2\n", "x.csv")->at(1).fields, (Fields{"1,5", "2"}));
+  EXPECT_EQ(io::parse_csv("\"a;b;c\",d\n1,2\n", "x.csv")->at(1).fields, (Fields{"1", "2"}));
+}
+
 TEST(Csv, FaultsNameTheirLine) {
   const auto refused = [](std::string_view text, const char* where, const char* says) {
     const auto rows = io::parse_csv(text, "x.csv");
@@ -32,6 +38,7 @@ TEST(Csv, FaultsNameTheirLine) {
   refused("a,b\n1\n", "x.csv:2", "has 1 fields, the header has 2");
   refused("a,b\n1,\"2\n3,4\n", "x.csv:2", "never ends");
   refused("a,b\n1,\"2\"x\n", "x.csv:2", "expected a comma");
+  refused("a;b\n1;\"2\"x\n", "x.csv:2", "expected a semicolon");
   EXPECT_EQ(io::parse_csv("a\n\xFF\n", "x.csv").error().code, "input.not_utf8");
 }
 
