@@ -208,9 +208,11 @@ struct FixtureSpec {
       field("material", &FixtureSpec::material, "material", reference()));
 };
 
-enum class BlockPattern { brand_vertical, brand_horizontal, mixed };
-constexpr std::array<std::string_view, 3> names_of(BlockPattern) {
-  return {"brand-vertical", "brand-horizontal", "mixed"};
+// brand_vertical: brands from left to right, in the same order on every board of a bay;
+// brand_horizontal and brand_columns: scene/brand_blocks.h; mixed: by demand, whatever the brand.
+enum class BlockPattern { brand_vertical, brand_horizontal, mixed, brand_columns };
+constexpr std::array<std::string_view, 4> names_of(BlockPattern) {
+  return {"brand-vertical", "brand-horizontal", "mixed", "brand-columns"};
 }
 
 // Faults of the price tags on shelf edges: shares of the tags that would be there, each on its own.
@@ -261,7 +263,12 @@ struct StockSpec {
             at_most_items(40)),
       field("fill", &StockSpec::fill, "occupied share of the shelf front", range(0.0, 1.0)),
       field("facings", &StockSpec::facings, "fewest and most facings of one SKU", range(1, 40)),
-      field("block", &StockSpec::block, "how brands are blocked"),
+      field("block",
+            &StockSpec::block,
+            "how brands stand in a bay: brand-vertical: from left to right, in the same order on "
+            "every board; brand-columns: each above itself on all boards, what is asked for most "
+            "at eye level and in the most facings; brand-horizontal: each on boards of its own; "
+            "mixed: by demand, whatever the brand"),
       field("depth_fill",
             &StockSpec::depth_fill,
             "share of the shelf depth that is filled",

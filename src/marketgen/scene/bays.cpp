@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "scene/assortment.h"
+#include "scene/brand_blocks.h"
 #include "scene/own_goods.h"
 
 namespace marketgen::scene {
@@ -76,6 +77,7 @@ Stock& Stocks::of(const BayRef& bay) {
   Stock& stock = entry->second;
   if (!is_new) return stock;
   stock.assortment = assortment_of(zone_of(bay), temperature, catalog_);
+  order_by_demand(stock.assortment, zone_of(bay).stock, catalog_);
   stock.sells.resize(catalog_.products.size(), false);
   for (const std::uint32_t row : stock.assortment)
     stock.sells[row] = true;
@@ -92,13 +94,11 @@ void plan_bays(std::vector<BayRef>& bays,
     const std::string& fixture = scene.layout.fixtures[bay.fixture].id;
     const Seed bay_seed =
         seed.child("bay", fixture).child("side", static_cast<std::uint64_t>(bay.side));
-    bay.plan = plan_bay(bay.bay,
-                        stocks.of(bay).assortment,
-                        stocks.zone_of(bay).stock,
-                        catalog,
-                        cursor,
-                        bay_seed.stream(),
-                        bay.certain);
+    const std::vector<std::uint32_t>& assortment = stocks.of(bay).assortment;
+    const plan::StockSpec& stock = stocks.zone_of(bay).stock;
+    const auto& plan_goods = has_brand_blocks(bay.bay, stock) ? plan_brand_blocks : plan_bay;
+    bay.plan =
+        plan_goods(bay.bay, assortment, stock, catalog, cursor, bay_seed.stream(), bay.certain);
   };
   std::vector<AssortmentCursor> cursors;  // before each bay
   for (BayRef& bay : bays) {

@@ -2,8 +2,8 @@
 //
 // A bay is one side of one module: its shelves from the lowest up. Bays of a zone take consecutive
 // slices of the zone's assortment, so that brands and subcategories stay together along a run;
-// inside a bay heavy goods go low, and every level keeps the assortment's order from left to right,
-// which gives vertical blocks.
+// inside a bay heavy goods go low, and every level keeps the assortment's order from left to right.
+// Zones whose brands shall have columns or boards of their own: scene/brand_blocks.h.
 #pragma once
 #include <cstdint>
 #include <optional>
