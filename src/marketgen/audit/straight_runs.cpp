@@ -70,11 +70,7 @@ std::vector<StraightRun> straight_runs(const std::vector<layout::Fixture>& fixtu
     const RectMm rect = layout::footprint_of(*fixture);
     if (!named.empty() && same_make(*named.back().first, *fixture) &&
         goes_on(named.back().run, *fixture)) {
-      RectMm& whole = named.back().run.rect;
-      whole = {std::min(whole.x0, rect.x0),
-               std::min(whole.y0, rect.y0),
-               std::max(whole.x1, rect.x1),
-               std::max(whole.y1, rect.y1)};
+      named.back().run.rect = bounds_of(named.back().run.rect, rect);
       ++named.back().run.modules;
       continue;
     }

@@ -81,12 +81,6 @@ Result<Column> column_called(const std::string& heading, const std::string& wher
   return column;
 }
 
-std::string trimmed(std::string_view text) {
-  const std::size_t start = text.find_first_not_of(" \t");
-  if (start == std::string_view::npos) return {};
-  return std::string(text.substr(start, text.find_last_not_of(" \t") - start + 1));
-}
-
 bool is_number(std::string_view text) {
   double value = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -102,8 +96,9 @@ Result<std::string> json_value(const TypeInfo& type,
   if (type.kind == TypeKind::array) {
     std::string list;
     for (const std::string& part : split(text, type.fixed_count > 0 ? 'x' : ';')) {
-      if (trimmed(part).empty()) continue;
-      MARKETGEN_TRY(const std::string value, json_value(type.element(), trimmed(part), where));
+      const std::string one(trimmed(part));
+      if (one.empty()) continue;
+      MARKETGEN_TRY(const std::string value, json_value(type.element(), one, where));
       list += (list.empty() ? "" : ", ") + value;
     }
     return "[" + list + "]";
@@ -118,7 +113,7 @@ Result<Product> product_of(const io::CsvRow& row,
   const std::string where = fmt::format("{}:{}", source, row.line);
   std::map<std::string, std::string> objects;  // fields of the row (""), of its label
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string text = trimmed(row.fields[i]);
+    const std::string text(trimmed(row.fields[i]));
     if (text.empty()) continue;  // the field keeps its default
     const Column& column = columns[i];
     MARKETGEN_TRY(const std::string value,
@@ -143,7 +138,7 @@ Result<std::vector<Product>> products_of_csv(std::string_view text, const std::s
     return Error{std::string(fault->code), source, std::move(fault->message)};
   std::vector<Column> columns;
   for (const std::string& heading : rows[0].fields) {
-    MARKETGEN_TRY(const Column column, column_called(trimmed(heading), source + ":1"));
+    MARKETGEN_TRY(const Column column, column_called(std::string(trimmed(heading)), source + ":1"));
     columns.push_back(column);
   }
   for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -32,6 +32,10 @@ PolygonMm polygon_of(const RectMm& r) {
   return {{r.x0, r.y0}, {r.x1, r.y0}, {r.x1, r.y1}, {r.x0, r.y1}};
 }
 
+RectMm bounds_of(const RectMm& a, const RectMm& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 RectMm bounds_of(const PolygonMm& polygon) {
   if (polygon.empty()) return {};
   RectMm box{polygon[0][0], polygon[0][1], polygon[0][0], polygon[0][1]};

@@ -40,6 +40,7 @@ constexpr RectMm point_rect(PointMm p) {  // of no size, for distances to a poin
 }
 PolygonMm polygon_of(const RectMm& r);  // counter-clockwise from (x0, y0)
 RectMm bounds_of(const PolygonMm& polygon);
+RectMm bounds_of(const RectMm& a, const RectMm& b);  // the smallest that has both
 // Twice the signed area of a, b, c in mm2: positive for a left turn.
 std::int64_t turn(PointMm a, PointMm b, PointMm c);
 double area_m2(const PolygonMm& polygon);            // shoelace, positive for counter-clockwise

@@ -189,10 +189,7 @@ std::vector<std::vector<RunEnd>> end_lines(const std::vector<RunEnd>& ends) {
 RectMm bounds_of_ends(const std::vector<RunEnd>& line) {
   RectMm box = line.front().rect;
   for (const RunEnd& end : line) {
-    box = {std::min(box.x0, end.rect.x0),
-           std::min(box.y0, end.rect.y0),
-           std::max(box.x1, end.rect.x1),
-           std::max(box.y1, end.rect.y1)};
+    box = bounds_of(box, end.rect);
   }
   return box;
 }

@@ -26,10 +26,7 @@ void keep_line_clear(Site& site,
   RectMm line = footprint_of(lanes.front());
   for (const Fixture& lane : lanes) {
     const RectMm rect = footprint_of(lane);
-    line = {std::min(line.x0, rect.x0),
-            std::min(line.y0, rect.y0),
-            std::max(line.x1, rect.x1),
-            std::max(line.y1, rect.y1)};
+    line = bounds_of(line, rect);
   }
   const int clear = static_cast<int>(share * design.profile.checkout_clear_mm);
   site.keep_clear(line);

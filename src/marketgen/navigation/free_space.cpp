@@ -119,9 +119,7 @@ std::vector<RectMm> merged(std::vector<RectMm> rectangles) {
       ++i;
       continue;
     }
-    RectMm& r = rectangles[i];
-    const RectMm& o = rectangles[other];
-    r = {std::min(r.x0, o.x0), std::min(r.y0, o.y0), std::max(r.x1, o.x1), std::max(r.y1, o.y1)};
+    rectangles[i] = bounds_of(rectangles[i], rectangles[other]);
     rectangles.erase(rectangles.begin() + static_cast<std::ptrdiff_t>(other));
     i = 0;  // the larger one may join with an earlier one
   }

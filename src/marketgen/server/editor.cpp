@@ -53,11 +53,7 @@ std::vector<EditRun> runs_of(const layout::Layout& layout,
     EditRun run{fixture.run, fixture.zone, fixture.id, {fixture.x_mm, fixture.y_mm}, {}, false};
     const auto [known, is_new] = runs.try_emplace(fixture.run, std::move(run), at);
     RectMm& all = known->second.second;
-    if (!is_new)
-      all = {std::min(all.x0, at.x0),
-             std::min(all.y0, at.y0),
-             std::max(all.x1, at.x1),
-             std::max(all.y1, at.y1)};
+    if (!is_new) all = bounds_of(all, at);
     if (std::ranges::find(places, fixture.id, &plan::Override::fixture) != places.end())
       known->second.first.pinned = true;
   }
