@@ -88,13 +88,13 @@ ShelvesByKey shelves_of(const Plan& plan) {
   return shelves;
 }
 
-void set_shelves(PlanChange& task, ShelvesByKey shelves) {
+void set_shelves(PlanChange& task, const ShelvesByKey& shelves) {
   task.paths.emplace_back("/planogram");
   task.plan.planogram.reset();
   if (shelves.empty()) return;
   task.plan.planogram.emplace();
-  for (auto& [key, shelf] : shelves)
-    task.plan.planogram->push_back(std::move(shelf));
+  for (const auto& [key, shelf] : shelves)
+    task.plan.planogram->push_back(shelf);
 }
 
 // Of one pack; 0 for a product that is not there, which is found where the outcome is validated.
@@ -244,7 +244,7 @@ Result<void> change(PlanChange& task, const StockShelves& patch) {
       return nothing_to_take_back(task, "shelf in its planogram");
     }
   }
-  set_shelves(task, std::move(shelves));
+  set_shelves(task, shelves);
   return {};
 }
 
@@ -273,7 +273,7 @@ Result<void> change(PlanChange& task, const SwapBlocks& patch) {
       block->facings_deep.reset();
     }
   }
-  set_shelves(task, std::move(shelves));
+  set_shelves(task, shelves);
   return {};
 }
 

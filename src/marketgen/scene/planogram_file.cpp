@@ -75,7 +75,7 @@ class PlanogramColumns {
       if (name.empty() || places_.contains(name)) continue;
       const std::string meant = did_you_mean(name, absent);
       if (!meant.empty())
-        return bad_row(source + ":1", "there is no column \"" + name + "\"" + meant);
+        return bad_row(source + ":1", fmt::format("there is no column \"{}\"{}", name, meant));
     }
     return {};
   }
