@@ -3,6 +3,7 @@
 #include "bench/bench.h"
 #include "bench/sample_store.h"
 #include "plan/patch.h"
+#include "plan/shelf_key.h"
 #include "scene/bays.h"
 #include "scene/stocked_shelf.h"
 
@@ -12,10 +13,8 @@ namespace {
 // What the shelf of this row holds, said as a planogram says it.
 plan::StockedShelf as_it_stands(const scene::Scene& scene, std::uint32_t shelf) {
   const scene::SceneShelf& row = scene.shelves[shelf];
-  plan::StockedShelf said{scene.layout.fixtures[row.fixture].id,
-                          row.side == 0 ? plan::ShelfSide::front : plan::ShelfSide::back,
-                          row.level + 1,
-                          {}};
+  plan::StockedShelf said{
+      scene.layout.fixtures[row.fixture].id, plan::shelf_side(row.side), row.level + 1, {}};
   for (const scene::Facing& facing : scene.facings) {
     if (facing.shelf != shelf) continue;
     said.blocks.push_back({scene.catalog[facing.sku].sku, facing.facings, {}, {}, {}});

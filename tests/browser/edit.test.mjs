@@ -154,7 +154,7 @@ test("a run of shelves is dragged: rules are seen as it moves, it is taken back,
   await page.mouse.move(x, y);
   await page.mouse.down();
   for (const far of [10, 30, 50]) await page.mouse.move(x + far, y);
-  await page.locator(".edit > .fault-text").filter({ hasText: /\S/ }).waitFor({ timeout: patience });
+  await page.locator(".edit .fault-text").filter({ hasText: /\S/ }).waitFor({ timeout: patience });
   assert.ok((await page.locator(".plan .fixture").count()) > 0, "where all would stand");
   await take(page, "edit-run-held");
   await page.keyboard.press("Escape");
@@ -202,6 +202,135 @@ test("a run of shelves is dragged: rules are seen as it moves, it is taken back,
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
   await done(page, before);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+// What stands on a line of shelves, as the server says it of the edit.
+const blocksOf = (page, run) => page.evaluate(async (id) => (await (await fetch(`api/stores/0/edit/blocks?run=${encodeURIComponent(id)}`)).json()).blocks, run);
+const stands = (blocks) => blocks.map(({ fixture, side, shelf, position, sku, facings }) => [fixture, side, shelf, position, sku, facings].join(" "));
+
+async function openFrontView(page) {
+  const run = await page.evaluate(() => window.marketgen.app.summary.fixtures.find(({ zone, kind }) => zone === "snacks" && kind === "gondola").run);
+  if ((await page.locator('[data-field="front"]').count()) === 0) await choose(page, "snacks");
+  await page.locator('[data-field="front"]').selectOption(run);
+  await page.locator(".elevation .wall button").first().waitFor({ timeout: patience });
+  await page.waitForFunction(() => window.marketgen.app.elevation.blocks.length > 0, null, { timeout: patience });
+  return run;
+}
+const centre = async (locator) => {
+  await locator.scrollIntoViewIfNeeded();
+  const { x, y, width, height } = await locator.boundingBox();
+  return [x + width / 2, y + height / 2];
+};
+
+test("two blocks of products are swapped by dragging one onto the other: seen as it moves, taken back, saved, and the plan makes it again", async () => {
+  const { page, faults, close } = await open();
+  await openEditor(page);
+  await idle(page);
+  const before = (await steps(page)) - (await undone(page));
+  const run = await openFrontView(page);
+  const blocks = await blocksOf(page, run);
+  const shelf = blocks.filter((block) => block.side === "front" && block.fixture === blocks[0].fixture && block.shelf === blocks[0].shelf);
+  assert.ok(shelf.length >= 2, "a shelf of two blocks");
+  const [a, b] = shelf;
+  const block = ({ facing }) => page.locator(`.elevation [data-facing="${facing}"]`);
+  const [x, y] = await centre(block(a));
+  const [toX, toY] = await centre(block(b));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 4; i++) await page.mouse.move(x + ((toX - x) * i) / 4, y + ((toY - y) * i) / 4);
+  await page.locator(".swap-bar").getByText("Keeps every hard rule.").waitFor({ timeout: patience });
+  assert.match(await block(b).getAttribute("class"), /target/);
+  await take(page, "edit-swap-held");
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  await idle(page);
+  assert.equal((await steps(page)) - (await undone(page)), before, "given up");
+  assert.deepEqual(stands(await blocksOf(page, run)), stands(blocks));
+
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 4; i++) await page.mouse.move(x + ((toX - x) * i) / 4, y + ((toY - y) * i) / 4);
+  await page.mouse.up();
+  await done(page, before + 1);
+  const swapped = blocks.map((block) => {
+    const other = block.facing === a.facing ? b : block.facing === b.facing ? a : block;
+    return { ...block, sku: other.sku, facings: other.facings };
+  });
+  assert.deepEqual(stands(await blocksOf(page, run)), stands(swapped));
+  const shown = await page.evaluate(([first, second]) => [first, second].map((facing) => document.querySelector(`.elevation [data-facing="${facing}"]`).title.split("\n")[1]), [a.facing, b.facing]);
+  assert.deepEqual(shown, [b.sku, a.sku], "the front view shows it");
+  await take(page, "edit-swapped");
+
+  await page.keyboard.press("Control+z");
+  await done(page, before);
+  assert.deepEqual(stands(await blocksOf(page, run)), stands(blocks));
+  await page.keyboard.press("Control+Shift+z");
+  await done(page, before + 1);
+  await page.getByRole("textbox", { name: "Save as" }).fill("swapped");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.getByText("Saved as swapped.").waitFor({ timeout: patience });
+  const read = (name) => JSON.parse(readFileSync(join(folder, name, "store.json"), "utf8"));
+  execFileSync(program, ["generate", "--plan", join(folder, "swapped", "plan.json"), "--seed", "3", "--no-previews", "--quiet", "-o", join(folder, "swapped-again")]);
+  assert.equal(read("swapped-again").scene_hash, read("swapped").scene_hash);
+  assert.ok(read("swapped").edits.at(-1).patches[0].swap_blocks);
+  await page.keyboard.press("Control+z");
+  await done(page, before);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("keys alone swap two blocks; what does not fit is said with what helps, in the reader's language", async () => {
+  const { page, faults, close } = await open({ locale: "zh-CN", colorScheme: "dark" });
+  await openEditor(page);
+  await idle(page);
+  const before = (await steps(page)) - (await undone(page));
+  const run = await openFrontView(page);
+  const blocks = (await blocksOf(page, run)).filter(({ side }) => side === "front");
+  const a = blocks[0];
+  const b = blocks.find((other) => other.fixture === a.fixture && other.shelf === a.shelf && other.sku !== a.sku);
+  await page.getByText("将一块商品拖到另一块上即可互换").waitFor({ timeout: patience });
+  await page.locator(`.elevation [data-facing="${a.facing}"]`).focus();
+  await page.keyboard.press("Enter");
+  const facings = page.locator('[data-field="swap-facings"]');
+  await facings.fill("90");
+  await page.locator('[data-field="swap-with"]').selectOption(String(b.facing));
+  await page.locator(".swap-bar .fault-text").filter({ hasText: /take away facings/ }).waitFor({ timeout: patience });
+  assert.equal((await steps(page)) - (await undone(page)), before);
+  await take(page, "edit-swap-does-not-fit");
+  await facings.fill("1");
+  await page.keyboard.press("Tab");
+  await page.locator(".swap-bar p:not(.fault-text)").filter({ hasText: /\S/ }).waitFor({ timeout: patience });
+  await page.locator('[data-field="swap-do"]').focus();
+  await page.keyboard.press("Enter");
+  await done(page, before + 1);
+  const now = (await blocksOf(page, run)).filter(({ side }) => side === "front");
+  assert.equal(now.find(({ facing }) => facing === b.facing).sku, a.sku);
+  assert.equal(now.find(({ facing }) => facing === b.facing).facings, 1);
+  assert.equal(now.find(({ facing }) => facing === a.facing).sku, b.sku);
+  await page.keyboard.press("Control+z");
+  await done(page, before);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("what would be broken stands in sight of the plan, in a low window, too", async () => {
+  const { page, faults, close } = await open({ viewport: { width: 900, height: 420 } });
+  await openEditor(page);
+  await idle(page);
+  const before = (await steps(page)) - (await undone(page));
+  await drag(page, "back", -400, 0, false);
+  const text = page.locator(".edit .fault-text").filter({ hasText: /\S/ });
+  await text.waitFor({ timeout: patience });
+  const [seen, plan] = [await text.boundingBox(), await page.locator(".edit .plan").boundingBox()];
+  assert.ok(seen.y >= 0 && seen.y + seen.height <= 420, `at ${seen.y} to ${seen.y + seen.height} pixels`);
+  assert.ok(seen.y >= plan.y && seen.y - (plan.y + plan.height) < 30, "beside the plan");
+  await take(page, "edit-low-window");
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  await idle(page);
+  assert.equal((await steps(page)) - (await undone(page)), before);
   assert.deepEqual(faults, []);
   await close();
 });

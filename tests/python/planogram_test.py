@@ -172,3 +172,23 @@ def test_in_python(folder):
         write(folder / "unknown.csv", [dict(row, sku="no-such-thing", facings_wide="1")])
         store.edit(planogram=folder / "unknown.csv")
     assert caught.value.code == "catalog.unknown_sku"
+
+
+def test_two_blocks_trade_places_by_a_patch(folder):
+    rows = rows_of(folder / "planogram.csv")
+
+    def place(row):
+        return {"fixture": row["fixture"], "side": row["side"], "shelf": int(row["shelf"]), "position": int(row["position"]), "sku": row["sku"]}
+
+    a, b = next((a, b) for a, b in zip(rows, rows[1:]) if all(a[key] == b[key] for key in ("fixture", "side", "shelf")) and a["sku"] != b["sku"])
+    swap = folder / "swap.json"
+    swap.write_text(json.dumps({"schema": "market-patch/1", "patches": [{"swap_blocks": {"a": place(a), "b": place(b)}}]}))
+    run("edit", folder / "tidy", "--patch", swap, "-o", folder / "swapped", "--no-previews", "--quiet")
+    run("export", folder / "swapped", "--format", "planogram", "-o", folder / "swapped.csv", "--quiet")
+    wanted = {tuple(place(row).values())[:4]: (row["sku"], row["facings_wide"]) for row in rows}
+    at, to = (tuple(place(row).values())[:4] for row in (a, b))
+    wanted[at], wanted[to] = wanted[to], wanted[at]
+    assert {tuple(place(row).values())[:4]: (row["sku"], row["facings_wide"]) for row in rows_of(folder / "swapped.csv")} == wanted
+    swap.write_text(json.dumps({"schema": "market-patch/1", "patches": [{"swap_blocks": {"a": {**place(a), "sku": b["sku"]}, "b": {**place(b), "sku": a["sku"]}}}]}))
+    run("edit", folder / "swapped", "--patch", swap, "-o", folder / "swapped-back", "--no-previews", "--quiet")
+    assert hash_of(folder / "swapped-back") == hash_of(folder / "tidy")

@@ -6,6 +6,7 @@ import { lookingAt, type Pose } from "./camera/pose";
 import { add, distance, type Vec3 } from "./camera/vector";
 import { readAddress, writeAddress, type ViewState } from "./state/address";
 import { layerNames, type LayerName } from "./state/layers";
+import type { RunBlock } from "./edit/block_swap";
 import type { EditClient } from "./edit/client";
 import { Editing } from "./edit/editing";
 import { makeLink } from "./make/addresses";
@@ -162,7 +163,26 @@ export class App {
       of: (run, side) => this.stage.goods && elevationOf(run, side, summary.fixtures, this.stage.goods.table, summary.skus),
       choose: (product) => void this.selectProduct(product),
       closed: () => this.stage.canvas.focus({ preventScroll: true }),
+      blocks: (run) => this.blocksOf(run),
+      swap: {
+        preview: (patches) => this.editing.look(patches),
+        change: (patches) => this.editing.change(patches),
+        nameOf: (sku) => {
+          const row = summary.skus.find((known) => known.sku === sku);
+          return row ? this.speech.nameOf(row) : sku;
+        },
+      },
+      isEdited: () => this.editing.isOn,
     });
+  }
+
+  private async blocksOf(run: string): Promise<readonly RunBlock[]> {
+    try {
+      return await this.client.blocks(run);
+    } catch (error) {
+      this.status.say(this.status.textOf(error));
+      return [];
+    }
   }
 
   private makeEditing(): Editing {
@@ -171,9 +191,9 @@ export class App {
       changing: () => {
         this.deselect();
         if (this.search.query) this.search.clear();
-        if (!this.elevation.panel.hidden) this.elevation.close();
       },
       changed: () => {
+        this.elevation.refresh();
         this.navigator.room = roomOf(summary);
         this.search.showCounts();
         this.layersPanel.setViolations(summary.violations.map(({ message }) => message));
@@ -181,14 +201,18 @@ export class App {
         this.showHeat();
       },
       closed: () => {
+        this.elevation.refresh();
         this.stage.canvas.focus({ preventScroll: true });
         this.showTools();
       },
+      told: (text, isFault) => this.elevation.tell(text, isFault),
+      front: (run) => this.elevation.open(run),
     });
   }
 
   private toggleEditing(): void {
     this.editing.toggle();
+    this.elevation.refresh();
     this.showTools();
   }
 

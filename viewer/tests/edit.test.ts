@@ -5,6 +5,7 @@ import { editedGoods, editedGoodsLight, editedRoom, none, rowsBefore } from "../
 import { NearLight, wayOf } from "../src/edit/light";
 import { pinsOf, rounded, shifted, unpinned } from "../src/edit/runs";
 import { lineText } from "../src/edit/steps";
+import { byShelf, swapOf, type RunBlock } from "../src/edit/block_swap";
 import { EditClient } from "../src/edit/client";
 import { MemorySections } from "../src/store/packed";
 import type { Speech } from "../src/ui/speech";
@@ -145,4 +146,23 @@ test("the server's rows of an edit are those of the page, and new SKUs are asked
   expect(client.address("/products/5")).toBe("api/stores/2/edit/products/5");
   expect(client.address("/skus/2/label.png?px=512")).toBe("api/stores/2/skus/2/label.png?px=512");
   expect(client.address("/skus/3/label.png?px=512")).toBe("api/stores/2/edit/skus/44/label.png?px=512");
+});
+
+const block = (facing: number, shelf: number, position: number, fixture = "snacks/run-1/module-1"): RunBlock => ({ facing, fixture, side: "front", shelf, position, sku: `sku-${facing}`, facings: 2, products: 4 });
+
+test("two blocks are named by where they stand, and by what stands there", () => {
+  const [a, b] = [block(7, 2, 1), block(9, 3, 4)];
+  const place = { fixture: "snacks/run-1/module-1", side: "front" };
+  const to = { ...place, shelf: 3, position: 4, sku: "sku-9" };
+  expect(swapOf(a, b)).toEqual({ swap_blocks: { a: { ...place, shelf: 2, position: 1, sku: "sku-7" }, b: to } });
+  expect(swapOf(a, b, 3)).toEqual({ swap_blocks: { a: { ...place, shelf: 2, position: 1, sku: "sku-7", facings: 3 }, b: to } });
+});
+
+test("blocks are listed shelf by shelf, from above, modules from the left", () => {
+  const blocks = [block(1, 1, 1), block(2, 3, 1, "snacks/run-1/module-10"), block(3, 3, 1, "snacks/run-1/module-2"), block(4, 3, 2, "snacks/run-1/module-2")];
+  expect(byShelf(blocks).map(([name, all]) => [name, all.map(({ facing }) => facing)])).toEqual([
+    ["snacks/run-1/module-2 · 3", [3, 4]],
+    ["snacks/run-1/module-10 · 3", [2]],
+    ["snacks/run-1/module-1 · 1", [1]],
+  ]);
 });

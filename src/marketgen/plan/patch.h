@@ -302,6 +302,31 @@ struct StockShelves {
                                                   at_most_items(max_planogram_shelves)));
 };
 
+// A block of one product, by where it stands.
+struct BlockPlace {
+  std::string fixture;
+  ShelfSide side = ShelfSide::front;
+  int shelf = 1, position = 1;
+  std::optional<std::string> sku;
+  std::optional<int> facings;
+  static constexpr auto fields = field_list(
+      field("fixture", &BlockPlace::fixture, "fixture id in the layout", required(), reference()),
+      changes<StockedShelf>("side", &BlockPlace::side),
+      field("shelf", &BlockPlace::shelf, "from the floor up", range(1, 100), required()),
+      field("position", &BlockPlace::position, "from the left", range(1, 200), required()),
+      field("sku", &BlockPlace::sku, "the product that stands there, to be sure", reference()),
+      field("facings",
+            &BlockPlace::facings,
+            "packs side by side where it comes to stand; left out: as many as before",
+            range(1, 200)));
+};
+
+struct SwapBlocks {
+  BlockPlace a, b;
+  static constexpr auto fields = field_list(field("a", &SwapBlocks::a, "a block", required()),
+                                            field("b", &SwapBlocks::b, "another", required()));
+};
+
 // Exactly one operation.
 struct Patch {
 #define PLAN_PATCH(name, Type, what) std::optional<Type> name;

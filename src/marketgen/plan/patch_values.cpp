@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <map>
 #include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "plan/patch_change.h"
 #include "plan/plan_edit.h"
@@ -74,6 +77,60 @@ Error nothing_to_take_back(const PlanChange& task, std::string_view what) {
   return {"plan.unknown_reference",
           task.where,
           "the plan has no such " + std::string(what) + "; there is nothing to take back"};
+}
+
+using ShelvesByKey = std::map<ShelfKey, StockedShelf>;
+
+ShelvesByKey shelves_of(const Plan& plan) {
+  ShelvesByKey shelves;
+  for (const StockedShelf& shelf : plan.planogram.value_or(std::vector<StockedShelf>{}))
+    shelves[key_of(shelf)] = shelf;
+  return shelves;
+}
+
+void set_shelves(PlanChange& task, const ShelvesByKey& shelves) {
+  task.paths.emplace_back("/planogram");
+  task.plan.planogram.reset();
+  if (shelves.empty()) return;
+  task.plan.planogram.emplace();
+  for (const auto& [key, shelf] : shelves)
+    task.plan.planogram->push_back(shelf);
+}
+
+// Of one pack; 0 for a product that is not there, which is found where the outcome is validated.
+int width_mm(const catalog::Catalog& catalog, const ShelfBlock& block) {
+  const catalog::Product* product = catalog.product(block.sku);
+  return product == nullptr ? 0 : product->size_mm[0];
+}
+
+// The block that a field of the patch names.
+Result<ShelfBlock*> named_block(const PlanChange& task,
+                                ShelvesByKey& shelves,
+                                std::string_view field,
+                                const BlockPlace& place) {
+  const std::string at = task.at(field);
+  const auto shelf = shelves.find(key_of(place));
+  if (shelf == shelves.end())
+    return Error{"plan.unknown_reference",
+                 at,
+                 fmt::format("the plan does not say what stands on shelf {} of \"{}\", {}; a store "
+                             "does (marketgen edit), and stock_shelves says it",
+                             place.shelf,
+                             place.fixture,
+                             name_of(place.side))};
+  std::vector<ShelfBlock>& blocks = shelf->second.blocks;
+  if (place.position > static_cast<int>(blocks.size()))
+    return Error{"plan.unknown_reference",
+                 at + "/position",
+                 fmt::format("the shelf has {} blocks; count them from the left", blocks.size())};
+  ShelfBlock& block = blocks[static_cast<std::size_t>(place.position) - 1];
+  if (place.sku && *place.sku != block.sku)
+    return Error{
+        "plan.unknown_reference",
+        at + "/sku",
+        fmt::format(
+            "\"{}\" stands there, and not \"{}\"; look at the shelf again", block.sku, *place.sku)};
+  return &block;
 }
 
 }  // namespace
@@ -177,9 +234,7 @@ Result<void> change(PlanChange& task, const SetOverride& patch) {
 }
 
 Result<void> change(PlanChange& task, const StockShelves& patch) {
-  std::map<ShelfKey, StockedShelf> shelves;
-  for (StockedShelf& shelf : task.plan.planogram.value_or(std::vector<StockedShelf>{}))
-    shelves[key_of(shelf)] = std::move(shelf);
+  ShelvesByKey shelves = shelves_of(task.plan);
   for (std::size_t i = 0; i < patch.shelves.size(); ++i) {
     const ShelfChange& shelf = patch.shelves[i];
     if (shelf.blocks) {
@@ -189,12 +244,36 @@ Result<void> change(PlanChange& task, const StockShelves& patch) {
       return nothing_to_take_back(task, "shelf in its planogram");
     }
   }
-  task.paths.emplace_back("/planogram");
-  task.plan.planogram.reset();
-  if (shelves.empty()) return {};
-  task.plan.planogram.emplace();
-  for (auto& [key, shelf] : shelves)
-    task.plan.planogram->push_back(std::move(shelf));
+  set_shelves(task, shelves);
+  return {};
+}
+
+// What goes with a block depends on the shelf it comes to stand on: as many above and behind one
+// another as have room there. Places from the left go with the shelf; where the two are not as
+// wide, its blocks are spread.
+Result<void> change(PlanChange& task, const SwapBlocks& patch) {
+  ShelvesByKey shelves = shelves_of(task.plan);
+  MARKETGEN_TRY(ShelfBlock* const a, named_block(task, shelves, "a", patch.a));
+  MARKETGEN_TRY(ShelfBlock* const b, named_block(task, shelves, "b", patch.b));
+  if (a == b) return Error{"plan.bad_value", task.at("b"), "is the block of a; name another one"};
+  std::swap(*a, *b);
+  std::swap(a->x_mm, b->x_mm);
+  b->facings = patch.a.facings.value_or(b->facings);
+  a->facings = patch.b.facings.value_or(a->facings);
+  const bool spread =
+      a->facings != b->facings || width_mm(task.catalog, *a) != width_mm(task.catalog, *b);
+  for (const BlockPlace* place : {&patch.a, &patch.b}) {
+    if (!spread) break;
+    for (ShelfBlock& block : shelves.at(key_of(*place)).blocks)
+      block.x_mm.reset();
+  }
+  if (key_of(patch.a) != key_of(patch.b)) {
+    for (ShelfBlock* block : {a, b}) {
+      block->facings_high.reset();
+      block->facings_deep.reset();
+    }
+  }
+  set_shelves(task, shelves);
   return {};
 }
 

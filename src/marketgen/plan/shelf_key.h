@@ -10,7 +10,12 @@ namespace marketgen::plan {
 using ShelfKey =
     std::tuple<std::string, ShelfSide, int>;  // fixture, side, number from the floor up
 
-// Of a StockedShelf or a ShelfChange.
+// Of a scene's number: 0 is the front.
+constexpr ShelfSide shelf_side(int side) {
+  return side == 0 ? ShelfSide::front : ShelfSide::back;
+}
+
+// Of a StockedShelf, a ShelfChange or a BlockPlace.
 template <class Shelf>
 ShelfKey key_of(const Shelf& shelf) {
   return {shelf.fixture, shelf.side, shelf.shelf};

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "io/csv.h"
 #include "scene/shelf_fill.h"
+#include "scene/standing_shelf.h"
 
 namespace marketgen::scene {
 namespace {
@@ -75,8 +76,7 @@ class PlanogramColumns {
       if (name.empty() || places_.contains(name)) continue;
       const std::string meant = did_you_mean(name, absent);
       if (!meant.empty())
-        return bad_row(
-            place, std::string("there is no column \"").append(name).append("\"").append(meant));
+        return bad_row(place, fmt::format("there is no column \"{}\"{}", name, meant));
     }
     return {};
   }
@@ -92,6 +92,16 @@ std::optional<int> number_of(std::string text) {
   const bool whole = fault == std::errc() && end == text.data() + text.size();
   if (!whole || !(std::abs(value) <= 1e6)) return std::nullopt;
   return static_cast<int>(std::lround(value));
+}
+
+// A row, as a plan says it.
+plan::ShelfBlock shelf_block(const PlanogramBlock& row, const catalog::Catalog& catalog) {
+  return said_block({catalog.products[row.product].sku,
+                     row.facings,
+                     row.x_mm,
+                     row.facings_high,
+                     row.facings_deep},
+                    catalog);
 }
 
 class PlanogramReader {
@@ -239,17 +249,6 @@ class PlanogramReader {
     shelf.planned = std::move(made.shelf);
   }
 
- public:
-  // Of loose goods a row's counts above and behind one another are how they came to lie.
-  static plan::ShelfBlock shelf_block(const PlanogramBlock& block,
-                                      const catalog::Catalog& catalog) {
-    const catalog::Product& product = catalog.products[block.product];
-    const int facings = facings_as_wide(product, catalog, block.facings);
-    if (lies_in_a_heap(product)) return {product.sku, facings, block.x_mm, {}, {}};
-    return {product.sku, facings, block.x_mm, block.facings_high, block.facings_deep};
-  }
-
- private:
   const std::string& source_;
   const PlanogramColumns& columns_;
   const ShelfFinder& finder_;
@@ -258,12 +257,6 @@ class PlanogramReader {
   std::map<std::uint32_t, PlanogramShelf> shelves_;
   PlanogramFile file_;
 };
-
-// Rounded to millimetres; places of the scene are floats, which are off by micrometres.
-bool is_at(int x_mm, double metres) {
-  constexpr double half_mm = 0.51;
-  return std::abs(x_mm - metres * 1e3) <= half_mm;
-}
 
 // Facings of the scene by shelf, from left to right.
 std::map<std::uint32_t, std::vector<const Facing*>> facings_by_shelf(const Scene& scene) {
@@ -286,30 +279,6 @@ bool stands_so(const PlanogramShelf& shelf,
            (loose || !said.facings_deep || *said.facings_deep == is->rows_deep);
   };
   return std::ranges::equal(shelf.blocks, facings, same);
-}
-
-// Without what the stocker does of itself.
-std::vector<plan::ShelfBlock> least_pinned(const PlanogramShelf& shelf,
-                                           const plan::StockSpec& stock,
-                                           const catalog::Catalog& catalog) {
-  std::vector<plan::ShelfBlock> blocks;
-  PlannedShelf spread = shelf.planned;
-  for (std::size_t i = 0; i < shelf.blocks.size(); ++i) {
-    plan::ShelfBlock block = PlanogramReader::shelf_block(shelf.blocks[i], catalog);
-    const catalog::Product& product = catalog.products[shelf.blocks[i].product];
-    if (block.facings_high == stack_height(product, shelf.place.room)) block.facings_high.reset();
-    if (block.facings_deep == rows_that_fit(product, shelf.place.room, stock.depth_fill))
-      block.facings_deep.reset();
-    spread[i].x_m.reset();
-    blocks.push_back(std::move(block));
-  }
-  const std::vector<double> starts = block_starts(spread, shelf.place.room, catalog);
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (blocks[i].x_mm && !is_at(*blocks[i].x_mm, starts[i] + shelf.place.left_m)) return blocks;
-  }
-  for (plan::ShelfBlock& block : blocks)
-    block.x_mm.reset();
-  return blocks;
 }
 
 }  // namespace
@@ -342,18 +311,20 @@ PlanogramChanges changes_by(const PlanogramFile& file,
                             const catalog::Catalog& catalog) {
   PlanogramChanges changes;
   auto facings = facings_by_shelf(scene);
-  const plan::Zone fallback;
   plan::StockShelves patch;
   for (const PlanogramShelf& shelf : file.shelves) {
     if (stands_so(shelf, facings[shelf.shelf], scene, catalog)) {
       ++changes.as_they_were;
       continue;
     }
-    const layout::Fixture& fixture = scene.layout.fixtures[scene.shelves[shelf.shelf].fixture];
-    const plan::Zone* zone = plan::find_zone(plan, fixture.zone);
-    const plan::StockSpec& stock = (zone != nullptr ? *zone : fallback).stock;
-    patch.shelves.push_back(
-        {shelf.fixture, shelf.side, shelf.number, least_pinned(shelf, stock, catalog)});
+    std::vector<plan::ShelfBlock> blocks;
+    for (const PlanogramBlock& block : shelf.blocks)
+      blocks.push_back(shelf_block(block, catalog));
+    const plan::StockSpec& stock = stock_of(scene, shelf.shelf, plan);
+    patch.shelves.push_back({shelf.fixture,
+                             shelf.side,
+                             shelf.number,
+                             least_pinned(std::move(blocks), shelf.place, stock, catalog)});
   }
   if (patch.shelves.empty()) return changes;
   changes.patches.patches.emplace_back();

@@ -165,7 +165,7 @@ Result<Scene> restocked(Scene scene,
   for (std::uint32_t s = 0; s < few.shelves.size(); ++s) {
     const SceneShelf& shelf = few.shelves[s];
     const std::string& id = few.layout.fixtures[shelf.fixture].id;
-    const plan::ShelfSide side = shelf.side == 0 ? plan::ShelfSide::front : plan::ShelfSide::back;
+    const plan::ShelfSide side = plan::shelf_side(shelf.side);
     const bool named = std::ranges::any_of(shelves, [&](const plan::StockedShelf& said) {
       return plan::key_of(said) == plan::ShelfKey{id, side, shelf.level + 1};
     });

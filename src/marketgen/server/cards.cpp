@@ -8,6 +8,7 @@
 
 #include "catalog/country.h"
 #include "io/file.h"
+#include "plan/shelf_key.h"
 #include "scene/placements.h"
 
 namespace marketgen::server {
@@ -143,6 +144,25 @@ FixtureCard fixture_card(const scene::Scene& scene, std::uint32_t row) {
   }
   card.skus = skus.size();
   return card;
+}
+
+RunBlocks blocks_of_run(const scene::Scene& scene, const std::string& run) {
+  RunBlocks line;
+  for (std::uint32_t f = 0; f < scene.facings.size(); ++f) {
+    const scene::Facing& facing = scene.facings[f];
+    const scene::SceneShelf& shelf = scene.shelves[facing.shelf];
+    const layout::Fixture& fixture = scene.layout.fixtures[shelf.fixture];
+    if (fixture.run != run) continue;
+    line.blocks.push_back({f,
+                           fixture.id,
+                           plan::shelf_side(shelf.side),
+                           shelf.level + 1,
+                           facing.position + 1,
+                           scene.catalog[facing.sku].sku,
+                           facing.facings,
+                           facing.product_count});
+  }
+  return line;
 }
 
 }  // namespace marketgen::server

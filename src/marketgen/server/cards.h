@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 #include "grasping/grasp_table.h"
+#include "plan/planogram.h"
 #include "robots/grasp_tool.h"
 #include "scene/scene.h"
 
@@ -118,6 +119,32 @@ struct ProductCard {
       field("grasps", &ProductCard::grasps, "by tool"));
 };
 
+// A block of a line of shelves, by what swap_blocks of market-patch/1 names it.
+struct RunBlock {
+  std::uint32_t facing = 0;
+  std::string fixture;
+  plan::ShelfSide side = plan::ShelfSide::front;
+  int shelf = 1, position = 1;
+  std::string sku;
+  int facings = 1;
+  std::uint32_t products = 0;
+  static constexpr auto fields =
+      field_list(field("facing", &RunBlock::facing, "row in facings"),
+                 field("fixture", &RunBlock::fixture, "id"),
+                 field("side", &RunBlock::side, "of the fixture"),
+                 field("shelf", &RunBlock::shelf, "from the floor up"),
+                 field("position", &RunBlock::position, "from the left"),
+                 field("sku", &RunBlock::sku, "product"),
+                 field("facings", &RunBlock::facings, "packs side by side"),
+                 field("products", &RunBlock::products, "items in it; 0 when it is sold out"));
+};
+
+struct RunBlocks {
+  std::vector<RunBlock> blocks;
+  static constexpr auto fields =
+      field_list(field("blocks", &RunBlocks::blocks, "in the scene's order"));
+};
+
 struct CardShelf {
   int level = 0, side = 0;
   assets::ShelfUse use = assets::ShelfUse::stand;
@@ -187,5 +214,7 @@ ProductCard product_card(const scene::Scene& scene,
                          const GraspFacts& grasps,
                          const std::vector<catalog::FrictionRow>& frictions);
 FixtureCard fixture_card(const scene::Scene& scene, std::uint32_t row);
+// What stands on the line, both sides; nothing where there is no such line.
+RunBlocks blocks_of_run(const scene::Scene& scene, const std::string& run);
 
 }  // namespace marketgen::server

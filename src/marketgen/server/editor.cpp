@@ -105,8 +105,8 @@ std::vector<std::string> kinds_of(const catalog::Catalog& catalog) {
 }  // namespace
 
 bool is_refused_edit(const Error& error) {
-  constexpr std::array<std::string_view, 7> of_the_edit{
-      "layout.", "plan.", "brief.", "scene.", "catalog.", "assets.", "usage."};
+  constexpr std::array<std::string_view, 8> of_the_edit{
+      "layout.", "plan.", "planogram.", "brief.", "scene.", "catalog.", "assets.", "usage."};
   return std::ranges::any_of(
       of_the_edit, [&](std::string_view module) { return error.code.starts_with(module); });
 }

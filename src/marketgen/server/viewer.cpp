@@ -226,7 +226,7 @@ Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Word
   if (what == "edit") return of_edit(store, ask, Words(words.begin() + 1, words.end()));
   if (what == "drive") return of_drive(store, ask, Words(words.begin() + 1, words.end()));
   if (what == "runs" || what == "places") return of_replay(store, ask, words);
-  if (words.size() == 1 && what != "search") {
+  if (words.size() == 1 && what != "search" && what != "blocks") {
     if (what == "goods.bin") return store.goods;
     if (what == "state") return state(store);
     MARKETGEN_TRY(const ViewBuild::Body body, build_of(store).file(what));
@@ -243,6 +243,7 @@ Result<HttpReply> Viewer::of_scene(const scene::Scene& scene,
   const std::string& what = words[0];
   if (what == "skus" && words.size() > 1) return of_sku(scene, ask, words);
   if (what == "search" && words.size() == 1) return search(scene, ask);
+  if (what == "blocks" && words.size() == 1) return blocks(scene, ask);
   if (words.size() != 2) return no_address(ask);
   if (what == "products") {
     MARKETGEN_TRY(const std::uint32_t row, row_of(ask, words[1], scene.products.size()));
@@ -371,6 +372,13 @@ Result<HttpReply> Viewer::search(const scene::Scene& scene, const HttpAsk& ask) 
   MARKETGEN_TRY(const SearchAnswer answer,
                 search_->find(scene, words->second, static_cast<std::size_t>(hits)));
   return json_reply(io::write_json_line(answer));
+}
+
+Result<HttpReply> Viewer::blocks(const scene::Scene& scene, const HttpAsk& ask) {
+  const auto run = ask.query.find("run");
+  if (run == ask.query.end())
+    return Error{"server.bad_request", "run", "say of which line: blocks?run=snacks/run-1"};
+  return json_reply(io::write_json_line(blocks_of_run(scene, run->second)));
 }
 
 Result<HttpReply> Viewer::state(Opened& store) {

@@ -77,6 +77,7 @@ class Viewer {
   Result<HttpReply> of_replay(Opened& store, const HttpAsk& ask, const Words& words);
   Result<HttpReply> of_sku(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
   Result<HttpReply> search(const scene::Scene& scene, const HttpAsk& ask);
+  static Result<HttpReply> blocks(const scene::Scene& scene, const HttpAsk& ask);
   Result<HttpReply> tag(const scene::Scene& scene, const HttpAsk& ask, const std::string& name);
   Result<HttpReply> label(const scene::Scene& scene, std::uint32_t sku, const HttpAsk& ask);
   Result<HttpReply> state(Opened& store);

@@ -13,6 +13,7 @@
 #include "layout/layout_rules.h"
 #include "layout/repair_moves.h"
 #include "plan/plan_place.h"
+#include "scene/block_swap.h"
 #include "scene/own_goods.h"
 #include "scene/restock.h"
 #include "store/save.h"
@@ -254,12 +255,15 @@ Result<Replanned> replan(const Store& store,
                          const std::string& source,
                          const catalog::Catalog& catalog) {
   Replanned now;
-  MARKETGEN_TRY(now.plan,
-                plan::apply_patches(store.plan, patches, source, plan::Source::flag, catalog));
+  MARKETGEN_TRY(const plan::Plan said,
+                scene::with_swapped_shelves(store.plan, patches, source, store.scene, catalog));
+  MARKETGEN_TRY(now.plan, plan::apply_patches(said, patches, source, plan::Source::flag, catalog));
   now.furnished = layout::zones_to_furnish(store.plan, now.plan, catalog);
   Result<layout::Layout> layout = layout_after(store, now.plan, now.furnished, catalog);
   if (!layout.ok()) return plan::in_plan_file(layout.error(), source + " (plan)");
   now.layout = std::move(layout).value();
+  if (fixtures_of(store.scene.layout, {}) == fixtures_of(now.layout, {}))
+    MARKETGEN_CHECK(scene::check_swapped(now.plan, patches, source, store.scene, catalog));
   now.offences = newly_broken(store.scene.layout.violations, now.layout.violations);
   return now;
 }

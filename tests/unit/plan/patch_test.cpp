@@ -207,6 +207,21 @@ const std::vector<Example>& examples() {
        R"({"stock_shelves": {"shelves": [{"fixture": "snacks/run-1/module-1", "shelf": 2, "blocks": [{"sku": "no-such", "facings": 1}]}]}})",
        "catalog.unknown_sku",
        "/stock_shelves"},
+      {"swap_blocks",
+       R"({"stock_shelves": {"shelves": [{"fixture": "snacks/run-1/module-1", "shelf": 2, "blocks": [
+           {"sku": "canned-sweetcorn-crisp-340g", "facings": 2}, {"sku": "dairy-fresh-milk-1-5-fat-1l", "facings": 3}]}]}},
+         {"swap_blocks": {"a": {"fixture": "snacks/run-1/module-1", "shelf": 2, "position": 1},
+           "b": {"fixture": "snacks/run-1/module-1", "shelf": 2, "position": 2, "sku": "dairy-fresh-milk-1-5-fat-1l"}}})",
+       [](const plan::Plan& p) {
+         return p.planogram &&
+                p.planogram->at(0).blocks.at(0).sku == "dairy-fresh-milk-1-5-fat-1l" &&
+                p.planogram->at(0).blocks.at(0).facings == 3;
+       },
+       R"({"stock_shelves": {"shelves": [{"fixture": "snacks/run-1/module-1", "shelf": 2}]}})",
+       R"({"swap_blocks": {"a": {"fixture": "snacks/run-1/module-1", "shelf": 2, "position": 1},
+           "b": {"fixture": "snacks/run-1/module-1", "shelf": 2, "position": 2}}})",
+       "plan.unknown_reference",
+       "/swap_blocks/a"},
   };
   return all;
 }
@@ -254,6 +269,58 @@ TEST(Patches, FaultyOnesNameTheirPlace) {
     EXPECT_EQ(plan.error().where, "p.json:/patches/0" + std::string(example.where))
         << to_string(plan.error());
   }
+}
+
+// Three blocks on shelf 2 and one on shelf 3, then the patch.
+Result<plan::Plan> swapped(const std::string& a, const std::string& b, const std::string& x = "") {
+  const std::string block =
+      R"({"sku": "canned-sweetcorn-crisp-340g", "facings": 2)" + x +
+      R"(}, {"sku": "dairy-fresh-milk-1-5-fat-1l", "facings": 3, "facings_high": 1)" + x +
+      R"(}, {"sku": "canned-sweetcorn-crisp-340g", "facings": 2)" + x + "}";
+  const std::string fixture = R"({"fixture": "snacks/run-1/module-1", "shelf": )";
+  return after(sample(),
+               R"({"stock_shelves": {"shelves": [)" + fixture + R"(2, "blocks": [)" + block +
+                   "]}, " + fixture +
+                   R"(3, "blocks": [{"sku": "dairy-fresh-milk-1-5-fat-1l", "facings": 1}]}]}},)" +
+                   R"({"swap_blocks": {"a": )" + fixture + a + R"(}, "b": )" + fixture + b + "}}}");
+}
+
+TEST(SwapBlocks, TakesWithABlockWhatFitsItsNewShelf) {
+  const auto same = swapped(R"(2, "position": 1)", R"(2, "position": 2)", R"(, "x_mm": 7)");
+  ASSERT_TRUE(same.ok()) << to_string(same.error());
+  const std::vector<plan::ShelfBlock>& shelf = same->planogram->at(0).blocks;
+  EXPECT_EQ(shelf[0].facings_high, 1) << "what was said of it goes with it";
+  EXPECT_FALSE(shelf[0].x_mm || shelf[2].x_mm) << "the two are not as wide: all are spread";
+
+  const auto other = swapped(R"(2, "position": 2)", R"(3, "position": 1, "facings": 2)");
+  ASSERT_TRUE(other.ok()) << to_string(other.error());
+  const plan::ShelfBlock& below = other->planogram->at(0).blocks[1];
+  const plan::ShelfBlock& above = other->planogram->at(1).blocks[0];
+  EXPECT_EQ(below.facings, 2) << "as said of b";
+  EXPECT_EQ(above.facings, 3);
+  EXPECT_FALSE(above.facings_high) << "another shelf has other room";
+
+  const auto alike = swapped(R"(2, "position": 1)", R"(2, "position": 3)", R"(, "x_mm": 7)");
+  ASSERT_TRUE(alike.ok()) << to_string(alike.error());
+  EXPECT_EQ(alike->planogram->at(0).blocks[2].x_mm, 7) << "places go with the shelf";
+}
+
+TEST(SwapBlocks, SaysWhichBlockIsNotThere) {
+  const auto beyond = swapped(R"(2, "position": 4)", R"(2, "position": 2)");
+  ASSERT_FALSE(beyond.ok());
+  EXPECT_EQ(
+      to_string(beyond.error()),
+      "error[plan.unknown_reference] p.json:/patches/1/swap_blocks/a/position: the shelf has 3 "
+      "blocks; count them from the left");
+  const auto another =
+      swapped(R"(2, "position": 1)", R"(2, "position": 2, "sku": "dairy-oat-drink-barista-1l")");
+  ASSERT_FALSE(another.ok());
+  EXPECT_EQ(another.error().where, "p.json:/patches/1/swap_blocks/b/sku");
+  EXPECT_NE(another.error().message.find("\"dairy-fresh-milk-1-5-fat-1l\" stands there"),
+            std::string::npos);
+  const auto itself = swapped(R"(2, "position": 1)", R"(2, "position": 1)");
+  ASSERT_FALSE(itself.ok());
+  EXPECT_EQ(itself.error().code, "plan.bad_value");
 }
 
 TEST(Patches, UnknownNamesAreAnsweredWithTheNearest) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/gzip.h"
+#include "server/cards.h"
 #include "support/committed_catalog.h"
 #include "support/run_program.h"
 
@@ -263,6 +264,46 @@ TEST_F(EditedOnline, UndoAndRedoGiveTheSameStores) {
   EXPECT_EQ(code("redo", Json::object()), "server.bad_request");
   picture("undo", Json::object());
   EXPECT_EQ(picture("patches", ratio(0.52)).head["lines"].size(), 2U) << "what was undone is gone";
+}
+
+// What a page names of two blocks is what it is told of their line.
+TEST_F(EditedOnline, BlocksOfALineChangePlaces) {
+  const scene::Scene& scene = base->scene;
+  const std::string run =
+      scene.layout.fixtures[scene.shelves[scene.facings.front().shelf].fixture].run;
+  const auto blocks = server::blocks_of_run(scene, run).blocks;
+  ASSERT_GT(blocks.size(), 4U);
+  const auto place = [](const server::RunBlock& block, Json more = Json::object()) {
+    more.update({{"fixture", block.fixture},
+                 {"side", name_of(block.side)},
+                 {"shelf", block.shelf},
+                 {"position", block.position},
+                 {"sku", block.sku}});
+    return more;
+  };
+  const Json swap{
+      {"patches", {{{"swap_blocks", {{"a", place(blocks[0])}, {"b", place(blocks[1])}}}}}}};
+  EXPECT_TRUE(json("preview", swap)["offences"].empty());
+  const Picture edit = picture("patches", swap);
+  const auto now = server::blocks_of_run(editor.now()->store.scene, run).blocks;
+  ASSERT_EQ(now.size(), blocks.size());
+  EXPECT_EQ(now[0].sku, blocks[1].sku);
+  EXPECT_EQ(now[1].sku, blocks[0].sku);
+  EXPECT_EQ(now[0].facings, blocks[1].facings);
+  EXPECT_TRUE(edit.head["lines"][0]["patches"][0].contains("swap_blocks"));
+  EXPECT_EQ(code("preview", swap), "plan.unknown_reference") << "another product stands there now";
+  picture("undo", Json::object());
+  EXPECT_EQ(editor.now()->store.manifest.scene_hash, base->manifest.scene_hash);
+  const Json wide{
+      {"patches",
+       {{{"swap_blocks", {{"a", place(blocks[0], {{"facings", 90}})}, {"b", place(blocks[1])}}}}}}};
+  for (const char* verb : {"preview", "patches"}) {
+    const auto refused = post(verb, wide);
+    ASSERT_FALSE(refused.ok()) << verb;
+    EXPECT_EQ(refused.error().code, "planogram.does_not_fit");
+    EXPECT_EQ(refused.error().where, "patches:/patches/0/swap_blocks/a/facings");
+    EXPECT_TRUE(server::is_refused_edit(refused.error()));
+  }
 }
 
 TEST_F(EditedOnline, WordsBecomePatches) {

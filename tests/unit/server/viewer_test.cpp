@@ -338,6 +338,21 @@ TEST_F(ViewedStore, HasACardOfEveryFixture) {
   EXPECT_GT(products, scene().products.size() / 2);
 }
 
+TEST_F(ViewedStore, NamesTheBlocksOfALineOfShelves) {
+  const scene::Facing& first = scene().facings.front();
+  const scene::SceneShelf& shelf = scene().shelves[first.shelf];
+  const layout::Fixture& fixture = scene().layout.fixtures[shelf.fixture];
+  const Json block = of_store("/blocks", {{"run", fixture.run}})["blocks"][0];
+  EXPECT_EQ(block["facing"], 0);
+  EXPECT_EQ(block["fixture"], fixture.id);
+  EXPECT_EQ(block["shelf"], shelf.level + 1);
+  EXPECT_EQ(block["position"], 1);
+  EXPECT_EQ(block["sku"], scene().catalog[first.sku].sku);
+  EXPECT_EQ(block["products"], first.product_count);
+  EXPECT_TRUE(of_store("/blocks", {{"run", "nowhere/run-1"}})["blocks"].empty());
+  EXPECT_EQ(ask("/api/stores/0/blocks").status, 400);
+}
+
 TEST_F(ViewedStore, SaysWhatIsNotThere) {
   for (const char* path : {"/api",
                            "/api/",

@@ -160,6 +160,10 @@ const std::vector<Example>& examples() {
        R"({"stock_shelves": {"shelves": [{"fixture": "canned/run-1/module-1", "shelf": 3,
            "blocks": [{"sku": "canned-sweetcorn-crisp-340g", "facings": 4}]}]}})",
        {"canned"}},
+      {"swap_blocks",
+       R"({"swap_blocks": {"a": {"fixture": "canned/run-1/module-1", "shelf": 3, "position": 1},
+                           "b": {"fixture": "canned/run-1/module-1", "shelf": 3, "position": 2}}})",
+       {"canned"}},
   };
   return all;
 }
@@ -253,6 +257,33 @@ TEST(Edits, FollowOneAnother) {
   EXPECT_EQ(things(now.scene, {"snacks"}), things(between.scene, {"snacks"}));
   const std::set<std::string> both{"snacks", "dairy", "drinks"};
   EXPECT_EQ(things(now.scene, both), things(shop().scene, both));
+}
+
+// The plan alone makes the store again, and the same swap takes it back.
+TEST(Edits, SwapTwoBlocksOfProducts) {
+  const scene::Facing& first = shop().scene.facings.front();
+  const scene::SceneShelf& shelf = shop().scene.shelves[first.shelf];
+  const std::string on = R"({"fixture": ")" + shop().scene.layout.fixtures[shelf.fixture].id +
+                         R"(", "shelf": )" + std::to_string(shelf.level + 1) + R"(, "position": )";
+  const std::string swap = R"({"swap_blocks": {"a": )" + on + R"(1}, "b": )" + on + "2}}}";
+  const auto edit = edited(shop(), swap);
+  ASSERT_TRUE(edit.ok()) << to_string(edit.error());
+  const store::Store now = opened_last(*edit);
+  EXPECT_EQ(now.scene.catalog[now.scene.facings[0].sku].sku,
+            shop().scene.catalog[shop().scene.facings[1].sku].sku);
+  EXPECT_EQ(now.manifest.edits->front().patches.at(0).swap_blocks->b.position, 2);
+  EXPECT_TRUE(*store::follows_from_plan(now, committed_catalog()));
+  store::CreateOptions again;
+  again.folder = parent() / "swapped-again";
+  again.plan_file = now.folder / "plan.json";
+  again.seed = 7;
+  again.previews = false;
+  const auto made = store::create_store(again, committed_catalog());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_EQ(made->manifest.scene_hash, now.manifest.scene_hash);
+  const auto back = edited(now, swap);
+  ASSERT_TRUE(back.ok()) << to_string(back.error());
+  EXPECT_EQ(back->created.manifest.scene_hash, shop().manifest.scene_hash);
 }
 
 TEST(Edits, ThatAreTakenBackGiveTheSameStore) {

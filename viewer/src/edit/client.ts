@@ -2,6 +2,7 @@
 import { Client, posted, ServerError } from "../store/client";
 import type { FixtureCard, Hit, ProductCard } from "../store/contract";
 import { Packed } from "../store/packed";
+import type { RunBlock } from "./block_swap";
 import type { EditHead, Patch, Preview, Saved } from "./contract";
 
 // Which rows of the edit are which of the page.
@@ -13,7 +14,7 @@ export interface RowNames {
 }
 
 const noJoint = 0xffffffff;
-const ofTheEdit = /^\/(products|fixtures|search)\b/;
+const ofTheEdit = /^\/(products|fixtures|search|blocks)\b/;
 const labelOrMesh = /^\/skus\/(\d+)(\/.*)$/;
 
 export class EditClient extends Client {
@@ -49,6 +50,10 @@ export class EditClient extends Client {
     const hits = await super.search(query, signal);
     const { names } = this;
     return names ? hits.map((hit) => ({ ...hit, sku_row: names.skuOfServer[hit.sku_row]! })) : hits;
+  }
+
+  async blocks(run: string): Promise<readonly RunBlock[]> {
+    return (await this.json<{ blocks: readonly RunBlock[] }>(`/blocks?run=${encodeURIComponent(run)}`)).blocks;
   }
 
   // Errors: server.edit_taken while another page edits.

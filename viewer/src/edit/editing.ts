@@ -24,6 +24,8 @@ export interface Editor {
   changing(): void; // rows are about to get other numbers
   changed(): void; // the summary says other things
   closed(): void;
+  told(text: string, isFault: boolean): void; // of a preview or a change
+  front(run: string): void; // is to be seen from the front
 }
 
 // The store as it was opened: what the server describes every edit against.
@@ -62,8 +64,10 @@ export class Editing {
     this.panel = new EditPanel(
       speech,
       {
-        change: (patches) => this.run(() => this.client.patch(patches)),
+        change: (patches) => this.change(patches),
         preview: (patches) => void this.preview(patches),
+        told: (text, isFault) => this.app.told(text, isFault),
+        front: (run) => this.app.front(run),
         say: (words) => this.run(() => this.client.say(words)),
         undo: () => this.run(() => this.client.undo()),
         redo: () => this.run(() => this.client.redo()),
@@ -83,6 +87,23 @@ export class Editing {
     if (!this.whole()) return this.status.say(this.speech.say("editWait"));
     this.panel.open(true);
     if (!this.client.editing) this.begin();
+  }
+
+  // Whether patches are taken.
+  get isOn(): boolean {
+    return this.panel.isOpen && this.client.editing;
+  }
+
+  change(patches: readonly Patch[]): void {
+    this.run(() => this.client.patch(patches));
+  }
+
+  // Undefined: what was tried is given up.
+  look(patches: readonly Patch[] | undefined): void {
+    if (patches) return void this.preview(patches);
+    this.previews++;
+    this.nextPreview = undefined;
+    this.panel.showPreview(undefined);
   }
 
   // The edit goes on, and stays this page's.

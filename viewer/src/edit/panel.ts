@@ -11,6 +11,8 @@ import { ZoneCard } from "./zone_card";
 export interface PanelActions {
   change(patches: readonly Patch[]): void;
   preview(patches: readonly Patch[]): void;
+  told(text: string, isFault: boolean): void;
+  front(run: string): void;
   say(words: string): void;
   undo(): void;
   redo(): void;
@@ -42,12 +44,12 @@ export class EditPanel {
     summary: Summary,
   ) {
     this.map = new PlanMap(speech, this.mapActions(), summary);
-    this.card = new ZoneCard(speech, (patches) => actions.change(patches));
+    this.card = new ZoneCard(speech, (patches) => actions.change(patches), (run) => actions.front(run));
     this.undo = this.button("editUndo", () => actions.undo());
     this.redo = this.button("editRedo", () => actions.redo());
     const close = element("button", { class: "close", text: "×", attributes: { type: "button" }, on: { click: () => actions.close() } });
-    this.panel.append(element("header", {}, this.heading, close), this.taken, this.body, this.fault);
-    this.body.append(this.map.root as unknown as Node, this.state, this.card.root, this.sayForm(), this.steps(), this.saveForm());
+    this.panel.append(element("header", {}, this.heading, close), this.taken, this.body);
+    this.body.append(this.map.root as unknown as Node, this.fault, this.state, this.card.root, this.sayForm(), this.steps(), this.saveForm());
     this.panel.hidden = this.taken.hidden = true;
     this.panel.addEventListener("keydown", (event) => this.key(event));
     speech.bind(() => {
@@ -77,7 +79,7 @@ export class EditPanel {
     this.head = head;
     this.taken.hidden = true;
     this.body.hidden = false;
-    this.fault.textContent = "";
+    this.tell("", "");
     this.map.show(head);
     this.showZone();
     this.undo.disabled = head.done === 0;
@@ -93,27 +95,25 @@ export class EditPanel {
       return;
     }
     this.map.showPreview(preview);
-    this.fault.textContent = preview.offences.map(({ message }) => this.speech.say("editBroken", { message })).join("\n");
-    this.state.textContent = preview.offences.length === 0 ? this.speech.say("editFits") : "";
+    const broken = preview.offences.map(({ message }) => this.speech.say("editBroken", { message })).join("\n");
+    this.tell(broken, broken ? "" : this.speech.say("editFits"));
   }
 
   // What cannot be tried at all: the map stays as it is.
   showPreviewFault(message: string): void {
-    this.fault.textContent = message;
-    this.state.textContent = "";
+    this.tell(message, "");
   }
 
   showFault(message: string): void {
     if (this.head) this.show(this.head);
-    this.fault.textContent = message;
-    this.fault.scrollIntoView({ block: "nearest" });
+    this.tell(message, this.state.textContent);
   }
 
   // Somebody else edits.
   showTaken(message: string): void {
     this.body.hidden = true;
     this.taken.hidden = false;
-    this.fault.textContent = "";
+    this.tell("", "");
     this.taken.replaceChildren(element("p", { text: message, attributes: { role: "status" } }), this.button("editTryAgain", () => this.actions.again()));
   }
 
@@ -122,6 +122,12 @@ export class EditPanel {
     const how = this.speech.say(saved.follows_from_plan ? "editFollows" : "editFollowsNot", { folder, seed });
     const link = element("a", { text: this.speech.say("editOpen"), attributes: { href: address } });
     this.saved.replaceChildren(element("p", { text: this.speech.say("editSaved", { folder }) }), element("p", { class: "muted", text: how }), link);
+  }
+
+  private tell(fault: string, state: string): void {
+    this.fault.textContent = fault;
+    this.state.textContent = state;
+    this.actions.told(fault || state, fault !== "");
   }
 
   private mapActions(): MapActions {

@@ -6,7 +6,7 @@ import type { Speech } from "../ui/speech";
 import type { Cut, EditHead, Preview, Rect, Run } from "./contract";
 import { limited, lineOf, ratioAt } from "./cuts";
 import { keyShift, rounded, shifted, type Shift } from "./runs";
-import { follow, shape } from "./shapes";
+import { clickMoves, follow, shape } from "./shapes";
 
 export interface MapActions {
   choose(zone: string): void;
@@ -20,7 +20,6 @@ export interface MapActions {
 }
 
 const margin = 300; // millimetres round the store
-const clickMoves = 6; // pixels a click may shake
 const keyStep = 0.01;
 
 export class PlanMap {

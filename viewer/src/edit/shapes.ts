@@ -10,6 +10,8 @@ export function shape(name: string, attributes: Attributes, text?: string): SVGE
   return made;
 }
 
+export const clickMoves = 6; // pixels a click may shake
+
 // The pointer is followed on the whole page: the shape under it is drawn anew while it moves.
 export function follow(event: PointerEvent, moved: (event: PointerEvent) => void, done: (event: PointerEvent | undefined) => void): void {
   event.preventDefault();

@@ -13,6 +13,10 @@ export function patchText(patch: Patch, speech: Speech): string {
   const given = value as Record<string, unknown>;
   if (operation === "set_ratio") return speech.say("editPatchRatio", { node: String(given["node"]), share: speech.number(Number(given["ratio"]) * 100, 1) });
   if (operation === "swap_leaves") return speech.say("editPatchSwap", { a: String(given["a"]), b: String(given["b"]) });
+  if (operation === "swap_blocks") {
+    const name = (place: unknown): string => words((place as { readonly sku?: string }).sku ?? "");
+    return speech.say("editPatchSwap", { a: name(given["a"]), b: name(given["b"]) });
+  }
   if (operation === "set_override") {
     const value = given["value"] === undefined ? speech.say("editAsUsual") : String(given["value"]);
     return speech.say("editPatchPin", { fixture: String(given["fixture"]), field: words(String(given["field"])), value });

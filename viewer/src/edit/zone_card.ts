@@ -10,6 +10,7 @@ export class ZoneCard {
   constructor(
     private readonly speech: Speech,
     private readonly change: (patches: readonly Patch[]) => void,
+    private readonly front: (run: string) => void,
   ) {}
 
   show(zone: EditZone | undefined, head: EditHead): void {
@@ -28,7 +29,8 @@ export class ZoneCard {
       this.facings(zone),
       this.field("swap", speech.say("editSwap"), this.swap(zone, zones)),
     );
-    if (head.runs.some((run) => run.zone === zone.id)) this.root.append(this.runs(zone, head));
+    const runs = head.runs.filter((run) => run.zone === zone.id).map(({ id }) => [id, id] as const);
+    if (runs.length > 0) this.root.append(this.field("front", speech.say("elevation"), this.choice([["", speech.say("editSwapNone")], ...runs], "", (run) => run && this.front(run))), this.runs(zone, head));
     if (focused) this.root.querySelector<HTMLElement>(`[data-field="${focused}"]`)?.focus();
   }
 

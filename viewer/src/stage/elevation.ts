@@ -7,6 +7,7 @@ export type SideName = (typeof sides)[number];
 
 export interface Block {
   readonly product: number; // row of one of its products
+  readonly facing: number; // row of the block
   readonly sku: number;
   readonly columns: number; // products beside one another
   left: number; // metres from the line's left end, and from the floor
@@ -46,7 +47,7 @@ export function elevationOf(run: string, side: SideName, fixtures: readonly Fixt
     const [width, , height] = skus[sku]!.size_m;
     const at = along(table.position[row * 3]!, table.position[row * 3 + 1]!) - low;
     const bottom = table.position[row * 3 + 2]!;
-    const block = blocks.get(key) ?? { product: row, sku, columns: 0, places: new Set(), left: Infinity, right: -Infinity, bottom: Infinity, top: 0 };
+    const block = blocks.get(key) ?? { product: row, facing: key, sku, columns: 0, places: new Set(), left: Infinity, right: -Infinity, bottom: Infinity, top: 0 };
     blocks.set(key, block);
     block.places.add(Math.round(at * 100));
     block.columns = block.places.size;

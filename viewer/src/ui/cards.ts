@@ -45,7 +45,7 @@ export class CardPanel {
 
   private product(card: ProductCard, picture: string): HTMLElement[] {
     const { speech } = this;
-    const name = speech.language === "zh" && card.name_zh ? card.name_zh : card.name;
+    const name = speech.nameOf(card);
     const label = element("img", { class: "label", attributes: { src: picture, alt: "", decoding: "async" } });
     label.addEventListener("error", () => label.replaceWith(element("p", { class: "muted", text: speech.say("labelFailed") })));
     const title = element(

@@ -25,6 +25,10 @@ export class Speech {
     return value.toLocaleString(this.language, { style: "currency", currency, currencyDisplay: "narrowSymbol" });
   }
 
+  nameOf({ name, name_zh }: { readonly name: string; readonly name_zh: string }): string {
+    return this.language === "zh" && name_zh ? name_zh : name;
+  }
+
   bind(say: () => void): void {
     this.bound.push(say);
     say();
