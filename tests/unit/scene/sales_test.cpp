@@ -47,7 +47,7 @@ TEST(SalesRates, EveryCategoryHasOneAndNoOther) {
         << category.id;
 }
 
-// The first fifth of all products has about 45 % of the sales, before prices come in.
+// The first fifth of all products has about 61 % of the sales; prices and chance move that.
 TEST(StoreSales, AreThoseOfFewProductsForAGoodPart) {
   const scene::StoreSales sales = sales_at("Sat 17:30");
   std::map<std::string, std::vector<double>> by_category;
@@ -58,8 +58,8 @@ TEST(StoreSales, AreThoseOfFewProductsForAGoodPart) {
     const auto fifth = units.begin() + static_cast<std::ptrdiff_t>(units.size() / 5);
     const double share = std::accumulate(units.begin(), fifth, 0.0) /
                          std::accumulate(units.begin(), units.end(), 0.0);
-    EXPECT_GT(share, 0.38) << category;
-    EXPECT_LT(share, 0.62) << category;
+    EXPECT_GT(share, 0.5) << category;
+    EXPECT_LT(share, 0.75) << category;
   }
 }
 
