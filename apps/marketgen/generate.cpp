@@ -21,7 +21,7 @@ struct GenerateFlags {
   CommonFlags common;
   std::vector<std::string> words;
   std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, country,
-      skin, planner = "offline", folder, record;
+      time, skin, planner = "offline", folder, record;
   std::vector<std::string> catalogs, images;
   planners::PlannerAccess planner_access;
   int count = 1;
@@ -78,6 +78,7 @@ Result<intake::Brief> brief_of(const GenerateFlags& flags) {
   if (!flags.profile.empty()) brief.profile = flags.profile;
   if (!flags.style.empty()) brief.style = flags.style;
   if (!flags.country.empty()) brief.country = flags.country;
+  if (!flags.time.empty()) brief.time = flags.time;
   if (!flags.skin.empty()) brief.skin = flags.skin;
   brief.planner = flags.planner;
   return brief;
@@ -308,6 +309,12 @@ void add_shop(CLI::App& command, GenerateFlags& flags) {
                   "whose money and units price tags have, e.g. us, gb, cn, jp; by itself euro, or "
                   "what the kind of shop says (\"American supermarket\")")
       ->type_name("COUNTRY");
+  command
+      .add_option("--time",
+                  flags.time,
+                  "weekday and hour that the shelves show, \"Sat 17:30\": what shoppers took since "
+                  "the last restocking is gone; by itself no time")
+      ->type_name("TIME");
   command
       .add_option(
           "--skin", flags.skin, "a style's materials, colours and light; the layout stays as it is")

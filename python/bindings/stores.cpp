@@ -58,6 +58,7 @@ StoreHandle generate(const std::string& prompt,
                      const std::optional<std::string>& profile,
                      const std::optional<std::string>& style,
                      const std::optional<std::string>& country,
+                     const std::optional<std::string>& time,
                      const std::optional<std::string>& plan,
                      const std::optional<std::string>& floor_plan,
                      const std::optional<std::string>& floor_plan_scale,
@@ -79,6 +80,7 @@ StoreHandle generate(const std::string& prompt,
   options.brief.profile = profile;
   options.brief.style = style;
   options.brief.country = country;
+  options.brief.time = time;
   options.brief.floor_plan = floor_plan;
   options.brief.floor_plan_scale = floor_plan_scale;
   options.brief.image_files = images;

@@ -33,7 +33,7 @@ from .scaling.jobs import Job
 from .scaling.parcels import episodes_parcel, hash_of, packed, unpacked
 
 MAX_WORKERS, MAX_CPUS, MAX_PART, MAX_COUNT = 100_000, 1_000, 1_000_000, 10**9
-STORE_FIELDS = ("prompt", "seed", "size", "profile", "style", "country", "previews", "strict")
+STORE_FIELDS = ("prompt", "seed", "size", "profile", "style", "country", "time", "previews", "strict")
 EVALUATE_OPTIONS = ("realism", "act_limit_s", "hang_limit_s", "start_limit_s", "adapter", "name", "obs_mode", "control_mode")
 RECORD_OPTIONS = ("realism", "cameras", "size", "quality", "control_mode", "codec", "success_only")
 
@@ -47,7 +47,7 @@ def generate(
     resume: bool = False,
     progress: Progress | None = None,
 ) -> list[str]:
-    """Makes a store of each of `stores`, arguments of marketgen.generate() (prompt, seed, size, profile, style, country, previews, strict).
+    """Makes a store of each of `stores`, arguments of marketgen.generate() (prompt, seed, size, profile, style, country, time, previews, strict).
 
     folder    gets them as store-00000, store-00001, ... Returns these folders
     workers   actors at most; 0: as many as the cluster has cores for. `cpus`: cores of each

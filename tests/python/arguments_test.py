@@ -30,6 +30,8 @@ GENERATE = [
     ("style", "scandinavia"),
     ("country", "uss"),
     ("country", 3),
+    ("time", "Sat 25:00"),
+    ("time", 17),
     ("plan", 5),
     ("floor_plan", 5),
     ("floor_plan_scale", 3),

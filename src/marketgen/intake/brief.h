@@ -30,6 +30,7 @@ struct Brief {
   std::optional<std::string> profile;           // --profile
   std::optional<std::string> style;             // --style
   std::optional<std::string> country;           // --country
+  std::optional<std::string> time;              // --time (plan/store_time.h)
   std::string planner = "offline";              // --planner
   std::optional<std::string> skin;              // --skin: the style whose look the store gets
   std::optional<std::string> floor_plan;        // --floor-plan: SVG, DXF, PNG or JPEG
@@ -48,6 +49,7 @@ struct Brief {
                  field("profile", &Brief::profile, "profile given by a flag"),
                  field("style", &Brief::style, "style given by a flag"),
                  field("country", &Brief::country, "country given by a flag"),
+                 field("time", &Brief::time, "weekday and hour given by a flag"),
                  field("planner", &Brief::planner, "who plans"),
                  field("skin", &Brief::skin, "style that sets materials, colours and light only"),
                  field("floor_plan", &Brief::floor_plan, "drawing of the shell"),

@@ -9,6 +9,7 @@
 #include "intake/photos_file.h"
 #include "intake/store_size.h"
 #include "io/json.h"
+#include "plan/store_time.h"
 
 namespace marketgen::intake {
 namespace {
@@ -73,6 +74,7 @@ Result<void> check_brief(const Brief& brief, const catalog::Catalog& catalog) {
   MARKETGEN_CHECK(check_known(catalog.profiles, "profile", brief.profile, "--profile"));
   if (brief.country)
     MARKETGEN_CHECK(catalog::check_country(*brief.country, "catalog.unknown_kind", "--country"));
+  if (brief.time) MARKETGEN_CHECK(plan::parse_store_time(*brief.time, "brief.bad_time", "--time"));
   return check_known(catalog.styles, "style", brief.style, "--style");
 }
 

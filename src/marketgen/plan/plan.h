@@ -432,6 +432,7 @@ struct Plan {
   std::string name = "Market";
   std::string profile = "supermarket-eu";
   std::optional<std::string> country;
+  std::optional<std::string> time;  // plan/store_time.h
   Shell shell;
   Look look;
   std::vector<Node> nodes;
@@ -451,6 +452,11 @@ struct Plan {
             &Plan::country,
             "whose money and units price tags have; absent: euro and metric units",
             reference()),
+      field("time",
+            &Plan::time,
+            "weekday and hour of the day, \"Sat 17:30\": what shoppers took since the last "
+            "restocking is gone; absent: no time",
+            at_most_bytes(16)),
       field("shell", &Plan::shell, "the room", required()),
       field("look", &Plan::look, "materials and light"),
       field("nodes",

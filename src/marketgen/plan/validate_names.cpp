@@ -1,6 +1,7 @@
 #include "plan/validation.h"
 
 #include "catalog/country.h"
+#include "plan/store_time.h"
 
 namespace marketgen::plan {
 namespace {
@@ -88,6 +89,8 @@ Result<void> check_names(const PlanCheck& check) {
   if (check.plan.country)
     MARKETGEN_CHECK(catalog::check_country(
         *check.plan.country, "plan.unknown_reference", check.at("/country")));
+  if (check.plan.time)
+    MARKETGEN_CHECK(parse_store_time(*check.plan.time, "plan.bad_value", check.at("/time")));
   MARKETGEN_CHECK(check_look(check));
   for (std::size_t i = 0; i < check.plan.zones.size(); ++i) {
     MARKETGEN_CHECK(check_zone_names(check, i));

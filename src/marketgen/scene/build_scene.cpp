@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -13,8 +14,10 @@
 #include "scene/placements.h"
 #include "scene/price_tags.h"
 #include "scene/row_arrays.h"
+#include "scene/sales.h"
 #include "scene/scene.h"
 #include "scene/shelf_fill.h"
+#include "scene/sold_goods.h"
 #include "scene/stocked_shelf.h"
 
 namespace marketgen::scene {
@@ -203,9 +206,35 @@ Result<void> check_number(const std::vector<BayRef>& bays,
 
 using FilledBay = std::vector<std::vector<FilledBlock>>;  // per shelf
 
+// What was sold until the plan's time; nothing where it has none.
+Result<std::optional<StoreSales>> sales_of(const plan::Plan& plan,
+                                           const catalog::Catalog& catalog) {
+  if (!plan.time) return std::optional<StoreSales>();
+  MARKETGEN_TRY(const plan::StoreTime time,
+                plan::parse_store_time(*plan.time, "plan.bad_value", "plan:/time"));
+  return std::optional<StoreSales>(StoreSales(plan, time, catalog));
+}
+
+// Takes off a shelf what was sold of it.
+void sell(std::vector<FilledBlock>& blocks,
+          const PlannedShelf& planned,
+          const StoreSales& sales,
+          const catalog::Catalog& catalog,
+          Seed seed) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const catalog::Product& product = catalog.products[blocks[i].product];
+    const bool heaped = lies_in_a_heap(product);
+    const Seed own = seed.child("sold", i);
+    const UnitsWanted wanted =
+        sales.wanted(product, capacity_of(blocks[i], heaped), own.child("when").stream());
+    take_sold(blocks[i], wanted, heaped, planned[i].certain, own.child("where").stream());
+  }
+}
+
 std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
                                  const Scene& scene,
                                  const plan::Plan& plan,
+                                 const std::optional<StoreSales>& sales,
                                  const catalog::Catalog& catalog,
                                  Seed seed) {
   const plan::Zone fallback;
@@ -221,6 +250,7 @@ std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
               .child("shelf", ref.shelves[s] - scene.fixtures[ref.fixture].first_shelf);
       filled.push_back(
           fill_shelf(ref.plan[s], ref.bay.shelves[s], stock, catalog, shelf_seed.stream()));
+      if (sales) sell(filled.back(), ref.plan[s], *sales, catalog, shelf_seed);
     }
     return filled;
   });
@@ -323,7 +353,8 @@ Result<Scene> build_scene(const layout::Layout& layout,
   plan_bays(bays, scene, plan, rows, seed);
   MARKETGEN_CHECK(stock_by_planogram(bays, scene, plan, rows));
   MARKETGEN_CHECK(check_number(bays, scene, plan, rows));
-  add_stock(scene, bays, fill_bays(bays, scene, plan, rows, seed), rows, seed);
+  MARKETGEN_TRY(const std::optional<StoreSales> sales, sales_of(plan, rows));
+  add_stock(scene, bays, fill_bays(bays, scene, plan, sales, rows, seed), rows, seed);
   misplace_items(scene, plan, rows, seed);
   fault_price_tags(scene, plan, seed);
   MARKETGEN_CHECK(add_placements(scene, plan, rows));

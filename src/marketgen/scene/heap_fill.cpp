@@ -34,19 +34,22 @@ class Cutter {
   void lay(const Tile& tile, double taken, Stream& draw, std::vector<HeapItem>& items) const {
     std::vector<bool> kept(pieces_.size()), carries(pieces_.size());
     std::vector<Pose> poses(pieces_.size());
+    std::vector<int> layers(pieces_.size(), 0);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       poses[i] = placed(pieces_[i].pose, tile);
       kept[i] =
           inside(poses[i]) &&
           std::ranges::all_of(pieces_[i].lies_on, [&](std::uint32_t below) { return kept[below]; });
       if (!kept[i]) continue;
-      for (const std::uint32_t below : pieces_[i].lies_on)
+      for (const std::uint32_t below : pieces_[i].lies_on) {
         carries[below] = true;
+        layers[i] = std::max(layers[i], layers[below] + 1);
+      }
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const bool on_board = pieces_[i].lies_on.empty();
       if (!kept[i] || (!on_board && !carries[i] && draw.chance(taken))) continue;
-      items.push_back({poses[i], on_board});
+      items.push_back({poses[i], on_board, layers[i]});
     }
   }
 

@@ -13,6 +13,7 @@ namespace marketgen::scene {
 struct HeapItem {
   Pose pose;
   bool on_board = false;
+  int layer = 0;  // 0 on the board; one more than the highest of those that it lies on
 };
 
 // The settled heap `row`, laid as often as the room is wide and deep, every other time turned

@@ -143,7 +143,8 @@ void lay_heap(FilledBlock& block,
     block.items.push_back({block.product,
                            {left + at.x, at.y, at.z},
                            item.pose.rotation,
-                           at.y < piece_m ? product_front_row : 0});
+                           at.y < piece_m ? product_front_row : 0,
+                           item.layer});
   }
   block.rows_deep = std::max(1, static_cast<int>(room.depth_m / piece_m));
   block.stack = 1 + static_cast<int>(highest_m / (piece_m * layer_rise(HeapKind::balls)));
@@ -183,7 +184,7 @@ void heap_items(FilledBlock& block,
         const Vec3 at{left + shift_x + w * (column + 0.5), shift_y + d * (row + 0.5), rise * layer};
         // balls lie any way round
         block.items.push_back(
-            {block.product, at, turned(draw, limit), row == 0 ? product_front_row : 0});
+            {block.product, at, turned(draw, limit), row == 0 ? product_front_row : 0, layer});
       }
     }
   }

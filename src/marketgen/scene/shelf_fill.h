@@ -21,6 +21,7 @@ struct ShelfItem {
   Vec3 position;              // shelf frame
   Quaternion rotation;
   std::uint32_t flags = 0;  // product_front_row
+  int layer = 0;            // of a heap: what lies on others is of a higher one
 };
 
 // A block as it really stands.

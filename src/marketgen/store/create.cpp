@@ -7,6 +7,7 @@
 #include "io/file.h"
 #include "io/json.h"
 #include "plan/plan_place.h"
+#include "plan/store_time.h"
 #include "plan/style_look.h"
 #include "planners/make_planner.h"
 #include "store/design.h"
@@ -42,6 +43,21 @@ Result<void> put_on_skin(plan::Plan& plan,
   return {};
 }
 
+// The time that was asked for takes the place of the plan's own.
+Result<void> set_time(plan::Plan& plan, const intake::Brief& brief) {
+  if (!brief.time) return {};
+  MARKETGEN_TRY(const plan::StoreTime time,
+                plan::parse_store_time(*brief.time, "brief.bad_time", "--time"));
+  plan.time = plan::text_of(time);
+  std::erase_if(plan.provenance,
+                [](const plan::Provenance& entry) { return entry.path == "/time"; });
+  plan::Provenance flag;
+  flag.path = "/time";
+  flag.source = plan::Source::flag;
+  plan.provenance.push_back(flag);
+  return {};
+}
+
 struct Built {
   intake::Planned planned;
   layout::Repaired repaired;
@@ -64,6 +80,7 @@ Result<intake::Planned> plan_of(const CreateOptions& options,
     MARKETGEN_TRY(planned, intake::plan_from_brief(brief, catalog, *planner, seed, concessions));
   }
   MARKETGEN_CHECK(put_on_skin(planned.plan, brief, catalog));
+  MARKETGEN_CHECK(set_time(planned.plan, brief));
   return planned;
 }
 

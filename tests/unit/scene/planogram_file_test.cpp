@@ -238,8 +238,7 @@ TEST(PlanogramFile, PutsBlocksWhereItSays) {
 }
 
 // Shelves stocked anew are those of the whole store made anew, byte for byte.
-TEST(Restock, IsWhatTheWholeStoreWouldBe) {
-  HandLaidShop shop = shop_of_all_zones();
+void expect_the_whole_stores(HandLaidShop shop) {
   for (plan::Zone& zone : shop.plan.zones)
     zone.stock.price_tags = plan::PriceTagSpec{0.1, 0.1, 0.1, 0.2};
   const scene::Scene scene = scene_of(shop);
@@ -255,6 +254,16 @@ TEST(Restock, IsWhatTheWholeStoreWouldBe) {
     ASSERT_TRUE(anew.ok()) << to_string(anew.error());
     EXPECT_TRUE(scene::encode_scene(*anew) == scene::encode_scene(scene_of_plan(shop, plan, 1)));
   }
+}
+
+TEST(Restock, IsWhatTheWholeStoreWouldBe) {
+  expect_the_whole_stores(shop_of_all_zones());
+}
+
+TEST(Restock, IsSoAtAnyTimeOfTheWeek) {
+  HandLaidShop shop = shop_of_all_zones();
+  shop.plan.time = "Sat 17:30";
+  expect_the_whole_stores(shop);
 }
 
 TEST(Restock, IsNotForWhatReachesFurther) {

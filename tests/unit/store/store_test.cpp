@@ -69,6 +69,25 @@ class StoreFolder : public testing::Test {
   fs::path parent_;
 };
 
+// The time is in the plan, which makes the same store again; a flag takes its place.
+TEST_F(StoreFolder, AtATimeIsThatOfItsPlan) {
+  store::CreateOptions evening = tiny("evening");
+  evening.brief.time = "saturday 17:30";
+  const store::Created made = create(evening);
+  EXPECT_NE(made.manifest.scene_hash, create(tiny("plain")).manifest.scene_hash);
+  store::CreateOptions again = tiny("again");
+  again.brief = {};
+  again.plan_file = evening.folder / "plan.json";
+  EXPECT_EQ(create(again).manifest.scene_hash, made.manifest.scene_hash);
+  store::CreateOptions noon = again;
+  noon.folder = parent_ / "noon";
+  noon.brief.time = "Sat 12:00";
+  EXPECT_NE(create(noon).manifest.scene_hash, made.manifest.scene_hash);
+  noon.folder = parent_ / "none";
+  noon.brief.time = "Sat 25:00";
+  EXPECT_EQ(code_of_create(noon), "brief.bad_time");
+}
+
 TEST_F(StoreFolder, CreateOpenVerify) {
   const store::Created created = create(tiny());
   EXPECT_EQ(listing(),
