@@ -106,9 +106,9 @@ class BlockedBay {
     return std::ranges::find(certain_, assortment_[place]) != certain_.end();
   }
 
-  // Between the fewest and the most of the zone, the mean demand in the middle.
+  // From the fewest of the zone, for what is hardly asked for, to the most, for the first eighth.
   int wanted_facings(const catalog::Product& product) const {
-    const double share = std::clamp(demand_of(product) - 0.5, 0.0, 1.0);
+    const double share = std::clamp(demand_of(product) - 0.3, 0.0, 1.0);
     const int most = std::min(max_facings, std::max(stock_.facings[0], stock_.facings[1]));
     const int fewest = std::min(stock_.facings[0], most);
     return fewest + static_cast<int>(std::lround(share * (most - fewest)));

@@ -4,9 +4,8 @@
 
 namespace marketgen::scene {
 
-// 1 on the mean, 0.5 to 5: that of rank share r among all has 0.5 / sqrt(r), so that the first
-// fifth of them has 45 % of the sales of a shelf on which all have the same room. The same for a
-// SKU in every store.
+// 1 on the mean, 0.3 to 31: that of rank share r among all is asked for as r^(-3/4), so that on
+// shelves of equal room the first fifth has 61 % of the sales. The same for a SKU in every store.
 double demand_of(const catalog::Product& product);
 
 }  // namespace marketgen::scene

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "scene/demand.h"
+
 namespace marketgen::scene {
 namespace {
 
