@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/fields.h"
 #include "base/text.h"
 
 namespace marketgen::plan {

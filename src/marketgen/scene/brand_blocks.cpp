@@ -73,15 +73,17 @@ class BlockedBay {
              const plan::StockSpec& stock,
              const catalog::Catalog& catalog,
              const std::vector<std::uint32_t>& certain)
-      : bay_(bay), assortment_(assortment), stock_(stock), catalog_(catalog), certain_(certain) {
-    width_m_ = bay.shelves.front().width_m;
-    for (const ShelfRoom& room : bay.shelves)
-      width_m_ = std::min(width_m_, room.width_m);
-    by_eye_.resize(bay.shelves.size());
+      : bay_(bay),
+        assortment_(assortment),
+        stock_(stock),
+        catalog_(catalog),
+        certain_(certain),
+        width_m_(std::ranges::min_element(bay.shelves, {}, &ShelfRoom::width_m)->width_m),
+        by_eye_(bay.shelves.size()),
+        shelves_(bay.shelves.size()) {
     std::iota(by_eye_.begin(), by_eye_.end(), std::size_t{0});
     std::ranges::stable_sort(
         by_eye_, {}, [&](std::size_t level) { return from_eye_level_m(level); });
-    shelves_.resize(bay.shelves.size());
   }
 
   std::vector<PlannedShelf> plan(AssortmentCursor& cursor) {
@@ -326,7 +328,7 @@ class BlockedBay {
   const plan::StockSpec& stock_;
   const catalog::Catalog& catalog_;
   const std::vector<std::uint32_t>& certain_;
-  double width_m_ = 0;               // of the narrowest board
+  double width_m_;                   // of the narrowest board
   std::vector<std::size_t> by_eye_;  // boards, the nearest to eye level first
   std::vector<double> free_m_;       // of the column that is being filled, per board
   std::vector<PlannedShelf> shelves_;
@@ -395,16 +397,16 @@ void order_by_demand(std::vector<std::uint32_t>& assortment,
   const std::vector<std::size_t> groups = shelf_groups_of(assortment, catalog);
   const BrandTurns turns(assortment, catalog);
   const bool by_brand = orders_brands_by_demand(stock);
-  std::vector<std::pair<std::tuple<std::size_t, int, double, std::string_view>, std::uint32_t>>
-      keyed;
+  using Turn = std::tuple<std::size_t, int, double, std::string_view>;
+  std::vector<std::pair<Turn, std::uint32_t>> keyed;
   for (std::size_t i = 0; i < assortment.size(); ++i) {
     const catalog::Product& product = catalog.products[assortment[i]];
-    keyed.push_back({by_brand ? std::tuple(groups[i],
-                                           turns.of(product),
-                                           -turns.demand_of_brand(product),
-                                           std::string_view(product.brand))
-                              : std::tuple(groups[i], 0, -demand_of(product), std::string_view()),
-                     assortment[i]});
+    const Turn turn = by_brand ? Turn(groups[i],
+                                      turns.of(product),
+                                      -turns.demand_of_brand(product),
+                                      std::string_view(product.brand))
+                               : Turn(groups[i], 0, -demand_of(product), std::string_view());
+    keyed.emplace_back(turn, assortment[i]);
   }
   std::ranges::stable_sort(keyed, {}, [](const auto& row) { return row.first; });
   std::ranges::transform(keyed, assortment.begin(), [](const auto& row) { return row.second; });
