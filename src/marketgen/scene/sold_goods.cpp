@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <ranges>
 #include <utility>
 #include <vector>
+
+#include "scene/scene.h"
 
 namespace marketgen::scene {
 namespace {
@@ -58,8 +61,8 @@ void add_left(const Column& column, std::vector<ShelfItem>& items) {
   int front = column.from_front, back = column.from_back;
   for (auto& stack : rows)
     take_from(stack, front);
-  for (auto stack = rows.rbegin(); stack != rows.rend(); ++stack)
-    take_from(*stack, back);
+  for (auto& stack : std::ranges::reverse_view(rows))
+    take_from(stack, back);
   bool is_front = true;
   for (const auto& stack : rows) {
     for (ShelfItem item : stack) {
