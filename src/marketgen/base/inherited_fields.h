@@ -16,11 +16,19 @@ constexpr Field<Derived, Member> inherited_field(const Field<Base, Member>& fiel
   return {field.name, field.member, field.doc, field.rules};
 }
 
-// The fields of a base class, seen from `Derived`, then its own.
+// The fields of a base class, seen from `Derived`.
+template <class Derived, class BaseList>
+constexpr auto inherited_fields(BaseList base) {
+  return [base](auto&& visit) {
+    base([&](const auto& field) { visit(inherited_field<Derived>(field)); });
+  };
+}
+
+// The same, then its own.
 template <class Derived, class BaseList, class OwnList>
 constexpr auto inherited_fields(BaseList base, OwnList own) {
   return [base, own](auto&& visit) {
-    base([&](const auto& field) { visit(inherited_field<Derived>(field)); });
+    inherited_fields<Derived>(base)(visit);
     own(visit);
   };
 }

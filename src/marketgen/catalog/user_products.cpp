@@ -29,7 +29,7 @@ struct OwnRow : Product {
     material.clear();
     friction = no_friction;
   }
-  static constexpr auto fields = inherited_fields<OwnRow>(Product::fields, field_list());
+  static constexpr auto fields = inherited_fields<OwnRow>(Product::fields);
 };
 
 // ---- CSV: each line becomes the JSON text of a row, so that there is one reader of rows. ----
