@@ -38,7 +38,7 @@ def test_sixteen_begin_in_seconds(untouched_cache):
     started = time.perf_counter()
     many = gymnasium.make_vec(IDS["checkout"], num_envs=16)
     _, infos = many.reset(seed=1)
-    assert time.perf_counter() - started < 8  # measured: 0.4 s
+    assert time.perf_counter() - started < 30  # measured: 0.4 s, 7 s with a compiler on both cores; drawing them takes 80 s and more
     assert len(set(infos["instruction"])) > 8
 
 
