@@ -11,6 +11,7 @@
 #include "io/field_check.h"
 #include "io/json.h"
 #include "plan/patch_change.h"
+#include "plan/plan_edit.h"
 
 namespace marketgen::plan {
 namespace {
@@ -117,16 +118,6 @@ class Agreement {
   };
   std::map<std::string, Setting> set_;
 };
-
-void note_provenance(Plan& plan, const std::vector<std::string>& paths, Source by) {
-  for (const std::string& path : paths) {
-    std::erase_if(plan.provenance, [&](const Provenance& p) { return p.path == path; });
-    plan.provenance.push_back({path, by, std::nullopt, 1});
-  }
-  constexpr std::size_t max_entries = 2000;  // limit of Plan::provenance: the oldest go
-  if (plan.provenance.size() > max_entries)
-    plan.provenance.erase(plan.provenance.begin(), plan.provenance.end() - max_entries);
-}
 
 }  // namespace
 

@@ -110,4 +110,14 @@ void put_beside(Plan& plan, std::size_t target, Node cut, Node leaf, Wall side) 
   plan.nodes.push_back(std::move(leaf));
 }
 
+void note_provenance(Plan& plan, const std::vector<std::string>& paths, Source by) {
+  for (const std::string& path : paths) {
+    std::erase_if(plan.provenance, [&](const Provenance& p) { return p.path == path; });
+    plan.provenance.push_back({path, by, std::nullopt, 1});
+  }
+  constexpr std::size_t max_entries = 2000;  // limit of Plan::provenance: the oldest go
+  if (plan.provenance.size() > max_entries)
+    plan.provenance.erase(plan.provenance.begin(), plan.provenance.end() - max_entries);
+}
+
 }  // namespace marketgen::plan

@@ -18,6 +18,10 @@ std::optional<std::size_t> node_index(const Plan& plan, std::string_view node);
 // `wanted`, or "wanted-2", "wanted-3"…: no zone, node or opening has it.
 std::string unused_id(const Plan& plan, const std::string& wanted);
 
+// Who set what is at these pointers: what was said of them before goes, and the oldest where there
+// would be too many.
+void note_provenance(Plan& plan, const std::vector<std::string>& paths, Source by);
+
 // A zone as its type's row has it: label, anchor, fixture kind and temperature; no id yet.
 Zone usual_zone(const catalog::ZoneTypeRow& type, const catalog::Catalog& catalog);
 

@@ -59,10 +59,14 @@ std::vector<BayRef> bays_of(const Scene& scene) {
   return bays;
 }
 
+const plan::Zone& zone_or_usual(const plan::Plan& plan, std::string_view id) {
+  static const plan::Zone usual;
+  const plan::Zone* found = plan::find_zone(plan, id);
+  return found != nullptr ? *found : usual;
+}
+
 const plan::Zone& Stocks::zone_of(const BayRef& bay) const {
-  static const plan::Zone fallback;
-  const plan::Zone* found = plan::find_zone(plan_, bay.zone);
-  return found != nullptr ? *found : fallback;
+  return zone_or_usual(plan_, bay.zone);
 }
 
 catalog::Storage Stocks::temperature_of(const BayRef& bay) const {

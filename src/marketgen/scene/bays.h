@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct BayRef {
   std::vector<PlannedShelf> plan;
   std::vector<std::uint32_t> certain;  // rows of catalog.products that stand here for certain
 };
+
+// The plan's zone of that id; one as usual where the plan has none.
+const plan::Zone& zone_or_usual(const plan::Plan& plan, std::string_view id);
 
 // In the order in which shoppers meet them: zone by zone, run by run.
 std::vector<BayRef> bays_of(const Scene& scene);

@@ -27,10 +27,6 @@ constexpr double min_column_m = 0.22;
 constexpr double bulky_kg = 1.5, bulky_m3 = 0.004;
 constexpr double half_pack_m = 0.12;  // what is looked at is above the board
 
-double block_pitch_m(const catalog::Product& product) {
-  return product.width_m() + pack_gap_m;
-}
-
 bool is_bulky(const catalog::Product& product) {
   return product.mass_kg >= bulky_kg ||
          product.width_m() * product.depth_m() * product.height_m() >= bulky_m3;
@@ -100,7 +96,7 @@ class BlockedBay {
   const catalog::Product& product(std::size_t place) const {
     return catalog_.products[assortment_[place]];
   }
-  double pitch_m(const Piece& piece) const { return block_pitch_m(product(piece.place)); }
+  double pitch_m(const Piece& piece) const { return facing_pitch_m(product(piece.place)); }
   double from_eye_level_m(std::size_t level) const {
     return std::abs(bay_.shelves[level].board_m + half_pack_m - eye_level_m);
   }
@@ -395,18 +391,21 @@ void order_by_demand(std::vector<std::uint32_t>& assortment,
                      const catalog::Catalog& catalog) {
   if (stock.block == plan::BlockPattern::brand_vertical) return;
   const std::vector<std::size_t> groups = shelf_groups_of(assortment, catalog);
-  const BrandTurns turns(assortment, catalog);
-  const bool by_brand = orders_brands_by_demand(stock);
   using Turn = std::tuple<std::size_t, int, double, std::string_view>;
   std::vector<std::pair<Turn, std::uint32_t>> keyed;
-  for (std::size_t i = 0; i < assortment.size(); ++i) {
-    const catalog::Product& product = catalog.products[assortment[i]];
-    const Turn turn = by_brand ? Turn(groups[i],
-                                      turns.of(product),
-                                      -turns.demand_of_brand(product),
-                                      std::string_view(product.brand))
-                               : Turn(groups[i], 0, -demand_of(product), std::string_view());
-    keyed.emplace_back(turn, assortment[i]);
+  const auto order_by = [&](auto turn_of) {
+    for (std::size_t i = 0; i < assortment.size(); ++i)
+      keyed.emplace_back(turn_of(groups[i], catalog.products[assortment[i]]), assortment[i]);
+  };
+  if (orders_brands_by_demand(stock)) {
+    const BrandTurns turns(assortment, catalog);
+    order_by([&](std::size_t group, const catalog::Product& product) {
+      return Turn(group, turns.of(product), -turns.demand_of_brand(product), product.brand);
+    });
+  } else {
+    order_by([](std::size_t group, const catalog::Product& product) {
+      return Turn(group, 0, -demand_of(product), "");
+    });
   }
   std::ranges::stable_sort(keyed, {}, [](const auto& row) { return row.first; });
   std::ranges::transform(keyed, assortment.begin(), [](const auto& row) { return row.second; });

@@ -184,11 +184,9 @@ Result<void> check_number(const std::vector<BayRef>& bays,
                           const Scene& scene,
                           const plan::Plan& plan,
                           const catalog::Catalog& catalog) {
-  const plan::Zone fallback;
   std::uint64_t number = plan.placements.size();
   for (const BayRef& ref : bays) {
-    const plan::Zone* found = plan::find_zone(plan, ref.zone);
-    const plan::StockSpec& stock = (found != nullptr ? *found : fallback).stock;
+    const plan::StockSpec& stock = zone_or_usual(plan, ref.zone).stock;
     for (std::size_t s = 0; s < ref.plan.size(); ++s) {
       for (const PlannedBlock& block : ref.plan[s])
         number += max_items(block, ref.bay.shelves[s], stock, catalog);
@@ -237,11 +235,9 @@ std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
                                  const std::optional<StoreSales>& sales,
                                  const catalog::Catalog& catalog,
                                  Seed seed) {
-  const plan::Zone fallback;
   return parallel_map(bays.size(), [&](std::size_t i) {
     const BayRef& ref = bays[i];
-    const plan::Zone* found = plan::find_zone(plan, ref.zone);
-    const plan::StockSpec& stock = (found != nullptr ? *found : fallback).stock;
+    const plan::StockSpec& stock = zone_or_usual(plan, ref.zone).stock;
     const std::string& fixture = scene.layout.fixtures[ref.fixture].id;
     FilledBay filled;
     for (std::size_t s = 0; s < ref.shelves.size(); ++s) {

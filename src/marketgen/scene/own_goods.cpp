@@ -125,7 +125,7 @@ double OwnGoods::room_left_m(const BayRef& bay) const {
   for (const ShelfRoom& room : bay.bay.shelves)
     left_m += room.width_m * stocks_.zone_of(bay).stock.fill;
   for (const std::uint32_t row : bay.certain)
-    left_m -= catalog_.products[row].width_m() + pack_gap_m;
+    left_m -= facing_pitch_m(catalog_.products[row]);
   return left_m;
 }
 
@@ -139,7 +139,7 @@ std::size_t OwnGoods::best_bay(const std::vector<BayRef>& bays,
   std::size_t best = nowhere;
   for (std::size_t i = 0; i < bays.size(); ++i) {
     if (!wanted.zone.empty() && bays[i].zone != wanted.zone) continue;
-    if (left_m_[i] < product.width_m() + pack_gap_m || wanted.tried.contains({row, i}) ||
+    if (left_m_[i] < facing_pitch_m(product) || wanted.tried.contains({row, i}) ||
         !stocks_.of(bays[i]).sells[row] || !holds_product(bays[i], product))
       continue;
     if (best == nowhere || rank(i) < rank(best)) best = i;
@@ -172,7 +172,7 @@ void OwnGoods::put_somewhere(std::vector<BayRef>& bays, Wanted& wanted) {
     if (bay == nowhere) continue;
     wanted.tried.insert({row, bay});
     bays[bay].certain.push_back(row);
-    left_m_[bay] -= catalog_.products[row].width_m() + pack_gap_m;
+    left_m_[bay] -= facing_pitch_m(catalog_.products[row]);
     changed_.insert(bay);
     return;
   }

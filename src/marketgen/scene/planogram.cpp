@@ -10,10 +10,6 @@
 namespace marketgen::scene {
 namespace {
 
-double pitch_of(const catalog::Product& product) {
-  return product.width_m() + pack_gap_m;
-}
-
 // What a shopper should not have to lift high: mass first, then bulk.
 double heaviness(const catalog::Product& product) {
   return product.mass_kg + 4.0 * product.width_m() * product.height_m();
@@ -108,9 +104,9 @@ class BayPlan {
       const auto place = static_cast<std::size_t>(found - assortment_.begin());
       const catalog::Product& p = product(place);
       for (std::size_t level = 0; level < free_m_.size(); ++level) {
-        if (pitch_of(p) > free_m_[level] || !fits(p, bay_.shelves[level])) continue;
+        if (facing_pitch_m(p) > free_m_[level] || !fits(p, bay_.shelves[level])) continue;
         blocks_[level].push_back({place, 1});
-        free_m_[level] -= pitch_of(p);
+        free_m_[level] -= facing_pitch_m(p);
         break;
       }
     }
@@ -135,7 +131,7 @@ class BayPlan {
       if (!fits_somewhere(product(place)) || is_certain(place)) continue;
       if (piles_only_ && !piles_up_somewhere(product(place))) continue;
       slice.push_back({place, wanted_facings()});
-      taken += slice.back().facings * pitch_of(product(place));
+      taken += slice.back().facings * facing_pitch_m(product(place));
     }
     if (bay_.promotion)
       looked += static_cast<std::size_t>(offer_stride * static_cast<double>(assortment_.size()));
@@ -158,7 +154,7 @@ class BayPlan {
   bool put_lowest(const Block& block) {
     const catalog::Product& p = product(block.place);
     for (std::size_t level = 0; level < free_m_.size(); ++level) {
-      const double width = block.facings * pitch_of(p);
+      const double width = block.facings * facing_pitch_m(p);
       if (width > free_m_[level] || !suits(p, bay_.shelves[level])) continue;
       blocks_[level].push_back(block);
       free_m_[level] -= width;
@@ -183,12 +179,12 @@ class BayPlan {
   bool widen(std::size_t level, int limit) {
     Block* best = nullptr;
     for (Block& block : blocks_[level]) {
-      if (block.facings >= limit || pitch_of(product(block.place)) > free_m_[level]) continue;
+      if (block.facings >= limit || facing_pitch_m(product(block.place)) > free_m_[level]) continue;
       if (best == nullptr || block.facings < best->facings) best = &block;
     }
     if (best == nullptr) return false;
     ++best->facings;
-    free_m_[level] -= pitch_of(product(best->place));
+    free_m_[level] -= facing_pitch_m(product(best->place));
     return true;
   }
 
@@ -205,12 +201,13 @@ class BayPlan {
     for (std::size_t i = 0; i < assortment_.size(); ++i) {
       const std::size_t place = (start + i) % assortment_.size();
       const catalog::Product& p = product(place);
-      if (pitch_of(p) > free_m_[level] || !suits(p, bay_.shelves[level]) || stands_on(level, place))
+      if (facing_pitch_m(p) > free_m_[level] || !suits(p, bay_.shelves[level]) ||
+          stands_on(level, place))
         continue;
-      const int room = static_cast<int>(free_m_[level] / pitch_of(p));
+      const int room = static_cast<int>(free_m_[level] / facing_pitch_m(p));
       const Block block{place, std::clamp(wanted_facings(), 1, room)};
       blocks_[level].push_back(block);
-      free_m_[level] -= block.facings * pitch_of(p);
+      free_m_[level] -= block.facings * facing_pitch_m(p);
       return true;
     }
     return false;
@@ -221,11 +218,12 @@ class BayPlan {
     for (std::size_t i = 0; i < before; ++i) {
       const Block again{
           blocks_[level][i].place,
-          std::min(max_facings,
-                   static_cast<int>(free_m_[level] / pitch_of(product(blocks_[level][i].place))))};
+          std::min(
+              max_facings,
+              static_cast<int>(free_m_[level] / facing_pitch_m(product(blocks_[level][i].place))))};
       if (again.facings < 1) continue;
       blocks_[level].push_back(again);
-      free_m_[level] -= again.facings * pitch_of(product(again.place));
+      free_m_[level] -= again.facings * facing_pitch_m(product(again.place));
       return true;
     }
     return false;
@@ -258,6 +256,10 @@ class BayPlan {
 
 }  // namespace
 
+double facing_pitch_m(const catalog::Product& product) {
+  return product.width_m() + pack_gap_m;
+}
+
 double highest_rest_m(double mass_kg) {
   if (mass_kg > heavy_lift_kg) return heavy_board_m;
   return mass_kg >= stretch_kg ? stretch_m : std::numeric_limits<double>::infinity();
@@ -265,7 +267,7 @@ double highest_rest_m(double mass_kg) {
 
 bool fits(const catalog::Product& product, const ShelfRoom& room) {
   return stack_height(product, room) > 0 && product.depth_m() <= room.depth_m &&
-         pitch_of(product) <= room.width_m;
+         facing_pitch_m(product) <= room.width_m;
 }
 
 std::string too_large_for(const catalog::Product& product,

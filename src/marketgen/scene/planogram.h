@@ -77,6 +77,9 @@ std::vector<PlannedShelf> plan_bay(const Bay& bay,
                                    Stream draw,
                                    const std::vector<std::uint32_t>& certain = {});
 
+// From one facing of a block to the next: a pack and the gap beside it.
+double facing_pitch_m(const catalog::Product& product);
+
 // Whether one pack fits on an empty shelf: its size, and its mass at that height.
 bool fits(const catalog::Product& product, const ShelfRoom& room);
 

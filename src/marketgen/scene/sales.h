@@ -38,7 +38,7 @@ struct UnitsWanted {
 
 class StoreSales {
  public:
-  // `time`: of the plan. `catalog` as the store has it, in its own money; it must outlive this.
+  // `time`: of the plan. `catalog` as the store has it, in its own money.
   StoreSales(const plan::Plan& plan, plan::StoreTime time, const catalog::Catalog& catalog);
 
   // On the mean, of a block that holds `capacity` when full.

@@ -80,7 +80,7 @@ void stand_items(FilledBlock& block,
                  Stream& draw) {
   block.stack = planned.stack.value_or(std::max(1, stack_height(product, room)));
   block.rows_deep = planned.rows_deep.value_or(rows_that_fit(product, room, stock.depth_fill));
-  const double pitch = product.width_m() + pack_gap_m;
+  const double pitch = facing_pitch_m(product);
   const double left = block.x_m - room.width_m / 2;
   for (int i = 0; i < block.facings; ++i) {
     add_column(block,
@@ -211,14 +211,14 @@ int rows_that_fit(const catalog::Product& product, const ShelfRoom& room, double
 }
 
 double block_width_m(const PlannedBlock& block, const catalog::Catalog& catalog) {
-  return block.facings * (catalog.products[block.product].width_m() + pack_gap_m);
+  return block.facings * facing_pitch_m(catalog.products[block.product]);
 }
 
 int facings_as_wide(const catalog::Product& product, const catalog::Catalog& catalog, int columns) {
   if (!lies_in_a_heap(product) || catalog.heap(product) != nullptr) return columns;
   const HeapKind kind = heap_kind_of(product);
   int facings = 1;
-  while (columns_of_heap(product, kind, facings * (product.width_m() + pack_gap_m)) < columns)
+  while (columns_of_heap(product, kind, facings * facing_pitch_m(product)) < columns)
     ++facings;
   return facings;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plan/shelf_key.h"
+#include "scene/bays.h"
 #include "scene/shelf_fill.h"
 
 namespace marketgen::scene {
@@ -45,10 +46,8 @@ std::vector<plan::ShelfBlock> least_pinned(std::vector<plan::ShelfBlock> blocks,
 }
 
 const plan::StockSpec& stock_of(const Scene& scene, std::uint32_t shelf, const plan::Plan& plan) {
-  static const plan::StockSpec usual;
   const layout::Fixture& fixture = scene.layout.fixtures[scene.shelves[shelf].fixture];
-  const plan::Zone* zone = plan::find_zone(plan, fixture.zone);
-  return zone != nullptr ? zone->stock : usual;
+  return zone_or_usual(plan, fixture.zone).stock;
 }
 
 plan::StockedShelf standing_shelf(const Scene& scene,

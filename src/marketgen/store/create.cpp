@@ -6,6 +6,7 @@
 #include "io/field_check.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "plan/plan_edit.h"
 #include "plan/plan_place.h"
 #include "plan/store_time.h"
 #include "plan/style_look.h"
@@ -49,12 +50,7 @@ Result<void> set_time(plan::Plan& plan, const intake::Brief& brief) {
   MARKETGEN_TRY(const plan::StoreTime time,
                 plan::parse_store_time(*brief.time, "brief.bad_time", "--time"));
   plan.time = plan::text_of(time);
-  std::erase_if(plan.provenance,
-                [](const plan::Provenance& entry) { return entry.path == "/time"; });
-  plan::Provenance flag;
-  flag.path = "/time";
-  flag.source = plan::Source::flag;
-  plan.provenance.push_back(flag);
+  plan::note_provenance(plan, {"/time"}, plan::Source::flag);
   return {};
 }
 
