@@ -7,6 +7,7 @@
 #include "io/gzip.h"
 #include "server/cards.h"
 #include "server/editor.h"
+#include "web/http_message.h"
 
 namespace marketgen::bench {
 namespace {
@@ -25,16 +26,16 @@ class Page {
                 grasps,
                 [](const std::filesystem::path&) -> Result<int> { return 0; }) {}
 
-  Result<server::HttpReply> post(const std::string& verb, Json body = Json::object()) {
+  Result<web::HttpReply> post(const std::string& verb, Json body = Json::object()) {
     body["token"] = token_;
-    server::HttpAsk ask;
+    web::HttpAsk ask;
     ask.method = "POST";
     ask.body = body.dump();
     return editor_.post(verb, ask);
   }
   // The head of what it is given.
   Result<Json> begin() {
-    MARKETGEN_TRY(const server::HttpReply reply, post("begin"));
+    MARKETGEN_TRY(const web::HttpReply reply, post("begin"));
     MARKETGEN_TRY(const std::string bytes,
                   reply.body->packed ? io::gunzip(reply.body->bytes, "begin")
                                      : Result<std::string>(reply.body->bytes));
@@ -100,7 +101,7 @@ Result<Waits> waits_of(Page& page, const Json& patches, int runs) {
   for (int run = 0; run <= runs; ++run) {
     const double look = median_seconds(1, [&] { (void)page.post("preview", patches).ok(); });
     const double start = monotonic_seconds();
-    MARKETGEN_TRY(const server::HttpReply changed, page.post("patches", patches));
+    MARKETGEN_TRY(const web::HttpReply changed, page.post("patches", patches));
     const double done = monotonic_seconds();
     MARKETGEN_CHECK(page.post("undo"));
     const double back = monotonic_seconds();

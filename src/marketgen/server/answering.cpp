@@ -19,15 +19,15 @@ std::optional<std::uint64_t> whole(std::string_view text) {
 
 }  // namespace
 
-Result<HttpReply> reply_with(ViewFile file) {
-  return HttpReply{.body = make_body(std::move(file.type), std::move(file.bytes))};
+Result<web::HttpReply> reply_with(ViewFile file) {
+  return web::HttpReply{.body = web::make_body(std::move(file.type), std::move(file.bytes))};
 }
 
-Error no_address(const HttpAsk& ask) {
+Error no_address(const web::HttpAsk& ask) {
   return {"server.not_found", ask.path, "there is nothing at this address; see docs/viewer.md"};
 }
 
-Result<std::uint32_t> row_of(const HttpAsk& ask, std::string_view text, std::size_t rows) {
+Result<std::uint32_t> row_of(const web::HttpAsk& ask, std::string_view text, std::size_t rows) {
   const std::optional<std::uint64_t> row = whole(text);
   if (row && *row < rows) return static_cast<std::uint32_t>(*row);
   return Error{"server.not_found",
@@ -36,7 +36,7 @@ Result<std::uint32_t> row_of(const HttpAsk& ask, std::string_view text, std::siz
                          : fmt::format("rows go from 0 to {} here", rows - 1)};
 }
 
-Result<std::uint64_t> number_in(const HttpAsk& ask,
+Result<std::uint64_t> number_in(const web::HttpAsk& ask,
                                 const std::string& name,
                                 std::uint64_t usual,
                                 std::uint64_t low,

@@ -6,21 +6,21 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "server/http_message.h"
 #include "server/view_files.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
-Result<HttpReply> reply_with(ViewFile file);
+Result<web::HttpReply> reply_with(ViewFile file);
 
 // Of an address that nothing is at.
-Error no_address(const HttpAsk& ask);
+Error no_address(const web::HttpAsk& ask);
 
 // A part of the path as a row of so many. Error: server.not_found.
-Result<std::uint32_t> row_of(const HttpAsk& ask, std::string_view text, std::size_t rows);
+Result<std::uint32_t> row_of(const web::HttpAsk& ask, std::string_view text, std::size_t rows);
 
 // A number in the query; `usual` when it is not there. Error: server.bad_request.
-Result<std::uint64_t> number_in(const HttpAsk& ask,
+Result<std::uint64_t> number_in(const web::HttpAsk& ask,
                                 const std::string& name,
                                 std::uint64_t usual,
                                 std::uint64_t low,

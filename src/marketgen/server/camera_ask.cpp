@@ -17,7 +17,7 @@ constexpr std::uint64_t usual_picture_px = 480, min_picture_px = 64, max_picture
 
 }  // namespace
 
-Result<CameraAsk> camera_ask(const HttpAsk& ask, const std::vector<std::string>& cameras) {
+Result<CameraAsk> camera_ask(const web::HttpAsk& ask, const std::vector<std::string>& cameras) {
   const auto given = ask.query.find("camera");
   const std::string& camera = given == ask.query.end() ? cameras.front() : given->second;
   if (std::ranges::find(cameras, camera) == cameras.end())
@@ -29,9 +29,9 @@ Result<CameraAsk> camera_ask(const HttpAsk& ask, const std::vector<std::string>&
   return CameraAsk{camera, static_cast<int>(width)};
 }
 
-Result<HttpReply> camera_reply(episodes::RecordedView& view,
-                               std::size_t step,
-                               const CameraAsk& asked) {
+Result<web::HttpReply> camera_reply(episodes::RecordedView& view,
+                                    std::size_t step,
+                                    const CameraAsk& asked) {
   MARKETGEN_TRY(const Image image,
                 view.picture(asked.camera, step, asked.width, asked.width * 3 / 4));
   MARKETGEN_TRY(std::string bytes, io::encode_jpeg(image));

@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "episodes/recorded_view.h"
-#include "server/http_message.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -16,10 +16,10 @@ struct CameraAsk {
 };
 
 // By itself the first of `cameras`, of which there is one or more. Error server.bad_request.
-Result<CameraAsk> camera_ask(const HttpAsk& ask, const std::vector<std::string>& cameras);
+Result<CameraAsk> camera_ask(const web::HttpAsk& ask, const std::vector<std::string>& cameras);
 // As JPEG. Errors: those of RecordedView::picture.
-Result<HttpReply> camera_reply(episodes::RecordedView& view,
-                               std::size_t step,
-                               const CameraAsk& asked);
+Result<web::HttpReply> camera_reply(episodes::RecordedView& view,
+                                    std::size_t step,
+                                    const CameraAsk& asked);
 
 }  // namespace marketgen::server

@@ -35,8 +35,8 @@ Error no_episode(const std::string& where) {
 }
 
 // Tools and joints stay as they are.
-environments::TeleopCommand still(const environments::TeleopCommand& held) {
-  environments::TeleopCommand command;
+robots::TeleopCommand still(const robots::TeleopCommand& held) {
+  robots::TeleopCommand command;
   command.arm = held.arm;
   command.axes = held.axes;
   command.grip = held.grip;
@@ -104,19 +104,19 @@ std::unique_ptr<SocketPeer> Drive::peer() {
 }
 
 void Drive::hear(int page, std::string_view text) {
-  const auto message = io::read_json<DriveMessage>(text, message_name);
+  const auto message = io::read_json<web::DriveMessage>(text, message_name);
   if (!message.ok()) return pages_.tell(page, error_note(message.error()));
-  if (message->verb == DriveVerb::take) return pages_.take(page);
+  if (message->verb == web::DriveVerb::take) return pages_.take(page);
   if (!pages_.drives(page))
     return pages_.tell(
         page,
         error_note({"server.drive_taken", message_name, "another page drives; this one looks on"}));
   {
     const std::scoped_lock lock(mutex_);
-    if (message->verb == DriveVerb::move) {
-      const environments::TeleopGrip before = held_.grip;
+    if (message->verb == web::DriveVerb::move) {
+      const robots::TeleopGrip before = held_.grip;
       held_ = message->command;
-      if (held_.grip == environments::TeleopGrip::keep) held_.grip = before;
+      if (held_.grip == robots::TeleopGrip::keep) held_.grip = before;
       heard_ = Clock::now();
       begun_ = begun_ || message->command.moves();
     } else {
@@ -140,10 +140,10 @@ bool Drive::time_runs(Clock::time_point now) const {
          (pages_.taken() || now < rest_until_);
 }
 
-environments::TeleopCommand Drive::command_now(Clock::time_point now) {
+robots::TeleopCommand Drive::command_now(Clock::time_point now) {
   const bool heard = now - heard_ <= dead_man_time;
-  environments::TeleopCommand command = heard ? held_ : still(held_);
-  held_.grip = environments::TeleopGrip::keep;  // told once
+  robots::TeleopCommand command = heard ? held_ : still(held_);
+  held_.grip = robots::TeleopGrip::keep;  // told once
   return command;
 }
 
@@ -175,7 +175,7 @@ void Drive::run() {
     if (turn.end) return;
     const Result<void> done = until_interrupted([&]() -> Result<void> {
       if (turn.order) open(*turn.order);
-      for (const DriveVerb verb : turn.verbs)
+      for (const web::DriveVerb verb : turn.verbs)
         act(verb);
       if (turn.steps) step(turn.command, false);
       return {};
@@ -260,27 +260,28 @@ Result<void> Drive::watch(environments::Environment& environment,
   return {};
 }
 
-void Drive::act(DriveVerb verb) {
+void Drive::act(web::DriveVerb verb) {
   if (episode_ == nullptr) return pages_.tell_driver(error_note(no_episode(message_name)));
-  if (verb == DriveVerb::done && episode_->running()) return step({}, true);
-  if (verb == DriveVerb::save) {
+  if (verb == web::DriveVerb::done && episode_->running()) return step({}, true);
+  if (verb == web::DriveVerb::save) {
     const Result<std::string> file = save();
     return file.ok() ? pages_.tell_driver({"saved", false, false, *file, {}, {}})
                      : pages_.tell_driver(error_note(file.error()));
   }
-  if (verb == DriveVerb::reset) {
+  if (verb == web::DriveVerb::reset) {
     if (const auto done = episode_->restart(); !done.ok()) return fail(done.error());
   }
   {
     const std::scoped_lock lock(mutex_);
-    if (verb == DriveVerb::reset) begun_ = paused_ = over_ = false;
-    if (verb == DriveVerb::go) begun_ = true;
-    if (verb == DriveVerb::go || verb == DriveVerb::pause) paused_ = verb == DriveVerb::pause;
+    if (verb == web::DriveVerb::reset) begun_ = paused_ = over_ = false;
+    if (verb == web::DriveVerb::go) begun_ = true;
+    if (verb == web::DriveVerb::go || verb == web::DriveVerb::pause)
+      paused_ = verb == web::DriveVerb::pause;
   }
   publish();
 }
 
-void Drive::step(const environments::TeleopCommand& command, bool done) {
+void Drive::step(const robots::TeleopCommand& command, bool done) {
   if (const auto made = episode_->step(command, done); !made.ok()) return fail(made.error());
   publish();
 }
@@ -337,7 +338,7 @@ Result<std::string> Drive::save() const {
           "there are {} logs of {}: name another folder with --drives", max_logs_of_one, id)};
 }
 
-Result<HttpReply> Drive::begin(const HttpAsk& ask) {
+Result<web::HttpReply> Drive::begin(const web::HttpAsk& ask) {
   MARKETGEN_TRY(const DriveAsk wanted, io::read_json<DriveAsk>(ask.body, "request"));
   if (pages_.taken())
     return Error{"server.drive_taken",
@@ -367,12 +368,12 @@ Result<HttpReply> Drive::begin(const HttpAsk& ask) {
   return get(ask, {});
 }
 
-Result<HttpReply> Drive::get(const HttpAsk& ask, const std::vector<std::string>& words) {
+Result<web::HttpReply> Drive::get(const web::HttpAsk& ask, const std::vector<std::string>& words) {
   if (words.empty()) {
     const bool taken = pages_.taken();
     const std::scoped_lock lock(mutex_);
     status_.taken = taken;
-    return json_reply(io::write_json_line(status_));
+    return web::json_reply(io::write_json_line(status_));
   }
   if (words.size() == 3 && words[0] == "shapes") return shape(ask, words[1], words[2]);
   if (words.size() != 1) return no_address(ask);
@@ -384,9 +385,9 @@ Result<HttpReply> Drive::get(const HttpAsk& ask, const std::vector<std::string>&
 }
 
 // meshes.bin and goods-P.jpg of a run of products, "0-12": the first, and the one after the last.
-Result<HttpReply> Drive::shape(const HttpAsk& ask,
-                               const std::string& rows,
-                               const std::string& name) {
+Result<web::HttpReply> Drive::shape(const web::HttpAsk& ask,
+                                    const std::string& rows,
+                                    const std::string& name) {
   std::vector<catalog::Product> some;
   {
     const std::scoped_lock lock(mutex_);
@@ -407,7 +408,7 @@ Result<HttpReply> Drive::shape(const HttpAsk& ask,
   return reply_with(std::move(*file));
 }
 
-Result<HttpReply> Drive::picture(const HttpAsk& ask) {
+Result<web::HttpReply> Drive::picture(const web::HttpAsk& ask) {
   const std::scoped_lock taking(taking_);
   std::shared_ptr<const Shown> shown;
   episodes::Motion now;

@@ -21,12 +21,14 @@
 
 #include "base/result.h"
 #include "environments/episode_ground.h"
+#include "robots/teleop_command.h"
 #include "server/camera_ask.h"
 #include "server/drive_documents.h"
 #include "server/drive_pages.h"
 #include "server/driven_episode.h"
-#include "server/http_message.h"
 #include "server/web_socket.h"
+#include "web/drive_message.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -57,10 +59,10 @@ class Drive {
 
   // What is below drive. `words`: the path's parts behind it. Errors: server.not_found,
   // server.bad_request; those of the pictures.
-  Result<HttpReply> get(const HttpAsk& ask, const std::vector<std::string>& words);
+  Result<web::HttpReply> get(const web::HttpAsk& ask, const std::vector<std::string>& words);
   // Opens an episode (DriveAsk), which takes seconds: the status says when it is there. Errors:
   // server.drive_taken while somebody drives; json.*, server.bad_request, episode.unknown_track.
-  Result<HttpReply> begin(const HttpAsk& ask);
+  Result<web::HttpReply> begin(const web::HttpAsk& ask);
   // Of a page that drives, or looks on where another one does.
   std::unique_ptr<SocketPeer> peer();
   // Shows an episode as it is now that somebody else steps; `began`: it is another one, or was set
@@ -87,8 +89,8 @@ class Drive {
   struct Turn {
     bool end = false, steps = false;
     std::optional<DriveAsk> order;
-    std::deque<DriveVerb> verbs;
-    environments::TeleopCommand command;
+    std::deque<web::DriveVerb> verbs;
+    robots::TeleopCommand command;
   };
 
   void hear(int page, std::string_view text);
@@ -98,13 +100,13 @@ class Drive {
   void run();
   Turn next_turn();
   bool time_runs(Clock::time_point now) const;
-  environments::TeleopCommand command_now(Clock::time_point now);
+  robots::TeleopCommand command_now(Clock::time_point now);
   void open(const DriveAsk& ask);
   Result<std::unique_ptr<DrivenEpisode>> opened(const DriveAsk& ask);
   Result<episodes::EpisodeSpec> spec_of(const DriveAsk& ask,
                                         std::shared_ptr<environments::EpisodeGround>& ground);
-  void act(DriveVerb verb);
-  void step(const environments::TeleopCommand& command, bool done);
+  void act(web::DriveVerb verb);
+  void step(const robots::TeleopCommand& command, bool done);
   Result<std::string> save() const;
   void show(const ShownEpisode& episode, DriveEpisode told);
   void publish();
@@ -112,8 +114,10 @@ class Drive {
   double speed_now(Clock::time_point now);
   void fail(const Error& error);
 
-  Result<HttpReply> picture(const HttpAsk& ask);
-  Result<HttpReply> shape(const HttpAsk& ask, const std::string& rows, const std::string& name);
+  Result<web::HttpReply> picture(const web::HttpAsk& ask);
+  Result<web::HttpReply> shape(const web::HttpAsk& ask,
+                               const std::string& rows,
+                               const std::string& name);
 
   DriveGround ground_;
   bool offers_ = false;
@@ -128,8 +132,8 @@ class Drive {
   bool ending_ = false;
   DriveStatus status_;
   std::optional<DriveAsk> order_;
-  std::deque<DriveVerb> verbs_;
-  environments::TeleopCommand held_;
+  std::deque<web::DriveVerb> verbs_;
+  robots::TeleopCommand held_;
   Clock::time_point heard_, due_, rest_until_;
   bool begun_ = false, paused_ = false, over_ = false;
   std::shared_ptr<const Shown> shown_;

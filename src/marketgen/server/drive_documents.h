@@ -1,4 +1,5 @@
-// What a page that drives a robot sends and is sent. docs/viewer.md describes the addresses.
+// What a page that drives a robot asks for at first and is sent (what it sends meanwhile:
+// web/drive_message.h). docs/viewer.md describes the addresses.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,27 +9,11 @@
 #include <vector>
 
 #include "base/fields.h"
-#include "environments/teleop_command.h"
 #include "episodes/motion.h"
 #include "episodes/side_effects.h"
 #include "server/replay_things.h"
 
 namespace marketgen::server {
-
-// What a page asks for beside moving. go: time runs (it does by itself at the first movement).
-// done: the driver says that the task is done; the episode is judged. reset: from its beginning.
-// save: the log. take: drive, where nobody does.
-enum class DriveVerb { move, go, pause, done, reset, save, take };
-constexpr std::array<std::string_view, 7> names_of(DriveVerb) {
-  return {"move", "go", "pause", "done", "reset", "save", "take"};
-}
-
-struct DriveMessage {
-  DriveVerb verb = DriveVerb::move;
-  environments::TeleopCommand command;
-  static constexpr auto fields = field_list(field("verb", &DriveMessage::verb, "what is asked for"),
-                                            field("command", &DriveMessage::command, "of move"));
-};
 
 // POST drive/begin
 struct DriveAsk {

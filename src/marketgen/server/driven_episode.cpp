@@ -63,7 +63,7 @@ Result<void> DrivenEpisode::restart() {
   return shown_->begin();
 }
 
-Result<void> DrivenEpisode::step(const environments::TeleopCommand& command, bool done) {
+Result<void> DrivenEpisode::step(const robots::TeleopCommand& command, bool done) {
   const std::vector<double> numbers = hands_->numbers(command, done);
   environments::Environment* const one = environment_.get();
   std::array<double, 1> reward{};

@@ -8,8 +8,9 @@
 
 #include "base/result.h"
 #include "environments/environment.h"
-#include "environments/teleop_command.h"
+#include "environments/teleop_hands.h"
 #include "episodes/drive_log.h"
+#include "robots/teleop_command.h"
 #include "server/drive_documents.h"
 #include "server/shown_episode.h"
 #include "store/store.h"
@@ -31,7 +32,7 @@ class DrivenEpisode {
   Result<void> restart();
   // One control step; `done`: the driver says so, and it is judged. Precondition: running().
   // Errors: those of Environment::step and ReplayThings::add.
-  Result<void> step(const environments::TeleopCommand& command, bool done);
+  Result<void> step(const robots::TeleopCommand& command, bool done);
   bool running() const { return environment_->running(); }
   const ShownEpisode& shown() const { return *shown_; }
   // Without the number of its place.

@@ -8,7 +8,7 @@
 #include "io/file.h"
 #include "io/scratch_folder.h"
 #include "net/http.h"
-#include "server/folder_name.h"
+#include "web/folder_name.h"
 
 namespace marketgen::server {
 namespace {
@@ -19,7 +19,7 @@ class DroppedFiles {
   explicit DroppedFiles(io::ScratchFolder folder) : folder_(std::move(folder)) {}
 
   Result<std::string> write(const DroppedFile& file) {
-    MARKETGEN_CHECK(check_folder_name(file.name));
+    MARKETGEN_CHECK(web::check_folder_name(file.name));
     MARKETGEN_TRY(const std::string bytes, net::bytes_of_base64(file.base64, file.name));
     const std::filesystem::path own = folder_.path() / fmt::format("{}", names_.size());
     std::error_code failed;

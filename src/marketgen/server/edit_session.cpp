@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/folder_name.h"
+#include "web/folder_name.h"
 
 namespace marketgen::server {
 namespace {
@@ -113,7 +113,7 @@ Result<EditPreview> EditSession::preview(const std::vector<plan::Patch>& patches
 }
 
 Result<std::filesystem::path> EditSession::save(const std::string& name, const Now& what) const {
-  MARKETGEN_CHECK(check_folder_name(name));
+  MARKETGEN_CHECK(web::check_folder_name(name));
   const std::filesystem::path folder = beside(base_->folder, name);
   constexpr bool previews = false;  // whoever saves here has the viewer
   MARKETGEN_CHECK(store::save_edited(*what, folder, previews, *catalog_));

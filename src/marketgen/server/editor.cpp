@@ -11,6 +11,7 @@
 #include "layout/accessories.h"
 #include "layout/overrides.h"
 #include "plan/bsp.h"
+#include "web/edit_asks.h"
 
 namespace marketgen::server {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr const char* body_name = "request";  // in errors
 
 template <class Document>
-Result<Document> body_of(const HttpAsk& ask) {
+Result<Document> body_of(const web::HttpAsk& ask) {
   return io::read_json<Document>(ask.body, body_name);
 }
 
@@ -127,19 +128,19 @@ EditSession::Now Editor::now() {
 
 Result<void> Editor::require_lease(const std::string& token) {
   const std::scoped_lock lock(mutex_);
-  if (!lease_.holds(token, EditLease::Clock::now())) return taken_error();
+  if (!lease_.holds(token, web::EditLease::Clock::now())) return taken_error();
   return {};
 }
 
-Result<HttpReply> Editor::status() {
+Result<web::HttpReply> Editor::status() {
   const std::scoped_lock lock(mutex_);
-  const EditorStatus status{lease_.is_taken(EditLease::Clock::now()),
+  const EditorStatus status{lease_.is_taken(web::EditLease::Clock::now()),
                             session_ ? session_->snapshot().state.revision : 0};
-  return json_reply(io::write_json_line(status));
+  return web::json_reply(io::write_json_line(status));
 }
 
 // The head says what a person is told and can do, the tables what the picture becomes.
-HttpReply Editor::picture(EditSnapshot at) const {
+web::HttpReply Editor::picture(EditSnapshot at) const {
   const scene::Scene& scene = at.now->store.scene;
   EditState& state = at.state;
   PackedSections sections;
@@ -156,15 +157,15 @@ HttpReply Editor::picture(EditSnapshot at) const {
   state.zones = zones_of(at.now->store, *catalog_);
   state.kinds = kinds_of(*catalog_);
   sections.note_members(io::write_json_line(state));
-  return {.body = make_body("application/octet-stream", sections.file())};
+  return {.body = web::make_body("application/octet-stream", sections.file())};
 }
 
-Result<HttpReply> Editor::begin(const HttpAsk& ask) {
-  MARKETGEN_TRY(const EditorAsk body, body_of<EditorAsk>(ask));
+Result<web::HttpReply> Editor::begin(const web::HttpAsk& ask) {
+  MARKETGEN_TRY(const web::EditorAsk body, body_of<web::EditorAsk>(ask));
   std::optional<std::string> token;
   {
     const std::scoped_lock lock(mutex_);
-    token = lease_.take(body.token, EditLease::Clock::now());
+    token = lease_.take(body.token, web::EditLease::Clock::now());
   }
   if (!token) return taken_error();
   MARKETGEN_TRY(const EditSession* now, session());
@@ -173,8 +174,8 @@ Result<HttpReply> Editor::begin(const HttpAsk& ask) {
   return picture(std::move(at));
 }
 
-Result<HttpReply> Editor::save(const HttpAsk& ask) {
-  MARKETGEN_TRY(const SaveAsk body, body_of<SaveAsk>(ask));
+Result<web::HttpReply> Editor::save(const web::HttpAsk& ask) {
+  MARKETGEN_TRY(const web::SaveAsk body, body_of<web::SaveAsk>(ask));
   MARKETGEN_CHECK(require_lease(body.token));
   MARKETGEN_TRY(const EditSession* now, session());
   const EditSession::Now saved = now->snapshot().now;
@@ -185,22 +186,22 @@ Result<HttpReply> Editor::save(const HttpAsk& ask) {
   said.seed = saved->store.manifest.seed;
   MARKETGEN_TRY(said.follows_from_plan, store::follows_from_plan(saved->store, *catalog_));
   MARKETGEN_TRY(said.store, show_(folder));
-  return json_reply(io::write_json_line(said));
+  return web::json_reply(io::write_json_line(said));
 }
 
-Result<HttpReply> Editor::change(const std::string& verb, const HttpAsk& ask) {
+Result<web::HttpReply> Editor::change(const std::string& verb, const web::HttpAsk& ask) {
   MARKETGEN_TRY(EditSession* const session, this->session());
   store::SaidPatches said;
   if (verb == "patches") {
-    MARKETGEN_TRY(const PatchesAsk body, body_of<PatchesAsk>(ask));
+    MARKETGEN_TRY(const web::PatchesAsk body, body_of<web::PatchesAsk>(ask));
     MARKETGEN_CHECK(require_lease(body.token));
     MARKETGEN_CHECK(session->apply(body.patches));
   } else if (verb == "say") {
-    MARKETGEN_TRY(const WordsAsk body, body_of<WordsAsk>(ask));
+    MARKETGEN_TRY(const web::WordsAsk body, body_of<web::WordsAsk>(ask));
     MARKETGEN_CHECK(require_lease(body.token));
     MARKETGEN_TRY(said, session->say(body.words));
   } else {
-    MARKETGEN_TRY(const EditorAsk body, body_of<EditorAsk>(ask));
+    MARKETGEN_TRY(const web::EditorAsk body, body_of<web::EditorAsk>(ask));
     MARKETGEN_CHECK(require_lease(body.token));
     MARKETGEN_CHECK(verb == "undo" ? session->undo() : session->redo());
   }
@@ -212,22 +213,22 @@ Result<HttpReply> Editor::change(const std::string& verb, const HttpAsk& ask) {
   return picture(std::move(at));
 }
 
-Result<HttpReply> Editor::post(const std::string& verb, const HttpAsk& ask) {
+Result<web::HttpReply> Editor::post(const std::string& verb, const web::HttpAsk& ask) {
   if (verb == "begin") return begin(ask);
   if (verb == "save") return save(ask);
   constexpr std::array<std::string_view, 4> changes{"patches", "say", "undo", "redo"};
   if (std::ranges::find(changes, verb) != changes.end()) return change(verb, ask);
   if (verb == "preview") {
-    MARKETGEN_TRY(const PatchesAsk body, body_of<PatchesAsk>(ask));
+    MARKETGEN_TRY(const web::PatchesAsk body, body_of<web::PatchesAsk>(ask));
     MARKETGEN_CHECK(require_lease(body.token));
     MARKETGEN_TRY(const EditSession* now, session());
     MARKETGEN_TRY(const EditPreview preview, now->preview(body.patches));
-    return json_reply(io::write_json_line(preview));
+    return web::json_reply(io::write_json_line(preview));
   }
   if (verb != "beat" && verb != "end")
     return Error{
         "server.not_found", ask.path, "there is nothing at this address; see docs/viewer.md"};
-  MARKETGEN_TRY(const EditorAsk body, body_of<EditorAsk>(ask));
+  MARKETGEN_TRY(const web::EditorAsk body, body_of<web::EditorAsk>(ask));
   MARKETGEN_CHECK(require_lease(body.token));
   if (verb == "end") {
     const std::scoped_lock lock(mutex_);

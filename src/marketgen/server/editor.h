@@ -7,10 +7,10 @@
 #include "base/result.h"
 #include "server/cards.h"
 #include "server/edit_delta.h"
-#include "server/edit_lease.h"
 #include "server/edit_session.h"
-#include "server/http_message.h"
 #include "server/show_saved.h"
+#include "web/edit_lease.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -29,26 +29,26 @@ class Editor {
   // What `verb` (the address after /edit/) is answered. Errors: server.not_found,
   // server.edit_taken for a token that has not (or no longer) the lease, json.* of the body, those
   // of EditSession. Thread-safe.
-  Result<HttpReply> post(const std::string& verb, const HttpAsk& ask);
-  Result<HttpReply> status();
+  Result<web::HttpReply> post(const std::string& verb, const web::HttpAsk& ask);
+  Result<web::HttpReply> status();
 
   // As it is now; nothing while no page has begun.
   EditSession::Now now();
 
  private:
-  Result<HttpReply> change(const std::string& verb, const HttpAsk& ask);
-  Result<HttpReply> begin(const HttpAsk& ask);
-  Result<HttpReply> save(const HttpAsk& ask);
+  Result<web::HttpReply> change(const std::string& verb, const web::HttpAsk& ask);
+  Result<web::HttpReply> begin(const web::HttpAsk& ask);
+  Result<web::HttpReply> save(const web::HttpAsk& ask);
   Result<EditSession*> session();
   Result<void> require_lease(const std::string& token);
-  HttpReply picture(EditSnapshot at) const;
+  web::HttpReply picture(EditSnapshot at) const;
 
   std::shared_ptr<const store::Store> base_;
   std::shared_ptr<const catalog::Catalog> catalog_;
   const GraspFacts& grasps_;
   ShowSaved show_;
   std::mutex mutex_;  // of what follows; not held while a store is made
-  EditLease lease_;
+  web::EditLease lease_;
   std::unique_ptr<EditSession> session_;
   std::unique_ptr<DeltaBase> delta_;
 };

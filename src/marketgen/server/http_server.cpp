@@ -72,7 +72,7 @@ std::string_view phrase_of(int status) {
   }
 }
 
-bool takes_gzip(const HttpAsk& ask) {
+bool takes_gzip(const web::HttpAsk& ask) {
   return ask.header("accept-encoding").find("gzip") != std::string_view::npos;
 }
 
@@ -83,7 +83,7 @@ struct Sent {
   bool packed = false;
 };
 
-Result<Sent> sent_form(const HttpBody& body, const HttpAsk& ask) {
+Result<Sent> sent_form(const web::HttpBody& body, const web::HttpAsk& ask) {
   Sent sent;
   sent.packed = body.packed && takes_gzip(ask);
   if (!body.packed || sent.packed) {
@@ -107,7 +107,7 @@ struct Terms {
 };
 
 std::string head_of(
-    const HttpReply& reply, std::size_t bytes, bool packed, int status, const Terms& terms) {
+    const web::HttpReply& reply, std::size_t bytes, bool packed, int status, const Terms& terms) {
   std::string head =
       fmt::format("HTTP/1.1 {} {}\r\n{}", status, phrase_of(status), security_for(terms.embed));
   head += fmt::format("Content-Type: {}\r\nETag: {}\r\nVary: Accept-Encoding\r\n",
@@ -123,15 +123,15 @@ std::string head_of(
 }
 
 // Stands for a request that could not be read.
-HttpAsk unread() {
-  HttpAsk ask;
+web::HttpAsk unread() {
+  web::HttpAsk ask;
   ask.method = "GET";
   return ask;
 }
 
-HttpReply unreadable(error_code failed) {
+web::HttpReply unreadable(error_code failed) {
   const bool too_long = failed == http::error::body_limit;
-  return error_reply(
+  return web::error_reply(
       too_long ? 413 : 400,
       {"server.bad_request", "request", "is not HTTP, or too long: " + failed.message()});
 }
@@ -143,16 +143,16 @@ std::string in_brackets(const std::string& host) {
 
 using Request = http::request<http::string_body>;
 
-Result<HttpAsk> ask_of(const Request& request) {
-  HttpAsk ask;
+Result<web::HttpAsk> ask_of(const Request& request) {
+  web::HttpAsk ask;
   ask.method = std::string(request.method_string());
   for (const auto& field : request)
     ask.headers[lower_ascii(std::string(field.name_string()))] = std::string(field.value());
   const std::string target(request.target());
-  MARKETGEN_TRY(ask.path, path_of(target));
+  MARKETGEN_TRY(ask.path, web::path_of(target));
   const std::size_t question = target.find('?');
   if (question != std::string::npos) {
-    MARKETGEN_TRY(ask.query, query_of(std::string_view(target).substr(question + 1)));
+    MARKETGEN_TRY(ask.query, web::query_of(std::string_view(target).substr(question + 1)));
   }
   ask.body = request.body();
   return ask;
@@ -161,7 +161,7 @@ Result<HttpAsk> ask_of(const Request& request) {
 // An answer on its way: the head, then the body's bytes.
 struct Outgoing {
   std::string head;
-  HttpReply reply;  // keeps the bytes
+  web::HttpReply reply;  // keeps the bytes
   Sent sent;
   bool with_body = true, close = false;
   std::string_view rest() const { return with_body ? bytes() : std::string_view(); }
@@ -170,9 +170,10 @@ struct Outgoing {
   }
 };
 
-Outgoing outgoing(const HttpAsk& ask, HttpReply reply, const Terms& terms) {
+Outgoing outgoing(const web::HttpAsk& ask, web::HttpReply reply, const Terms& terms) {
   Result<Sent> sent = sent_form(*reply.body, ask);
-  if (!sent.ok()) return outgoing(unread(), error_reply(500, sent.error()), {true, terms.embed});
+  if (!sent.ok())
+    return outgoing(unread(), web::error_reply(500, sent.error()), {true, terms.embed});
   Outgoing out;
   out.reply = std::move(reply);
   out.sent = std::move(sent).value();
@@ -192,7 +193,7 @@ struct HttpServer::State {
   HttpHandler handler;
   SocketOpener opener;
   HttpServerOptions options;
-  std::unique_ptr<RequestGuard> guard;
+  std::unique_ptr<web::RequestGuard> guard;
   int port = 0;
   std::atomic<int> connections = 0;
   asio::io_context io;
@@ -266,16 +267,16 @@ class Session : public std::enable_shared_from_this<Session<State>> {
   // What is refused is answered as other requests are.
   void upgrade() {
     const Request& request = parser_->get();
-    Result<HttpAsk> ask = ask_of(request);
-    std::optional<HttpReply> refused;
+    Result<web::HttpAsk> ask = ask_of(request);
+    std::optional<web::HttpReply> refused;
     std::unique_ptr<SocketPeer> peer;
     if (!ask.ok()) {
-      refused = error_reply(400, ask.error());
+      refused = web::error_reply(400, ask.error());
     } else if (!(refused = state_.guard->refusal(*ask))) {
       if (Result<std::unique_ptr<SocketPeer>> opened = state_.opener(*ask); opened.ok())
         peer = std::move(opened).value();
       else
-        refused = error_reply(status_of(opened.error()), opened.error());
+        refused = web::error_reply(web::status_of(opened.error()), opened.error());
     }
     if (peer != nullptr) {
       stream_.expires_never();
@@ -335,12 +336,13 @@ class Session : public std::enable_shared_from_this<Session<State>> {
 }  // namespace
 
 Outgoing HttpServer::State::answer_to(const Request& request) const {
-  const Result<HttpAsk> ask = ask_of(request);
-  if (!ask.ok()) return outgoing(unread(), error_reply(400, ask.error()), {true, options.embed});
+  const Result<web::HttpAsk> ask = ask_of(request);
+  if (!ask.ok())
+    return outgoing(unread(), web::error_reply(400, ask.error()), {true, options.embed});
   // A body that nobody reads would be taken for the next request.
   const bool has_body = request.has_content_length() || request.chunked();
   const bool close = !request.keep_alive() || (has_body && !takes_body(request));
-  std::optional<HttpReply> refused = guard->refusal(*ask);
+  std::optional<web::HttpReply> refused = guard->refusal(*ask);
   return outgoing(*ask, refused ? *std::move(refused) : handler(*ask), {close, options.embed});
 }
 
@@ -349,7 +351,7 @@ bool HttpServer::State::takes_body(const Request& request) const {
   if (!options.limits.may_write || request.method() != http::verb::post ||
       !request.has_content_length())
     return false;
-  const Result<HttpAsk> ask = ask_of(request);
+  const Result<web::HttpAsk> ask = ask_of(request);
   return ask.ok() && !guard->refusal_of_head(*ask);
 }
 
@@ -409,11 +411,11 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const HttpServerOptions& o
   state->handler = std::move(handler);
   state->opener = std::move(opener);
   MARKETGEN_CHECK(state->listen());
-  GuardRules rules = options.limits;
+  web::GuardRules rules = options.limits;
   rules.host = in_brackets(options.host);
   rules.port = state->port;
   rules.token = options.token;
-  state->guard = std::make_unique<RequestGuard>(std::move(rules));
+  state->guard = std::make_unique<web::RequestGuard>(std::move(rules));
   state->accept();
   for (int i = 0; i < carriers; ++i)
     state->carriers.emplace_back([&io = state->io] { io.run(); });

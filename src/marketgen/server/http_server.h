@@ -9,15 +9,15 @@
 #include <string>
 
 #include "base/result.h"
-#include "server/request_guard.h"
 #include "server/web_socket.h"
+#include "web/request_guard.h"
 
 namespace marketgen::server {
 
 struct HttpServerOptions {
   std::string host = "127.0.0.1";  // a numeric address; "::1" too
   int port = 0;                    // 0: any free one
-  std::string token;               // see GuardRules
+  std::string token;               // see web::GuardRules
   bool embed = false;              // pages that this machine serves may show ours in a frame
   int threads = 64;                // some wait for what is being built
   int max_connections = 256;
@@ -25,10 +25,10 @@ struct HttpServerOptions {
   int max_request_bytes = 16'384;    // of its head
   int max_body_bytes = 65'536;       // of what is posted; bodies of other requests are refused
   int max_files_bytes = 25'165'824;  // of what is posted below /api/make/: it may bring pictures
-  GuardRules limits;                 // its host, port and token are set here
+  web::GuardRules limits;            // its host, port and token are set here
 };
 
-using HttpHandler = std::function<HttpReply(const HttpAsk&)>;
+using HttpHandler = std::function<web::HttpReply(const web::HttpAsk&)>;
 
 class HttpServer {
  public:

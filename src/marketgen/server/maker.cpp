@@ -14,7 +14,7 @@
 #include "render/render.h"
 #include "server/answering.h"
 #include "server/dropped_brief.h"
-#include "server/folder_name.h"
+#include "web/folder_name.h"
 
 namespace marketgen::server {
 namespace {
@@ -89,28 +89,28 @@ Maker::~Maker() {
 
 // ---- What pages ask ----
 
-Result<HttpReply> Maker::get(const HttpAsk& ask, const std::vector<std::string>& words) {
+Result<web::HttpReply> Maker::get(const web::HttpAsk& ask, const std::vector<std::string>& words) {
   if (words.empty()) return options();
   if (words.size() == 1 && words[0] == "tries") return state();
   if (words.size() == 2 && words[0] == "pictures") return picture(ask, words[1]);
   return no_address(ask);
 }
 
-Result<HttpReply> Maker::post(const std::string& verb, const HttpAsk& ask) {
+Result<web::HttpReply> Maker::post(const std::string& verb, const web::HttpAsk& ask) {
   if (verb == "try") return begin(ask);
   if (verb == "keep") return keep(ask);
   return no_address(ask);
 }
 
-HttpReply Maker::options() const {
+web::HttpReply Maker::options() const {
   MakeOptions options;
   options.folder = folder_.string();
   options.profiles = ids_in(catalog_->profiles);
   options.styles = ids_in(catalog_->styles);
-  return json_reply(io::write_json_line(options));
+  return web::json_reply(io::write_json_line(options));
 }
 
-HttpReply Maker::state() {
+web::HttpReply Maker::state() {
   const std::scoped_lock lock(mutex_);
   TriesState state{batch_.number, false, batch_.warnings, batch_.error, {}};
   for (const Try& one : batch_.tries) {
@@ -118,10 +118,10 @@ HttpReply Maker::state() {
     const bool to_come = one.line.state == TryState::waiting || one.line.state == TryState::working;
     state.working = state.working || (to_come && !batch_.error);
   }
-  return json_reply(io::write_json_line(state));
+  return web::json_reply(io::write_json_line(state));
 }
 
-Result<HttpReply> Maker::begin(const HttpAsk& ask) {
+Result<web::HttpReply> Maker::begin(const web::HttpAsk& ask) {
   MARKETGEN_TRY(TryAsk body, io::read_json<TryAsk>(ask.body, body_name));
   if (body.words.empty() && !body.floor_plan && body.images.empty())
     return Error{"server.bad_request",
@@ -143,7 +143,7 @@ Result<HttpReply> Maker::begin(const HttpAsk& ask) {
   return state();
 }
 
-Result<std::shared_ptr<const store::MadeStore>> Maker::made(const HttpAsk& ask,
+Result<std::shared_ptr<const store::MadeStore>> Maker::made(const web::HttpAsk& ask,
                                                             int batch,
                                                             std::uint64_t seed) {
   const std::scoped_lock lock(mutex_);
@@ -155,20 +155,20 @@ Result<std::shared_ptr<const store::MadeStore>> Maker::made(const HttpAsk& ask,
                "no store of that brief and seed is ready; a new brief has taken its place"};
 }
 
-Result<HttpReply> Maker::keep(const HttpAsk& ask) {
+Result<web::HttpReply> Maker::keep(const web::HttpAsk& ask) {
   MARKETGEN_TRY(const KeepAsk body, io::read_json<KeepAsk>(ask.body, body_name));
-  MARKETGEN_CHECK(check_folder_name(body.name));
+  MARKETGEN_CHECK(web::check_folder_name(body.name));
   MARKETGEN_TRY(const auto store, made(ask, body.batch, body.seed));
   const std::filesystem::path folder = folder_ / body.name;
   constexpr bool previews = false;  // whoever keeps it here has the viewer
   MARKETGEN_CHECK(store::save_made(*store, folder, previews, *catalog_));
   KeptStore kept{0, body.name, store->store.manifest.scene_hash};
   MARKETGEN_TRY(kept.store, show_(folder));
-  return json_reply(io::write_json_line(kept));
+  return web::json_reply(io::write_json_line(kept));
 }
 
 // "3-7.png": of brief 3, with seed 7.
-Result<HttpReply> Maker::picture(const HttpAsk& ask, const std::string& name) {
+Result<web::HttpReply> Maker::picture(const web::HttpAsk& ask, const std::string& name) {
   int batch = 0;
   std::uint64_t seed = 0;
   const char* const end = name.data() + name.size();
@@ -178,20 +178,20 @@ Result<HttpReply> Maker::picture(const HttpAsk& ask, const std::string& name) {
   if (rest.ec != std::errc() || std::string_view(rest.ptr, end) != ".png") return no_address(ask);
   MARKETGEN_TRY(const auto store, made(ask, batch, seed));
   const std::scoped_lock alone(drawing_);
-  std::shared_ptr<const HttpBody> drawn;
+  std::shared_ptr<const web::HttpBody> drawn;
   note(batch, [&](Batch& now) {
     for (const Try& one : now.tries)
       if (one.line.seed == seed) drawn = one.picture;
   });
   if (!drawn) {
     MARKETGEN_TRY(std::string bytes, entrance_picture(store->store.scene));
-    drawn = make_body("image/png", std::move(bytes));
+    drawn = web::make_body("image/png", std::move(bytes));
     note(batch, [&](Batch& now) {
       for (Try& one : now.tries)
         if (one.line.seed == seed) one.picture = drawn;
     });
   }
-  return HttpReply{.body = drawn};
+  return web::HttpReply{.body = drawn};
 }
 
 // ---- The work ----

@@ -17,10 +17,10 @@
 
 #include "base/result.h"
 #include "catalog/catalog.h"
-#include "server/http_message.h"
 #include "server/make_documents.h"
 #include "server/show_saved.h"
 #include "store/made_store.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -36,14 +36,14 @@ class Maker {
 
   // `words`: the address after /api/make. Errors: server.not_found, server.bad_request, json.* of
   // the body, those of store::save_made. Thread-safe.
-  Result<HttpReply> get(const HttpAsk& ask, const std::vector<std::string>& words);
-  Result<HttpReply> post(const std::string& verb, const HttpAsk& ask);
+  Result<web::HttpReply> get(const web::HttpAsk& ask, const std::vector<std::string>& words);
+  Result<web::HttpReply> post(const std::string& verb, const web::HttpAsk& ask);
 
  private:
   struct Try {
     TryLine line;
     std::shared_ptr<const store::MadeStore> made;
-    std::shared_ptr<const HttpBody> picture;
+    std::shared_ptr<const web::HttpBody> picture;
   };
   struct Batch {
     int number = 0;
@@ -54,11 +54,11 @@ class Maker {
     std::vector<Try> tries;
   };
 
-  Result<HttpReply> begin(const HttpAsk& ask);
-  Result<HttpReply> keep(const HttpAsk& ask);
-  Result<HttpReply> picture(const HttpAsk& ask, const std::string& name);
-  HttpReply options() const;
-  HttpReply state();
+  Result<web::HttpReply> begin(const web::HttpAsk& ask);
+  Result<web::HttpReply> keep(const web::HttpAsk& ask);
+  Result<web::HttpReply> picture(const web::HttpAsk& ask, const std::string& name);
+  web::HttpReply options() const;
+  web::HttpReply state();
   std::string free_name(const std::string& name, std::uint64_t seed) const;
 
   void work();  // of the thread
@@ -68,7 +68,7 @@ class Maker {
   // What `change` does to the batch, unless another has taken its place: false then.
   template <class Change>
   bool note(int batch, const Change& change);
-  Result<std::shared_ptr<const store::MadeStore>> made(const HttpAsk& ask,
+  Result<std::shared_ptr<const store::MadeStore>> made(const web::HttpAsk& ask,
                                                        int batch,
                                                        std::uint64_t seed);
 

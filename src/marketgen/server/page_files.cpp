@@ -61,9 +61,9 @@ Result<fs::path> page_folder() {
                "set MARKETGEN_VIEWER to the folder with its index.html"};
 }
 
-Result<HttpReply> page_file(const fs::path& folder, const std::string& path) {
+Result<web::HttpReply> page_file(const fs::path& folder, const std::string& path) {
   const Error nothing{"server.not_found", path, "there is no such page; the first is at /"};
-  const std::vector<std::string> parts = parts_of(path);
+  const std::vector<std::string> parts = web::parts_of(path);
   fs::path file = folder;
   for (const std::string& part : parts) {
     if (part.starts_with('.')) return nothing;
@@ -74,7 +74,7 @@ Result<HttpReply> page_file(const fs::path& folder, const std::string& path) {
   const fs::path real = fs::canonical(file, failed), home = fs::canonical(folder, failed);
   if (failed || !lies_in(home, real) || !fs::is_regular_file(real, failed)) return nothing;
   MARKETGEN_TRY(std::string bytes, io::read_file(real, max_page_bytes));
-  HttpReply reply{.body = make_body(type_of_file(real), std::move(bytes))};
+  web::HttpReply reply{.body = web::make_body(type_of_file(real), std::move(bytes))};
   reply.lasting = parts.size() > 1 && parts[0] == "assets";  // Vite names these by their content
   return reply;
 }

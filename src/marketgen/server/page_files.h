@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "server/http_message.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -14,6 +14,6 @@ Result<std::filesystem::path> page_folder();
 
 // The file at this path below `folder`; "/" is index.html. Errors: server.not_found, also for
 // links that lead out of the folder; io.*.
-Result<HttpReply> page_file(const std::filesystem::path& folder, const std::string& path);
+Result<web::HttpReply> page_file(const std::filesystem::path& folder, const std::string& path);
 
 }  // namespace marketgen::server

@@ -221,7 +221,7 @@ Result<ViewBuild::Body> ReplayEpisode::shape(const std::string& name) {
         std::vector<ViewFile> files,
         product_meshes(things_.products(), store_->scene.materials, assets::Detail::middle));
     for (ViewFile& file : files)
-      shapes_[file.name] = make_body(file.type, std::move(file.bytes));
+      shapes_[file.name] = web::make_body(file.type, std::move(file.bytes));
   }
   const auto found = shapes_.find(name);
   if (found != shapes_.end()) return found->second;

@@ -38,16 +38,16 @@ Result<std::unique_ptr<Replays>> Replays::open(
   return std::unique_ptr<Replays>(new Replays(std::move(runs), std::move(stores), catalog));
 }
 
-Result<HttpReply> Replays::answer(std::size_t store,
-                                  const HttpAsk& ask,
-                                  const std::vector<std::string>& words) {
+Result<web::HttpReply> Replays::answer(std::size_t store,
+                                       const web::HttpAsk& ask,
+                                       const std::vector<std::string>& words) {
   if (store >= stores_.size())  // one that was saved since: nothing has happened in it
-    return words.empty() ? Result(json_reply(io::write_json_line(runs_.of_store(""))))
+    return words.empty() ? Result(web::json_reply(io::write_json_line(runs_.of_store(""))))
                          : no_address(ask);
   const std::string& scene = stores_[store]->manifest.scene_hash;
-  if (words.empty()) return json_reply(io::write_json_line(runs_.of_store(scene)));
+  if (words.empty()) return web::json_reply(io::write_json_line(runs_.of_store(scene)));
   MARKETGEN_TRY(const std::uint32_t run, row_of(ask, words[0], runs_.size()));
-  if (words.size() == 1) return json_reply(io::write_json_line(runs_.episodes(run, scene)));
+  if (words.size() == 1) return web::json_reply(io::write_json_line(runs_.episodes(run, scene)));
   if (words[1] != "episodes" || words.size() < 3) return no_address(ask);
   MARKETGEN_TRY(const std::uint32_t episode, row_of(ask, words[2], runs_.run(run).results.size()));
   return of_episode(store, ask, {run, episode}, {words.begin() + 3, words.end()});
@@ -77,10 +77,10 @@ Result<std::shared_ptr<ReplayEpisode>> Replays::episode(std::size_t store, const
   return opened;
 }
 
-Result<HttpReply> Replays::of_episode(std::size_t store,
-                                      const HttpAsk& ask,
-                                      const Key& key,
-                                      const std::vector<std::string>& words) {
+Result<web::HttpReply> Replays::of_episode(std::size_t store,
+                                           const web::HttpAsk& ask,
+                                           const Key& key,
+                                           const std::vector<std::string>& words) {
   MARKETGEN_TRY(const std::shared_ptr<ReplayEpisode> found, episode(store, key));
   if (words.empty()) return summary(store, *found);
   if (words.size() > 1) return no_address(ask);
@@ -89,16 +89,16 @@ Result<HttpReply> Replays::of_episode(std::size_t store,
   if (words[0] == "things.bin") return reply_with(found->things());
   if (words[0] == "camera.jpg") return picture(found, ask);
   MARKETGEN_TRY(const ViewBuild::Body body, found->shape(words[0]));
-  return HttpReply{.body = body};
+  return web::HttpReply{.body = body};
 }
 
-Result<HttpReply> Replays::summary(std::size_t store, const ReplayEpisode& episode) {
+Result<web::HttpReply> Replays::summary(std::size_t store, const ReplayEpisode& episode) {
   ReplaySummary summary = episode.summary();
   summary.place = number_of(store, episode.place());
-  return json_reply(io::write_json_line(summary));
+  return web::json_reply(io::write_json_line(summary));
 }
 
-Result<HttpReply> Replays::poses(const ReplayEpisode& episode, const HttpAsk& ask) {
+Result<web::HttpReply> Replays::poses(const ReplayEpisode& episode, const web::HttpAsk& ask) {
   const std::uint64_t last = episode.motion().steps() - 1;
   MARKETGEN_TRY(const std::uint64_t from, number_in(ask, "from", 0, 0, last));
   MARKETGEN_TRY(const std::uint64_t steps, number_in(ask, "steps", usual_steps, 1, max_steps));
@@ -106,8 +106,8 @@ Result<HttpReply> Replays::poses(const ReplayEpisode& episode, const HttpAsk& as
       episode.poses(static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(steps)));
 }
 
-Result<HttpReply> Replays::picture(const std::shared_ptr<ReplayEpisode>& episode,
-                                   const HttpAsk& ask) {
+Result<web::HttpReply> Replays::picture(const std::shared_ptr<ReplayEpisode>& episode,
+                                        const web::HttpAsk& ask) {
   MARKETGEN_TRY(const CameraAsk asked, camera_ask(ask, episode->summary().cameras));
   const std::uint64_t last = episode->motion().steps() - 1;
   MARKETGEN_TRY(const std::uint64_t step, number_in(ask, "step", last, 0, last));

@@ -11,10 +11,10 @@
 
 #include "base/result.h"
 #include "catalog/catalog.h"
-#include "server/http_message.h"
 #include "server/replay_episode.h"
 #include "server/replay_runs.h"
 #include "store/store.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -28,9 +28,9 @@ class Replays {
       const catalog::Catalog& catalog);
 
   // What is below /runs of a store. `words`: the path's parts behind it.
-  Result<HttpReply> answer(std::size_t store,
-                           const HttpAsk& ask,
-                           const std::vector<std::string>& words);
+  Result<web::HttpReply> answer(std::size_t store,
+                                const web::HttpAsk& ask,
+                                const std::vector<std::string>& words);
 
   // The place below /places of a store, which is added where it is new; -1: the store itself.
   // Precondition: the store is one of those it was opened with.
@@ -52,13 +52,14 @@ class Replays {
       : runs_(std::move(runs)), stores_(std::move(stores)), catalog_(catalog) {}
 
   Result<std::shared_ptr<ReplayEpisode>> episode(std::size_t store, const Key& key);
-  Result<HttpReply> of_episode(std::size_t store,
-                               const HttpAsk& ask,
-                               const Key& key,
-                               const std::vector<std::string>& words);
-  Result<HttpReply> summary(std::size_t store, const ReplayEpisode& episode);
-  Result<HttpReply> picture(const std::shared_ptr<ReplayEpisode>& episode, const HttpAsk& ask);
-  static Result<HttpReply> poses(const ReplayEpisode& episode, const HttpAsk& ask);
+  Result<web::HttpReply> of_episode(std::size_t store,
+                                    const web::HttpAsk& ask,
+                                    const Key& key,
+                                    const std::vector<std::string>& words);
+  Result<web::HttpReply> summary(std::size_t store, const ReplayEpisode& episode);
+  Result<web::HttpReply> picture(const std::shared_ptr<ReplayEpisode>& episode,
+                                 const web::HttpAsk& ask);
+  static Result<web::HttpReply> poses(const ReplayEpisode& episode, const web::HttpAsk& ask);
 
   ReplayRuns runs_;
   std::vector<std::shared_ptr<const store::Store>> stores_;

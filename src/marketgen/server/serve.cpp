@@ -95,11 +95,12 @@ Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& option
   http.token = options.token;
   http.embed = options.embed;
   http.limits.may_write = may_edit;
-  MARKETGEN_TRY(parts->server,
-                HttpServer::start(
-                    http,
-                    [&viewer = *parts->viewer](const HttpAsk& ask) { return viewer.answer(ask); },
-                    [&viewer = *parts->viewer](const HttpAsk& ask) { return viewer.socket(ask); }));
+  MARKETGEN_TRY(
+      parts->server,
+      HttpServer::start(
+          http,
+          [&viewer = *parts->viewer](const web::HttpAsk& ask) { return viewer.answer(ask); },
+          [&viewer = *parts->viewer](const web::HttpAsk& ask) { return viewer.socket(ask); }));
   std::string address =
       parts->server->address() + (options.token.empty() ? "" : "?token=" + options.token);
   return std::unique_ptr<ViewServer>(new ViewServer(std::move(parts), std::move(address)));

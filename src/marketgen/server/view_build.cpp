@@ -112,7 +112,7 @@ void ViewBuild::add(const std::string& name, const Body& body) {
 
 void ViewBuild::add_all(std::vector<ViewFile> files) {
   for (ViewFile& file : files)
-    add(file.name, make_body(file.type, std::move(file.bytes)));
+    add(file.name, web::make_body(file.type, std::move(file.bytes)));
 }
 
 Result<void> ViewBuild::make_room() {
@@ -144,7 +144,7 @@ bool ViewBuild::take_kept() {
   for (std::string name, type; lines >> name >> type;) {
     std::optional<std::string> bytes = io::kept_entry(kept_in_ / flat(name), entry_kind);
     if (!bytes) return false;
-    files[name] = made_body(type, *std::move(bytes));
+    files[name] = web::made_body(type, *std::move(bytes));
   }
   for (const auto& [name, body] : files)
     add(name, body);

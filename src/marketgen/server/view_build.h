@@ -17,9 +17,9 @@
 #include "base/fields.h"
 #include "base/progress.h"
 #include "base/result.h"
-#include "server/http_message.h"
 #include "server/view_files.h"
 #include "store/store.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -40,7 +40,7 @@ struct BuildStatus {
 
 class ViewBuild {
  public:
-  using Body = std::shared_ptr<const HttpBody>;
+  using Body = std::shared_ptr<const web::HttpBody>;
 
   // Begins at once. `alone` is held while it works, so that several stores come one after another.
   ViewBuild(std::shared_ptr<const store::Store> store, std::mutex& alone);

@@ -29,13 +29,13 @@ constexpr int min_tag_px = 32, max_tag_px = 192, usual_tag_px = 96, usual_label_
 constexpr std::uint64_t usual_hits = 50, max_hits = 500;
 constexpr std::size_t max_places = 10000;
 
-Result<HttpReply> png_reply(const Result<Image>& image) {
+Result<web::HttpReply> png_reply(const Result<Image>& image) {
   if (!image.ok()) return image.error();
   MARKETGEN_TRY(std::string bytes, io::encode_png(*image));
   return reply_with({"", "image/png", std::move(bytes)});
 }
 
-Error no_drive(const HttpAsk& ask) {
+Error no_drive(const web::HttpAsk& ask) {
   return {"server.refused",
           ask.path,
           "robots are not driven here: name the store's folder, and start `marketgen view` without "
@@ -59,7 +59,7 @@ class Turn {
 struct Viewer::Opened {
   int number = 0;
   std::shared_ptr<const store::Store> store;
-  HttpReply summary, goods;
+  web::HttpReply summary, goods;
   std::once_flag begun;
   std::unique_ptr<ViewBuild> build;
   std::unique_ptr<Editor> editor;
@@ -117,10 +117,10 @@ std::unique_ptr<Viewer::Opened> Viewer::made(int number,
                                              const PageRights& rights) {
   auto opened = std::make_unique<Opened>();
   opened->number = number;
-  opened->summary = json_reply(
+  opened->summary = web::json_reply(
       io::write_json_line(summary_of(number, *store, grasps_, rows_->frictions, rights)));
   ViewFile goods = goods_table(store->scene);
-  opened->goods = {.body = make_body(goods.type, std::move(goods.bytes))};
+  opened->goods = {.body = web::make_body(goods.type, std::move(goods.bytes))};
   opened->store = std::move(store);
   return opened;
 }
@@ -189,28 +189,28 @@ Result<int> Viewer::add_saved(const std::filesystem::path& folder, const catalog
   return add(std::make_shared<const store::Store>(std::move(store)));
 }
 
-HttpReply Viewer::answer(const HttpAsk& ask) {
-  const Result<HttpReply> reply = until_interrupted([&] { return reply_to(ask); });
-  return reply.ok() ? *reply : error_reply(status_of(reply.error()), reply.error());
+web::HttpReply Viewer::answer(const web::HttpAsk& ask) {
+  const Result<web::HttpReply> reply = until_interrupted([&] { return reply_to(ask); });
+  return reply.ok() ? *reply : web::error_reply(web::status_of(reply.error()), reply.error());
 }
 
-HttpReply Viewer::list() const {
+web::HttpReply Viewer::list() const {
   const std::shared_lock lock(listing_);
   StoreList list{.program = program_version, .stores = {}};
   for (const std::unique_ptr<Opened>& opened : stores_)
     list.stores.push_back(line_of(opened->number, *opened->store));
-  return json_reply(io::write_json_line(list));
+  return web::json_reply(io::write_json_line(list));
 }
 
 // None ever goes away.
-Result<Viewer::Opened*> Viewer::opened(const HttpAsk& ask, const std::string& number) const {
+Result<Viewer::Opened*> Viewer::opened(const web::HttpAsk& ask, const std::string& number) const {
   const std::shared_lock lock(listing_);
   MARKETGEN_TRY(const std::uint32_t row, row_of(ask, number, stores_.size()));
   return stores_[row].get();
 }
 
-Result<HttpReply> Viewer::reply_to(const HttpAsk& ask) {
-  const Words words = parts_of(ask.path);
+Result<web::HttpReply> Viewer::reply_to(const web::HttpAsk& ask) {
+  const Words words = web::parts_of(ask.path);
   if (words.empty() || words[0] != "api") return page_file(page_, ask.path);
   if (words.size() < 2) return no_address(ask);
   if (words[1] == "make") return of_make(ask, Words(words.begin() + 2, words.end()));
@@ -220,7 +220,9 @@ Result<HttpReply> Viewer::reply_to(const HttpAsk& ask) {
   return of_store(*store, ask, Words(words.begin() + 3, words.end()));
 }
 
-Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Words& words) {
+Result<web::HttpReply> Viewer::of_store(Opened& store,
+                                        const web::HttpAsk& ask,
+                                        const Words& words) {
   if (words.empty()) return store.summary;
   const std::string& what = words[0];
   if (what == "edit") return of_edit(store, ask, Words(words.begin() + 1, words.end()));
@@ -230,16 +232,16 @@ Result<HttpReply> Viewer::of_store(Opened& store, const HttpAsk& ask, const Word
     if (what == "goods.bin") return store.goods;
     if (what == "state") return state(store);
     MARKETGEN_TRY(const ViewBuild::Body body, build_of(store).file(what));
-    return HttpReply{.body = body};
+    return web::HttpReply{.body = body};
   }
   if (what != "textures" || words.size() > 2) return of_scene(store.store->scene, ask, words);
   MARKETGEN_TRY(const ViewBuild::Body body, build_of(store).file(what + "/" + words[1]));
-  return HttpReply{.body = body};
+  return web::HttpReply{.body = body};
 }
 
-Result<HttpReply> Viewer::of_scene(const scene::Scene& scene,
-                                   const HttpAsk& ask,
-                                   const Words& words) {
+Result<web::HttpReply> Viewer::of_scene(const scene::Scene& scene,
+                                        const web::HttpAsk& ask,
+                                        const Words& words) {
   const std::string& what = words[0];
   if (what == "skus" && words.size() > 1) return of_sku(scene, ask, words);
   if (what == "search" && words.size() == 1) return search(scene, ask);
@@ -247,52 +249,55 @@ Result<HttpReply> Viewer::of_scene(const scene::Scene& scene,
   if (words.size() != 2) return no_address(ask);
   if (what == "products") {
     MARKETGEN_TRY(const std::uint32_t row, row_of(ask, words[1], scene.products.size()));
-    return json_reply(io::write_json_line(product_card(scene, row, grasps_, catalog_.frictions)));
+    return web::json_reply(
+        io::write_json_line(product_card(scene, row, grasps_, catalog_.frictions)));
   }
   if (what == "fixtures") {
     MARKETGEN_TRY(const std::uint32_t row, row_of(ask, words[1], scene.fixtures.size()));
-    return json_reply(io::write_json_line(fixture_card(scene, row)));
+    return web::json_reply(io::write_json_line(fixture_card(scene, row)));
   }
   return what == "tags" ? tag(scene, ask, words[1]) : no_address(ask);
 }
 
-Result<HttpReply> Viewer::of_make(const HttpAsk& ask, const Words& words) {
+Result<web::HttpReply> Viewer::of_make(const web::HttpAsk& ask, const Words& words) {
   if (!maker_)
     return Error{"server.refused",
                  ask.path,
                  "stores are not made here: start `marketgen view` without --read-only"};
   if (ask.method != "POST") return maker_->get(ask, words);
-  Result<HttpReply> reply = maker_->post(words.size() == 1 ? words[0] : "", ask);
+  Result<web::HttpReply> reply = maker_->post(words.size() == 1 ? words[0] : "", ask);
   if (reply.ok()) return reply;
-  const int status = is_refused_keeping(reply.error()) ? 200 : status_of(reply.error());
-  return error_reply(status, reply.error());
+  const int status = is_refused_keeping(reply.error()) ? 200 : web::status_of(reply.error());
+  return web::error_reply(status, reply.error());
 }
 
 // Reads show the store as the edit has it now.
-Result<HttpReply> Viewer::of_edit(Opened& store, const HttpAsk& ask, const Words& words) {
+Result<web::HttpReply> Viewer::of_edit(Opened& store, const web::HttpAsk& ask, const Words& words) {
   if (!store.editor)
     return Error{"server.refused",
                  ask.path,
                  "stores are not edited here: start `marketgen view` without --read-only"};
   if (ask.method == "POST") {
-    Result<HttpReply> reply = store.editor->post(words.size() == 1 ? words[0] : "", ask);
+    Result<web::HttpReply> reply = store.editor->post(words.size() == 1 ? words[0] : "", ask);
     if (reply.ok()) return reply;
-    const int status = is_refused_edit(reply.error()) ? 200 : status_of(reply.error());
-    return error_reply(status, reply.error());
+    const int status = is_refused_edit(reply.error()) ? 200 : web::status_of(reply.error());
+    return web::error_reply(status, reply.error());
   }
   if (words.empty()) return store.editor->status();
   const EditSession::Now now = store.editor->now();
   return of_scene(now ? now->store.scene : store.store->scene, ask, words);
 }
 
-Result<HttpReply> Viewer::of_drive(Opened& store, const HttpAsk& ask, const Words& words) {
+Result<web::HttpReply> Viewer::of_drive(Opened& store,
+                                        const web::HttpAsk& ask,
+                                        const Words& words) {
   if (!store.drive) return no_drive(ask);
   if (ask.method != "POST") return store.drive->get(ask, words);
   return words == Words{"begin"} ? store.drive->begin(ask) : no_address(ask);
 }
 
-Result<std::unique_ptr<SocketPeer>> Viewer::socket(const HttpAsk& ask) {
-  const Words words = parts_of(ask.path);
+Result<std::unique_ptr<SocketPeer>> Viewer::socket(const web::HttpAsk& ask) {
+  const Words words = web::parts_of(ask.path);
   if (words.size() != 5 || words[0] != "api" || words[1] != "stores" || words[3] != "drive" ||
       words[4] != "socket")
     return no_address(ask);
@@ -301,7 +306,9 @@ Result<std::unique_ptr<SocketPeer>> Viewer::socket(const HttpAsk& ask) {
   return store->drive->peer();
 }
 
-Result<HttpReply> Viewer::of_replay(Opened& store, const HttpAsk& ask, const Words& words) {
+Result<web::HttpReply> Viewer::of_replay(Opened& store,
+                                         const web::HttpAsk& ask,
+                                         const Words& words) {
   if (store.is_place) return no_address(ask);
   const auto number = static_cast<std::size_t>(store.number);
   if (words[0] == "runs")
@@ -323,9 +330,9 @@ Result<HttpReply> Viewer::of_replay(Opened& store, const HttpAsk& ask, const Wor
   return of_store(*opened_place, ask, Words(words.begin() + 2, words.end()));
 }
 
-Result<HttpReply> Viewer::of_sku(const scene::Scene& scene,
-                                 const HttpAsk& ask,
-                                 const Words& words) {
+Result<web::HttpReply> Viewer::of_sku(const scene::Scene& scene,
+                                      const web::HttpAsk& ask,
+                                      const Words& words) {
   MARKETGEN_TRY(const std::uint32_t sku, row_of(ask, words[1], scene.catalog.size()));
   if (words.size() != 3) return no_address(ask);
   if (words[2] == "label.png") return label(scene, sku, ask);
@@ -340,7 +347,9 @@ Result<HttpReply> Viewer::of_sku(const scene::Scene& scene,
   return reply_with(std::move(mesh).value());
 }
 
-Result<HttpReply> Viewer::label(const scene::Scene& scene, std::uint32_t sku, const HttpAsk& ask) {
+Result<web::HttpReply> Viewer::label(const scene::Scene& scene,
+                                     std::uint32_t sku,
+                                     const web::HttpAsk& ask) {
   MARKETGEN_TRY(
       const std::uint64_t px,
       number_in(ask, "px", usual_label_px, label_heights_px.front(), label_heights_px.back()));
@@ -350,9 +359,9 @@ Result<HttpReply> Viewer::label(const scene::Scene& scene, std::uint32_t sku, co
   return png_reply(exporters::exported_label(scene.catalog[sku], static_cast<int>(px)));
 }
 
-Result<HttpReply> Viewer::tag(const scene::Scene& scene,
-                              const HttpAsk& ask,
-                              const std::string& name) {
+Result<web::HttpReply> Viewer::tag(const scene::Scene& scene,
+                                   const web::HttpAsk& ask,
+                                   const std::string& name) {
   constexpr std::string_view ending = ".png";
   if (!name.ends_with(ending)) return no_address(ask);
   const std::string_view row = std::string_view(name).substr(0, name.size() - ending.size());
@@ -364,28 +373,28 @@ Result<HttpReply> Viewer::tag(const scene::Scene& scene,
       exporters::exported_price_tag(scene.catalog[sku], promotion != 0, static_cast<int>(px)));
 }
 
-Result<HttpReply> Viewer::search(const scene::Scene& scene, const HttpAsk& ask) {
+Result<web::HttpReply> Viewer::search(const scene::Scene& scene, const web::HttpAsk& ask) {
   const auto words = ask.query.find("q");
   if (words == ask.query.end() || words->second.empty())
     return Error{"server.bad_request", "q", "say what to look for: search?q=oat milk"};
   MARKETGEN_TRY(const std::uint64_t hits, number_in(ask, "max", usual_hits, 1, max_hits));
   MARKETGEN_TRY(const SearchAnswer answer,
                 search_->find(scene, words->second, static_cast<std::size_t>(hits)));
-  return json_reply(io::write_json_line(answer));
+  return web::json_reply(io::write_json_line(answer));
 }
 
-Result<HttpReply> Viewer::blocks(const scene::Scene& scene, const HttpAsk& ask) {
+Result<web::HttpReply> Viewer::blocks(const scene::Scene& scene, const web::HttpAsk& ask) {
   const auto run = ask.query.find("run");
   if (run == ask.query.end())
     return Error{"server.bad_request", "run", "say of which line: blocks?run=snacks/run-1"};
-  return json_reply(io::write_json_line(blocks_of_run(scene, run->second)));
+  return web::json_reply(io::write_json_line(blocks_of_run(scene, run->second)));
 }
 
-Result<HttpReply> Viewer::state(Opened& store) {
+Result<web::HttpReply> Viewer::state(Opened& store) {
   const ViewBuild& build = build_of(store);
   const std::optional<Error> error = build.error();
-  if (!error) return json_reply(io::write_json_line(build.status()));
-  return error_reply(500, *error);
+  if (!error) return web::json_reply(io::write_json_line(build.status()));
+  return web::error_reply(500, *error);
 }
 
 }  // namespace marketgen::server

@@ -15,13 +15,13 @@
 #include "base/result.h"
 #include "server/cards.h"
 #include "server/drive.h"
-#include "server/http_message.h"
 #include "server/maker.h"
 #include "server/replays.h"
 #include "server/store_search.h"
 #include "server/view_build.h"
 #include "server/web_socket.h"
 #include "store/open_stores.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -45,9 +45,9 @@ class Viewer {
   ~Viewer();
 
   // Thread-safe.
-  HttpReply answer(const HttpAsk& ask);
+  web::HttpReply answer(const web::HttpAsk& ask);
   // Of /api/stores/N/drive/socket. Errors: server.not_found, server.refused. Thread-safe.
-  Result<std::unique_ptr<SocketPeer>> socket(const HttpAsk& ask);
+  Result<std::unique_ptr<SocketPeer>> socket(const web::HttpAsk& ask);
   // Precondition: ViewerOptions::watch.
   Drive& watched();
   // Before who carries the sockets goes.
@@ -61,26 +61,34 @@ class Viewer {
   std::unique_ptr<Opened> made(int number,
                                std::shared_ptr<const store::Store> store,
                                const PageRights& rights);
-  Result<HttpReply> reply_to(const HttpAsk& ask);
-  HttpReply list() const;
-  Result<Opened*> opened(const HttpAsk& ask, const std::string& number) const;
-  Result<HttpReply> of_store(Opened& store, const HttpAsk& ask, const Words& words);
+  Result<web::HttpReply> reply_to(const web::HttpAsk& ask);
+  web::HttpReply list() const;
+  Result<Opened*> opened(const web::HttpAsk& ask, const std::string& number) const;
+  Result<web::HttpReply> of_store(Opened& store, const web::HttpAsk& ask, const Words& words);
   // What does not wait for a build: search, cards, shapes and labels.
-  Result<HttpReply> of_scene(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
-  Result<HttpReply> of_make(const HttpAsk& ask, const Words& words);
-  Result<HttpReply> of_edit(Opened& store, const HttpAsk& ask, const Words& words);
-  Result<HttpReply> of_drive(Opened& store, const HttpAsk& ask, const Words& words);
+  Result<web::HttpReply> of_scene(const scene::Scene& scene,
+                                  const web::HttpAsk& ask,
+                                  const Words& words);
+  Result<web::HttpReply> of_make(const web::HttpAsk& ask, const Words& words);
+  Result<web::HttpReply> of_edit(Opened& store, const web::HttpAsk& ask, const Words& words);
+  Result<web::HttpReply> of_drive(Opened& store, const web::HttpAsk& ask, const Words& words);
   Result<void> offer_drives();
   DriveGround ground_of(const Opened& opened);
   // With its own products.
   std::shared_ptr<const catalog::Catalog> rows_of(const store::Store& store) const;
-  Result<HttpReply> of_replay(Opened& store, const HttpAsk& ask, const Words& words);
-  Result<HttpReply> of_sku(const scene::Scene& scene, const HttpAsk& ask, const Words& words);
-  Result<HttpReply> search(const scene::Scene& scene, const HttpAsk& ask);
-  static Result<HttpReply> blocks(const scene::Scene& scene, const HttpAsk& ask);
-  Result<HttpReply> tag(const scene::Scene& scene, const HttpAsk& ask, const std::string& name);
-  Result<HttpReply> label(const scene::Scene& scene, std::uint32_t sku, const HttpAsk& ask);
-  Result<HttpReply> state(Opened& store);
+  Result<web::HttpReply> of_replay(Opened& store, const web::HttpAsk& ask, const Words& words);
+  Result<web::HttpReply> of_sku(const scene::Scene& scene,
+                                const web::HttpAsk& ask,
+                                const Words& words);
+  Result<web::HttpReply> search(const scene::Scene& scene, const web::HttpAsk& ask);
+  static Result<web::HttpReply> blocks(const scene::Scene& scene, const web::HttpAsk& ask);
+  Result<web::HttpReply> tag(const scene::Scene& scene,
+                             const web::HttpAsk& ask,
+                             const std::string& name);
+  Result<web::HttpReply> label(const scene::Scene& scene,
+                               std::uint32_t sku,
+                               const web::HttpAsk& ask);
+  Result<web::HttpReply> state(Opened& store);
   ViewBuild& build_of(Opened& store);
   // A store that takes part from now on; its number.
   int add(std::shared_ptr<const store::Store> store);

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "server/http_message.h"
+#include "web/http_message.h"
 
 namespace marketgen::server {
 
@@ -30,6 +30,6 @@ class SocketPeer {
 
 // Whether a page may have a socket at that address, and who answers there; must not wait.
 // Thread-safe.
-using SocketOpener = std::function<Result<std::unique_ptr<SocketPeer>>(const HttpAsk&)>;
+using SocketOpener = std::function<Result<std::unique_ptr<SocketPeer>>(const web::HttpAsk&)>;
 
 }  // namespace marketgen::server

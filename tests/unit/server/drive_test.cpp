@@ -104,20 +104,20 @@ class Driven : public testing::Test {
     ASSERT_TRUE(wait_until([&] { return status()["phase"] == "driving"; })) << status().dump();
   }
   std::string begin(const std::string& episode) {
-    server::HttpAsk ask;
+    web::HttpAsk ask;
     ask.method = "POST";
     ask.body = Json{{"episode", episode}}.dump();
     const auto reply = drive_->begin(ask);
     return reply.ok() ? "ok" : reply.error().code;
   }
-  Result<server::HttpReply> get(const std::vector<std::string>& words,
-                                const std::map<std::string, std::string>& query = {}) {
-    server::HttpAsk ask;
+  Result<web::HttpReply> get(const std::vector<std::string>& words,
+                             const std::map<std::string, std::string>& query = {}) {
+    web::HttpAsk ask;
     ask.method = "GET";
     ask.query = query;
     return drive_->get(ask, words);
   }
-  static std::string bytes(const server::HttpReply& reply) {
+  static std::string bytes(const web::HttpReply& reply) {
     return reply.body->packed ? *io::gunzip(reply.body->bytes, "body") : reply.body->bytes;
   }
   Json status() { return Json::parse(bytes(*get({}))); }

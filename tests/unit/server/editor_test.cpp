@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using namespace std::chrono_literals;
-using Clock = server::EditLease::Clock;
+using Clock = web::EditLease::Clock;
 
-TEST(EditLease, IsOnePagesAtATime) {
-  server::EditLease lease;
+TEST(web::EditLease, IsOnePagesAtATime) {
+  web::EditLease lease;
   const Clock::time_point now = Clock::now();
   EXPECT_FALSE(lease.is_taken(now));
   const auto first = lease.take("", now);
@@ -100,13 +100,13 @@ class EditedOnline : public testing::Test {
   }
   void SetUp() override { token = picture("begin", Json::object()).head["token"]; }
 
-  Result<server::HttpReply> post(const std::string& verb, const std::string& body) {
-    server::HttpAsk ask;
+  Result<web::HttpReply> post(const std::string& verb, const std::string& body) {
+    web::HttpAsk ask;
     ask.method = "POST";
     ask.body = body;
     return editor.post(verb, ask);
   }
-  Result<server::HttpReply> post(const std::string& verb, Json body) {
+  Result<web::HttpReply> post(const std::string& verb, Json body) {
     if (!token.empty()) body["token"] = token;
     return post(verb, body.dump());
   }
@@ -114,7 +114,7 @@ class EditedOnline : public testing::Test {
     const auto reply = post(verb, body);
     return reply.ok() ? "" : reply.error().code;
   }
-  static std::string bytes_of(const server::HttpReply& reply) {
+  static std::string bytes_of(const web::HttpReply& reply) {
     return reply.body->packed ? *io::gunzip(reply.body->bytes, "body") : reply.body->bytes;
   }
   Json json(const std::string& verb, const Json& body) {

@@ -16,13 +16,12 @@ namespace {
 
 constexpr std::size_t large_bytes = 8U << 20;
 
-server::HttpReply echo(const server::HttpAsk& ask) {
+web::HttpReply echo(const web::HttpAsk& ask) {
   if (ask.path == "/large")
-    return {.body = server::make_body("image/jpeg", std::string(large_bytes, 'x'))};
-  if (ask.path == "/text")
-    return {.body = server::make_body("text/plain", std::string(100'000, 'a'))};
-  if (ask.method == "POST") return server::json_reply(ask.body);
-  return server::json_reply("{\"path\": \"" + ask.path + "\"}");
+    return {.body = web::make_body("image/jpeg", std::string(large_bytes, 'x'))};
+  if (ask.path == "/text") return {.body = web::make_body("text/plain", std::string(100'000, 'a'))};
+  if (ask.method == "POST") return web::json_reply(ask.body);
+  return web::json_reply("{\"path\": \"" + ask.path + "\"}");
 }
 
 class HttpServer : public testing::Test {

@@ -27,24 +27,24 @@ constexpr const char* small_shop = "a 9 x 7 m corner shop with drinks and snacks
 
 class MadeOnline : public testing::Test {
  protected:
-  static std::string text_of(const server::HttpReply& reply) {
+  static std::string text_of(const web::HttpReply& reply) {
     return reply.body->packed ? *io::gunzip(reply.body->bytes, "body") : reply.body->bytes;
   }
-  Result<server::HttpReply> post(const std::string& verb, const std::string& body) {
-    server::HttpAsk ask;
+  Result<web::HttpReply> post(const std::string& verb, const std::string& body) {
+    web::HttpAsk ask;
     ask.method = "POST";
     ask.path = "/api/make/" + verb;
     ask.body = body;
     return maker.post(verb, ask);
   }
-  Result<server::HttpReply> get(const std::vector<std::string>& words) {
-    server::HttpAsk ask;
+  Result<web::HttpReply> get(const std::vector<std::string>& words) {
+    web::HttpAsk ask;
     ask.method = "GET";
     ask.path = "/api/make";
     return maker.get(ask, words);
   }
   Json state() { return Json::parse(text_of(*get({"tries"}))); }
-  std::string code(const Result<server::HttpReply>& reply) {
+  std::string code(const Result<web::HttpReply>& reply) {
     return reply.ok() ? "" : reply.error().code;
   }
   // Once nothing is to come.

@@ -68,9 +68,9 @@ struct Shown {
     if (!opened.ok()) fatal(to_string(opened.error()).c_str());
     replays = std::move(opened).value();
   }
-  Result<server::HttpReply> ask(const std::vector<std::string>& words,
-                                const std::map<std::string, std::string>& query = {}) const {
-    server::HttpAsk asked;
+  Result<web::HttpReply> ask(const std::vector<std::string>& words,
+                             const std::map<std::string, std::string>& query = {}) const {
+    web::HttpAsk asked;
     asked.method = "GET";
     asked.query = query;
     return replays->answer(0, asked, words);
@@ -79,7 +79,7 @@ struct Shown {
                     const std::map<std::string, std::string>& query = {}) const {
     const auto reply = ask(words, query);
     if (!reply.ok()) fatal(to_string(reply.error()).c_str());
-    const server::HttpBody& body = *reply->body;
+    const web::HttpBody& body = *reply->body;
     return body.packed ? *io::gunzip(body.bytes, "body") : body.bytes;
   }
   Json json(const std::vector<std::string>& words) const { return Json::parse(bytes(words)); }

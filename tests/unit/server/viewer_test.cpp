@@ -59,20 +59,20 @@ class ViewedStore : public testing::Test {
     return std::move(opened).value();
   }
 
-  static server::HttpReply ask(const std::string& path,
-                               const std::map<std::string, std::string>& query = {}) {
-    server::HttpAsk asked;
+  static web::HttpReply ask(const std::string& path,
+                            const std::map<std::string, std::string>& query = {}) {
+    web::HttpAsk asked;
     asked.method = "GET";
     asked.path = path;
     asked.query = query;
     return viewer->answer(asked);
   }
-  static std::string bytes_of(const server::HttpReply& reply) {
+  static std::string bytes_of(const web::HttpReply& reply) {
     return reply.body->packed ? *io::gunzip(reply.body->bytes, "body") : reply.body->bytes;
   }
   static std::string bytes(const std::string& path,
                            const std::map<std::string, std::string>& query = {}) {
-    const server::HttpReply reply = ask(path, query);
+    const web::HttpReply reply = ask(path, query);
     EXPECT_EQ(reply.status, 200) << path << bytes_of(reply);
     return bytes_of(reply);
   }
@@ -373,7 +373,7 @@ TEST_F(ViewedStore, SaysWhatIsNotThere) {
                            "/api/stores/0/tags/0.gif",
                            "/api/stores/0/textures/999.jpg",
                            "/api/stores/0/store.json"}) {
-    const server::HttpReply reply = ask(path);
+    const web::HttpReply reply = ask(path);
     EXPECT_EQ(reply.status, 404) << path;
     EXPECT_EQ(Json::parse(bytes_of(reply))["error"]["code"], "server.not_found") << path;
   }
@@ -389,7 +389,7 @@ TEST_F(ViewedStore, IsBuiltOnce) {
   wait_until_ready();
   const std::string etag = ask("/api/stores/0/room.bin").body->etag;
   const std::unique_ptr<server::Viewer> second = open();
-  server::HttpAsk asked;
+  web::HttpAsk asked;
   asked.path = "/api/stores/0/room.bin";
   const auto begun = std::chrono::steady_clock::now();
   EXPECT_EQ(second->answer(asked).body->etag, etag);
@@ -397,7 +397,7 @@ TEST_F(ViewedStore, IsBuiltOnce) {
 }
 
 TEST_F(ViewedStore, ServesThePageAndNothingBeside) {
-  const server::HttpReply first = ask("/");
+  const web::HttpReply first = ask("/");
   EXPECT_EQ(bytes_of(first), "<!doctype html><title>page</title>");
   EXPECT_EQ(first.body->type, "text/html; charset=utf-8");
   EXPECT_FALSE(first.lasting);

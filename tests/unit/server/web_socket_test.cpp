@@ -58,8 +58,8 @@ class WebSocket : public testing::Test {
   void SetUp() override {
     auto started = server::HttpServer::start(
         {},
-        [](const server::HttpAsk&) { return server::json_reply("{}"); },
-        [](const server::HttpAsk& ask) -> Result<std::unique_ptr<server::SocketPeer>> {
+        [](const web::HttpAsk&) { return web::json_reply("{}"); },
+        [](const web::HttpAsk& ask) -> Result<std::unique_ptr<server::SocketPeer>> {
           if (ask.path != "/socket") return Error{"server.not_found", ask.path, "no socket"};
           return std::unique_ptr<server::SocketPeer>(std::make_unique<Echo>());
         });

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "io/json.h"
-#include "server/edit_documents.h"
-#include "server/folder_name.h"
+#include "web/edit_asks.h"
+#include "web/folder_name.h"
 
 namespace {
 
@@ -39,15 +39,15 @@ std::optional<Ask> taken(std::string_view body) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view body(reinterpret_cast<const char*>(data), size);
-  taken<server::EditorAsk>(body);
-  if (const auto ask = taken<server::PatchesAsk>(body))
+  taken<web::EditorAsk>(body);
+  if (const auto ask = taken<web::PatchesAsk>(body))
     require(ask->patches.size() <= plan::max_patches);
-  if (const auto ask = taken<server::WordsAsk>(body)) require(ask->words.size() <= longest_words);
-  if (const auto ask = taken<server::SaveAsk>(body)) {
+  if (const auto ask = taken<web::WordsAsk>(body)) require(ask->words.size() <= longest_words);
+  if (const auto ask = taken<web::SaveAsk>(body)) {
     require(ask->name.size() <= longest_name);
     const std::filesystem::path stores = "/stores";
     const std::filesystem::path folder = (stores / ask->name).lexically_normal();
-    if (server::check_folder_name(ask->name).ok())
+    if (web::check_folder_name(ask->name).ok())
       require(folder.parent_path() == stores && folder.filename() == ask->name);
   }
   return 0;

@@ -4,9 +4,9 @@
 
 #include "base/result.h"
 
-namespace marketgen::server {
+namespace marketgen::web {
 
 // The last part of a path, and nothing that a path reads otherwise. Error: server.bad_request.
 Result<void> check_folder_name(const std::string& name);
 
-}  // namespace marketgen::server
+}  // namespace marketgen::web

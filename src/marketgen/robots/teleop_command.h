@@ -1,15 +1,12 @@
-// What a person at keys or sticks wants of a robot, as the numbers of an Environment's action in
-// pd_ee_delta_pose.
+// What a person at keys or sticks wants of a robot.
 #pragma once
 #include <array>
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include "base/fields.h"
-#include "environments/environment.h"
 
-namespace marketgen::environments {
+namespace marketgen::robots {
 
 // Axes along which a tool is moved: of the robot's base (X ahead, Y left, Z up), or of the tool
 // itself, in which a camera at the wrist looks along Z.
@@ -48,28 +45,4 @@ struct TeleopCommand {
   bool moves() const;  // anything, or opens or closes
 };
 
-// Numbers of actions lie on a grid of this width: whoever keeps them in float32 has them exactly.
-constexpr double teleop_grid = 1.0 / 1024;
-
-// One robot's tools, as they were told to open or close last. `environment` has the control mode
-// pd_ee_delta_pose, was reset, and must outlive it.
-class TeleopHands {
- public:
-  // As the tools stand open now.
-  explicit TeleopHands(const Environment& environment);
-
-  // Of the next control step. `stop`: the person says that it is done. A tool that there is not is
-  // the last one.
-  std::vector<double> numbers(const TeleopCommand& command, bool stop);
-  // Of each tool: 1 open, -1 closed.
-  std::span<const double> openings() const { return openings_; }
-
- private:
-  const Environment& environment_;
-  std::vector<double> openings_;
-};
-
-// Names of the joints of no arm, in the order of TeleopCommand::joints.
-std::vector<ActionNumber> teleop_joints(const Environment& environment);
-
-}  // namespace marketgen::environments
+}  // namespace marketgen::robots

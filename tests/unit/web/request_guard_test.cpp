@@ -1,14 +1,14 @@
-#include "server/request_guard.h"
+#include "web/request_guard.h"
 
 #include <gtest/gtest.h>
 
 namespace marketgen {
 namespace {
 
-using Clock = server::RequestGuard::Clock;
+using Clock = web::RequestGuard::Clock;
 
-server::HttpAsk ask(const std::string& host, const std::string& origin = "") {
-  server::HttpAsk asked;
+web::HttpAsk ask(const std::string& host, const std::string& origin = "") {
+  web::HttpAsk asked;
   asked.method = "GET";
   asked.path = "/api/stores";
   asked.headers["host"] = host;
@@ -16,17 +16,17 @@ server::HttpAsk ask(const std::string& host, const std::string& origin = "") {
   return asked;
 }
 
-int status(server::RequestGuard& guard, const server::HttpAsk& asked) {
+int status(web::RequestGuard& guard, const web::HttpAsk& asked) {
   const auto refused = guard.refusal(asked);
   return refused ? refused->status : 200;
 }
 
-server::GuardRules rules(const std::string& token = "") {
+web::GuardRules rules(const std::string& token = "") {
   return {.host = "127.0.0.1", .port = 8123, .token = token};
 }
 
 TEST(RequestGuard, LetsOwnNamesPass) {
-  server::RequestGuard guard(rules());
+  web::RequestGuard guard(rules());
   for (const char* host : {"127.0.0.1:8123", "localhost:8123", "LOCALHOST:8123", "[::1]:8123"})
     EXPECT_EQ(status(guard, ask(host)), 200) << host;
   EXPECT_EQ(status(guard, ask("127.0.0.1:8123", "http://localhost:8123")), 200);
@@ -34,7 +34,7 @@ TEST(RequestGuard, LetsOwnNamesPass) {
 
 // DNS rebinding: the name of another site that stands for this machine.
 TEST(RequestGuard, RefusesForeignHosts) {
-  server::RequestGuard guard(rules());
+  web::RequestGuard guard(rules());
   for (const char* host : {"",
                            "evil.example:8123",
                            "127.0.0.1",
@@ -45,7 +45,7 @@ TEST(RequestGuard, RefusesForeignHosts) {
 }
 
 TEST(RequestGuard, RefusesForeignOrigins) {
-  server::RequestGuard guard(rules());
+  web::RequestGuard guard(rules());
   for (const char* origin : {"http://evil.example",
                              "null",
                              "https://127.0.0.1:8123",
@@ -54,10 +54,10 @@ TEST(RequestGuard, RefusesForeignOrigins) {
     EXPECT_EQ(status(guard, ask("127.0.0.1:8123", origin)), 403) << origin;
 }
 
-server::HttpAsk edit(const std::string& method = "POST",
-                     const std::string& type = "application/json",
-                     const std::string& origin = "") {
-  server::HttpAsk asked = ask("127.0.0.1:8123", origin);
+web::HttpAsk edit(const std::string& method = "POST",
+                  const std::string& type = "application/json",
+                  const std::string& origin = "") {
+  web::HttpAsk asked = ask("127.0.0.1:8123", origin);
   asked.method = method;
   asked.path = "/api/stores/0/edit/patches";
   asked.headers["content-type"] = type;
@@ -65,9 +65,9 @@ server::HttpAsk edit(const std::string& method = "POST",
 }
 
 TEST(RequestGuard, LetsEditsPassWhereOneMayEdit) {
-  server::GuardRules may = rules();
+  web::GuardRules may = rules();
   may.may_write = true;
-  server::RequestGuard guard(may);
+  web::RequestGuard guard(may);
   EXPECT_EQ(status(guard, edit()), 200);
   EXPECT_EQ(status(guard, edit("POST", "application/json; charset=utf-8")), 200);
   EXPECT_EQ(status(guard, edit("POST", "application/json", "http://127.0.0.1:8123")), 200);
@@ -77,19 +77,19 @@ TEST(RequestGuard, LetsEditsPassWhereOneMayEdit) {
   for (const char* method : {"PUT", "DELETE", "OPTIONS"})
     EXPECT_EQ(status(guard, edit(method)), 405) << method;
   for (const char* path : {"/", "/api/stores/0", "/api/stores/0/edit", "/api/stores/0/edit/a/b"}) {
-    server::HttpAsk elsewhere = edit();
+    web::HttpAsk elsewhere = edit();
     elsewhere.path = path;
     EXPECT_EQ(status(guard, elsewhere), 405) << path;
   }
-  server::RequestGuard reads(rules());
+  web::RequestGuard reads(rules());
   EXPECT_EQ(status(reads, edit()), 405) << "--read-only";
 }
 
 TEST(RequestGuard, LimitsHowOftenOneWrites) {
-  server::GuardRules may = rules();
+  web::GuardRules may = rules();
   may.may_write = true;
   may.write_burst = 3;
-  server::RequestGuard guard(may);
+  web::RequestGuard guard(may);
   const Clock::time_point now = Clock::now();
   for (int i = 0; i < 3; ++i)
     EXPECT_FALSE(guard.refusal(edit(), now));
@@ -99,17 +99,17 @@ TEST(RequestGuard, LimitsHowOftenOneWrites) {
 }
 
 TEST(RequestGuard, OnlyReads) {
-  server::RequestGuard guard(rules());
+  web::RequestGuard guard(rules());
   for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "TRACE", "get", ""}) {
-    server::HttpAsk asked = ask("127.0.0.1:8123");
+    web::HttpAsk asked = ask("127.0.0.1:8123");
     asked.method = method;
     EXPECT_EQ(status(guard, asked), 405) << method;
   }
 }
 
 TEST(RequestGuard, AsksForTheToken) {
-  server::RequestGuard guard(rules("sesame-sesame-sesame"));
-  server::HttpAsk asked = ask("127.0.0.1:8123");
+  web::RequestGuard guard(rules("sesame-sesame-sesame"));
+  web::HttpAsk asked = ask("127.0.0.1:8123");
   EXPECT_EQ(status(guard, asked), 403);
   for (const char* wrong : {"", "sesame", "sesame-sesame-sesamE", "sesame-sesame-sesame-"}) {
     asked.query["token"] = wrong;
@@ -120,15 +120,15 @@ TEST(RequestGuard, AsksForTheToken) {
   asked.query.clear();
   asked.headers["authorization"] = "Bearer sesame-sesame-sesame";
   EXPECT_EQ(status(guard, asked), 200);
-  server::HttpAsk page = ask("127.0.0.1:8123");
+  web::HttpAsk page = ask("127.0.0.1:8123");
   page.path = "/";
   EXPECT_EQ(status(guard, page), 200);
 }
 
 // From another machine this one has another name; pages of other sites are refused all the same.
 TEST(RequestGuard, WithATokenTakesAnyNameOfItsOwn) {
-  server::RequestGuard guard(rules("sesame-sesame-sesame"));
-  server::HttpAsk asked = ask("192.168.1.5:8123", "http://192.168.1.5:8123");
+  web::RequestGuard guard(rules("sesame-sesame-sesame"));
+  web::HttpAsk asked = ask("192.168.1.5:8123", "http://192.168.1.5:8123");
   asked.query["token"] = "sesame-sesame-sesame";
   EXPECT_EQ(status(guard, asked), 200);
   asked.headers["origin"] = "http://evil.example";
@@ -136,11 +136,11 @@ TEST(RequestGuard, WithATokenTakesAnyNameOfItsOwn) {
 }
 
 TEST(RequestGuard, SlowsDownWhoAsksTooOften) {
-  server::GuardRules slow = rules();
+  web::GuardRules slow = rules();
   std::tie(slow.burst, slow.requests_per_s) = std::pair(10.0, 5.0);
-  server::RequestGuard guard(slow);
+  web::RequestGuard guard(slow);
   const Clock::time_point now = Clock::now();
-  const server::HttpAsk asked = ask("127.0.0.1:8123");
+  const web::HttpAsk asked = ask("127.0.0.1:8123");
   for (int i = 0; i < 10; ++i)
     EXPECT_FALSE(guard.refusal(asked, now)) << i;
   const auto refused = guard.refusal(asked, now);

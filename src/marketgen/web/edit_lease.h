@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace marketgen::server {
+namespace marketgen::web {
 
 class EditLease {
  public:
@@ -34,4 +34,4 @@ std::string new_token();
 // Takes as long whatever the texts share, so that a secret cannot be guessed byte by byte.
 bool same_secret(std::string_view given, std::string_view secret);
 
-}  // namespace marketgen::server
+}  // namespace marketgen::web

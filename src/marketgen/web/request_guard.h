@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "server/http_message.h"
+#include "web/http_message.h"
 
-namespace marketgen::server {
+namespace marketgen::web {
 
 struct GuardRules {
   std::string host;   // as it was given: "127.0.0.1"
@@ -49,4 +49,4 @@ class RequestGuard {
   Bucket reads_, writes_;
 };
 
-}  // namespace marketgen::server
+}  // namespace marketgen::web

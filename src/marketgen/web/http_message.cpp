@@ -1,4 +1,4 @@
-#include "server/http_message.h"
+#include "web/http_message.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "io/gzip.h"
 
-namespace marketgen::server {
+namespace marketgen::web {
 namespace {
 
 constexpr std::size_t max_path_bytes = 1000;
@@ -132,4 +132,4 @@ std::vector<std::string> parts_of(std::string_view path) {
   return parts;
 }
 
-}  // namespace marketgen::server
+}  // namespace marketgen::web

@@ -1,10 +1,10 @@
-#include "server/folder_name.h"
+#include "web/folder_name.h"
 
 #include <algorithm>
 
 #include "base/text.h"
 
-namespace marketgen::server {
+namespace marketgen::web {
 
 Result<void> check_folder_name(const std::string& name) {
   const bool odd = std::ranges::any_of(name, [](char c) {
@@ -17,4 +17,4 @@ Result<void> check_folder_name(const std::string& name) {
   return {};
 }
 
-}  // namespace marketgen::server
+}  // namespace marketgen::web

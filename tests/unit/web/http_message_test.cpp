@@ -1,4 +1,4 @@
-#include "server/http_message.h"
+#include "web/http_message.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace marketgen {
 namespace {
 
 std::string path_or_code(const std::string& uri) {
-  const Result<std::string> path = server::path_of(uri);
+  const Result<std::string> path = web::path_of(uri);
   return path.ok() ? *path : path.error().code;
 }
 
@@ -44,37 +44,37 @@ TEST(Paths, ThatLeadElsewhereAreRefused) {
 }
 
 TEST(Queries, AreDecoded) {
-  const auto query = server::query_of("q=oat+milk%21&max=5&&empty&q=tea");
+  const auto query = web::query_of("q=oat+milk%21&max=5&&empty&q=tea");
   ASSERT_TRUE(query.ok());
   EXPECT_EQ(query->at("q"), "tea");
   EXPECT_EQ(query->at("max"), "5");
   EXPECT_EQ(query->at("empty"), "");
-  EXPECT_EQ(server::query_of("q=oat+milk%21")->at("q"), "oat milk!");
-  EXPECT_FALSE(server::query_of("q=%ff").ok());
-  EXPECT_FALSE(server::query_of("q=%2").ok());
+  EXPECT_EQ(web::query_of("q=oat+milk%21")->at("q"), "oat milk!");
+  EXPECT_FALSE(web::query_of("q=%ff").ok());
+  EXPECT_FALSE(web::query_of("q=%2").ok());
 }
 
 TEST(Bodies, ArePackedWhereItPays) {
   const std::string text(10'000, 'a');
-  const auto body = server::make_body("application/json", text);
+  const auto body = web::make_body("application/json", text);
   EXPECT_TRUE(body->packed);
   EXPECT_EQ(*io::gunzip(body->bytes, "body"), text);
-  EXPECT_FALSE(server::make_body("application/json", "{}")->packed);
-  EXPECT_FALSE(server::make_body("image/jpeg", text)->packed);
-  EXPECT_EQ(server::make_body("text/plain", text)->etag, body->etag);
-  EXPECT_NE(server::make_body("text/plain", text + "b")->etag, body->etag);
-  EXPECT_EQ(server::made_body(body->type, body->bytes)->etag, body->etag);
+  EXPECT_FALSE(web::make_body("application/json", "{}")->packed);
+  EXPECT_FALSE(web::make_body("image/jpeg", text)->packed);
+  EXPECT_EQ(web::make_body("text/plain", text)->etag, body->etag);
+  EXPECT_NE(web::make_body("text/plain", text + "b")->etag, body->etag);
+  EXPECT_EQ(web::made_body(body->type, body->bytes)->etag, body->etag);
 }
 
 TEST(Errors, SayEverythingAsJson) {
-  const auto reply = server::error_reply(404, {"server.not_found", "/x<b>", "\xff broken"});
+  const auto reply = web::error_reply(404, {"server.not_found", "/x<b>", "\xff broken"});
   EXPECT_EQ(reply.status, 404);
   const nlohmann::json json = nlohmann::json::parse(reply.body->bytes);
   EXPECT_EQ(json["error"]["code"], "server.not_found");
   EXPECT_EQ(json["error"]["where"], "/x<b>");
-  EXPECT_EQ(server::status_of({"server.not_found", "", ""}), 404);
-  EXPECT_EQ(server::status_of({"server.bad_request", "", ""}), 400);
-  EXPECT_EQ(server::status_of({"io.cannot_read", "", ""}), 500);
+  EXPECT_EQ(web::status_of({"server.not_found", "", ""}), 404);
+  EXPECT_EQ(web::status_of({"server.bad_request", "", ""}), 400);
+  EXPECT_EQ(web::status_of({"io.cannot_read", "", ""}), 500);
 }
 
 }  // namespace

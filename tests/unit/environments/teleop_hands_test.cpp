@@ -1,6 +1,6 @@
 // What a person wants of a robot, as numbers of an action: the right ones, bounded, exact in
 // float32; and a robot that is told nothing stays where it is.
-#include "environments/teleop_command.h"
+#include "environments/teleop_hands.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 namespace marketgen {
 namespace {
 
-using environments::TeleopCommand;
-using environments::TeleopGrip;
 using episodes::Track;
+using robots::TeleopCommand;
+using robots::TeleopGrip;
 
 struct Driven {
   std::unique_ptr<environments::Environment> environment;
@@ -51,7 +51,7 @@ TEST_P(Teleop, NumbersAreAnAction) {
   command.move = {0.1, -0.777, 1};
   command.twist = {1, 1, 1};
   command.joints = {0.5, 0.5, 0.5, 0.5};
-  command.axes = environments::TeleopAxes::tool;
+  command.axes = robots::TeleopAxes::tool;
   const std::vector<double> numbers = driven.hands->numbers(command, false);
   ASSERT_TRUE(driven.environment->check(numbers).ok());
   for (const double number : numbers) {
@@ -81,7 +81,7 @@ TEST_P(Teleop, AlongTheToolsOwnAxesIsTurnedByIt) {
   Driven driven(GetParam());
   const Pose tool = driven.environment->tool_poses().front();
   TeleopCommand command;
-  command.axes = environments::TeleopAxes::tool;
+  command.axes = robots::TeleopAxes::tool;
   command.move = {0, 0, 0.5};
   const std::vector<double> numbers = driven.hands->numbers(command, false);
   const Vec3 ahead = rotate(tool.rotation, Vec3{0, 0, 0.5});

@@ -6,14 +6,14 @@
 #include <string_view>
 
 #include "io/json.h"
-#include "server/drive_documents.h"
+#include "web/drive_message.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace marketgen;
-  const auto message = io::read_json<server::DriveMessage>(
+  const auto message = io::read_json<web::DriveMessage>(
       std::string_view(reinterpret_cast<const char*>(data), size), "message");
   if (!message.ok()) return 0;
-  const environments::TeleopCommand& command = message->command;
+  const robots::TeleopCommand& command = message->command;
   const auto within = [](double share) { return std::abs(share) <= 1; };  // a NaN is not
   const bool bounded =
       within(command.drive) && within(command.turn) && std::ranges::all_of(command.move, within) &&

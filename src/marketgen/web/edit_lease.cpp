@@ -1,10 +1,10 @@
-#include "server/edit_lease.h"
+#include "web/edit_lease.h"
 
 #include <random>
 
 #include <fmt/format.h>
 
-namespace marketgen::server {
+namespace marketgen::web {
 
 std::string new_token() {
   std::random_device system;
@@ -43,4 +43,4 @@ bool EditLease::is_taken(Clock::time_point now) const {
   return !token_.empty() && now - heard_ < lease_time;
 }
 
-}  // namespace marketgen::server
+}  // namespace marketgen::web

@@ -1,4 +1,4 @@
-#include "server/request_guard.h"
+#include "web/request_guard.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "server/edit_lease.h"
+#include "web/edit_lease.h"
 
-namespace marketgen::server {
+namespace marketgen::web {
 namespace {
 
 constexpr std::string_view bearer = "Bearer ";
@@ -105,4 +105,4 @@ std::optional<HttpReply> RequestGuard::refusal_of_head(const HttpAsk& ask) const
   return std::nullopt;
 }
 
-}  // namespace marketgen::server
+}  // namespace marketgen::web

@@ -9,7 +9,7 @@
 
 #include "base/result.h"
 
-namespace marketgen::server {
+namespace marketgen::web {
 
 struct HttpAsk {
   std::string method;                          // "GET"
@@ -56,4 +56,4 @@ Result<std::string> path_of(std::string_view uri);
 // Its parts between the slashes.
 std::vector<std::string> parts_of(std::string_view path);
 
-}  // namespace marketgen::server
+}  // namespace marketgen::web

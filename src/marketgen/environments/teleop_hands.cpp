@@ -1,4 +1,4 @@
-#include "environments/teleop_command.h"
+#include "environments/teleop_hands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +19,6 @@ std::array<double, 3> along(const std::array<double, 3>& by, const Quaternion& b
 
 }  // namespace
 
-bool TeleopCommand::moves() const {
-  const auto any = [](const auto& values) {
-    return std::ranges::any_of(values, [](double value) { return value != 0; });
-  };
-  return drive != 0 || turn != 0 || any(move) || any(twist) || any(joints) ||
-         grip != TeleopGrip::keep;
-}
-
 std::vector<ActionNumber> teleop_joints(const Environment& environment) {
   const robots::Robot& robot = environment.world().robot();
   const std::vector<ActionNumber>& all = environment.action_numbers();
@@ -44,13 +36,14 @@ TeleopHands::TeleopHands(const Environment& environment) : environment_(environm
   }
 }
 
-std::vector<double> TeleopHands::numbers(const TeleopCommand& command, bool stop) {
+std::vector<double> TeleopHands::numbers(const robots::TeleopCommand& command, bool stop) {
   const robots::Robot& robot = environment_.world().robot();
   const std::vector<Pose> tools = environment_.tool_poses();
   const std::size_t arm = std::min(static_cast<std::size_t>(command.arm), tools.size() - 1);
-  if (command.grip != TeleopGrip::keep) openings_[arm] = command.grip == TeleopGrip::open ? 1 : -1;
+  if (command.grip != robots::TeleopGrip::keep)
+    openings_[arm] = command.grip == robots::TeleopGrip::open ? 1 : -1;
   const Quaternion axes =
-      command.axes == TeleopAxes::tool ? tools[arm].rotation : Quaternion{1, 0, 0, 0};
+      command.axes == robots::TeleopAxes::tool ? tools[arm].rotation : Quaternion{1, 0, 0, 0};
   std::vector<double> numbers(tools.size() * numbers_of_tool, 0.0);
   const auto put = [&](std::size_t at, const std::array<double, 3>& by) {
     std::ranges::transform(
