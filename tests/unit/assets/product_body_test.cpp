@@ -16,15 +16,19 @@
 namespace marketgen {
 namespace {
 
-std::vector<catalog::Product> products_of_every_shape() {
-  std::vector<catalog::Product> products = sample_products();
-  for (const ProduceRow& row : produce_rows) {
-    products.push_back(product_of(row));
-    products.back().orientation = catalog::Orientation::any;
-  }
-  for (const std::string name : {"round_produce", "elongated_produce", "leafy_produce"})
-    products.push_back(loose_produce(name, name));
-  return products;
+// Made once: every test is a process of its own, and names all cases.
+const std::vector<catalog::Product>& products_of_every_shape() {
+  static const std::vector<catalog::Product> all = [] {
+    std::vector<catalog::Product> products = sample_products();
+    for (const ProduceRow& row : produce_rows) {
+      products.push_back(product_of(row));
+      products.back().orientation = catalog::Orientation::any;
+    }
+    for (const std::string name : {"round_produce", "elongated_produce", "leafy_produce"})
+      products.push_back(loose_produce(name, name));
+    return products;
+  }();
+  return all;
 }
 
 class Bodies : public testing::TestWithParam<std::size_t> {
