@@ -35,7 +35,8 @@ struct EvalFlags {
   std::string model, model_url, model_record, model_replay;
   int jobs = 0;
   evaluation::AnswerLimits answer{120, 1200};
-  bool resume = false, perception = false, worker = false, record_motion = false;
+  bool resume = false, perception = false, worker = false, record_motion = false,
+       record_decisions = false;
 };
 
 template <class Share>
@@ -185,6 +186,7 @@ Result<evaluation::EvaluationOptions> options_of(const EvalFlags& flags,
   options.answer = flags.answer;
   options.model = model_access(flags);
   options.record_motion = flags.record_motion;
+  options.record_decisions = flags.record_decisions;
   if (!flags.shard.empty()) {
     MARKETGEN_TRY(options.shard, evaluation::read_shard(flags.shard));
   }
@@ -367,6 +369,10 @@ Run add_eval(CLI::App& app) {
   command->add_flag("--record-motion",
                     flags->record_motion,
                     "also keep what moved in each episode, in motion/ID.bin.gz of the results");
+  command->add_flag("--record-decisions",
+                    flags->record_decisions,
+                    "also keep what classical or vlm decided in each episode and which module was "
+                    "first wrong, in decisions/ID.json.gz and ID.html of the results");
   command->add_flag("--resume", flags->resume, "go on with a run that was broken off");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen eval --episodes tasks.jsonl --policy oracle -o results");

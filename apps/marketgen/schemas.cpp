@@ -18,6 +18,7 @@
 #include "evaluation/generator_table.h"
 #include "evaluation/goals_table.h"
 #include "evaluation/leaderboard.h"
+#include "evaluation/modules_table.h"
 #include "evaluation/shapes_table.h"
 #include "evaluation/tracks_table.h"
 #include "intake/photos_file.h"
@@ -84,6 +85,12 @@ std::vector<Document> documents() {
       {"market-shapes-1",
        "Goals by shape, beside published grasps",
        type_of<evaluation::ShapesTable>()},
+      {"market-modules-1",
+       "Which modules of a policy were first wrong",
+       type_of<evaluation::ModulesTable>()},
+      {"market-decisions-1",
+       "What a policy decided in an episode, beside the truth",
+       type_of<evaluation::EpisodeDecisions>()},
       {"market-differences-1",
        "What a change is worth, on the same episodes",
        type_of<evaluation::DifferencesTable>()},

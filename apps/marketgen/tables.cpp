@@ -7,6 +7,7 @@
 #include "evaluation/differences_table.h"
 #include "evaluation/generator_table.h"
 #include "evaluation/goals_table.h"
+#include "evaluation/modules_table.h"
 #include "evaluation/shapes_table.h"
 #include "evaluation/tracks_table.h"
 #include "io/file.h"
@@ -82,6 +83,13 @@ Result<std::string> shapes(const TablesFlags& flags) {
   return text_of(table, flags);
 }
 
+Result<std::string> modules(const TablesFlags& flags) {
+  MARKETGEN_TRY(const std::vector<evaluation::FinishedRun> runs,
+                evaluation::read_runs(flags.folders));
+  MARKETGEN_TRY(const evaluation::ModulesTable table, evaluation::modules_table(runs));
+  return text_of(table, flags);
+}
+
 Result<void> print_or_put(const TablesFlags& flags, const Action& action) {
   io::Outputs outputs;
   MARKETGEN_CHECK(outputs.add({{"--output", flags.output}}));
@@ -124,6 +132,10 @@ Run add_tables(CLI::App& app) {
   add("shapes",
       "Goals by shape (bottles, cans, boxes, bags), and what was published (the paper's table 3)",
       shapes);
+  add("modules",
+      "Which modules of a policy were first wrong where goals were missed (eval "
+      "--record-decisions)",
+      modules);
   add("swap",
       "One policy with the truth in the place of modules (eval --truth), beside itself",
       [](const TablesFlags& given) { return differences(given, evaluation::Varied::truth); });

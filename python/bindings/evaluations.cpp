@@ -49,6 +49,7 @@ void evaluate(const std::string& episodes,
               int jobs,
               const std::string& shard,
               bool record_motion,
+              bool record_decisions,
               const std::vector<std::string>& worker,
               const std::array<double, 3>& limits_s,
               const Callable& progress) {
@@ -57,6 +58,7 @@ void evaluate(const std::string& episodes,
   options.start_limit_s = limits_s[2];
   options.worker = worker;
   options.record_motion = record_motion;
+  options.record_decisions = record_decisions;
   value_or_raise(environments::read_policy_name(policy));
   value_or_raise(
       telling(progress, [&](Progress& told) -> Result<std::vector<episodes::EpisodeResult>> {

@@ -79,6 +79,7 @@ def evaluate(
     shard: str = "",
     realism: PathLike = "ideal",
     record_motion: bool = False,
+    record_decisions: bool = False,
     policy_files: Sequence[PathLike] = (),
     adapter: str | None = None,
     name: str = "",
@@ -108,6 +109,8 @@ def evaluate(
     realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard" or "hard", or a
                  file of your own that ends with .json. Rankings are meant to use "standard"
     record_motion  also keep what moved, in motion/ID.bin.gz of the folder (read_motion()); of the program's own policies
+    record_decisions  also keep what "classical" or "vlm" decided and which of its modules was first wrong, in decisions/ID.json.gz
+                 and ID.html of the folder (docs/episodes.md)
     policy_files  files and folders that a policy written in Python reads and writes, as weights and logs. Its process opens
                  these, Python's own files and the folders of its code (sys.path), but no episodes and no stores, and looks
                  into no other process. Where that cannot be had (no Landlock in the kernel, act_limit_s=0) it is an
@@ -136,6 +139,7 @@ def evaluate(
         shard=arguments.a_text("shard", shard),
         realism=arguments.a_path("realism", realism),
         record_motion=arguments.a_truth("record_motion", record_motion),
+        record_decisions=arguments.a_truth("record_decisions", record_decisions),
         policy_files=tuple(arguments.existing("policy_files", file) for file in arguments.paths("policy_files", policy_files)),
         name=arguments.a_text("name", name),
         truth=(path, into, _core.cache_folder(), *_episode_folders()),
@@ -188,6 +192,7 @@ class _Run:
     shard: str  # "" or "2/4"
     realism: str  # a row's name or a file
     record_motion: bool
+    record_decisions: bool
     policy_files: tuple[str, ...]
     name: str  # in results; "": what the policy is called
     truth: tuple[str, ...]  # files and folders that no policy may open, wherever they lie
@@ -208,7 +213,8 @@ def _evaluate_named(path: str, policy: str, run: _Run, options: dict[str, Any]) 
         raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
     worker = _worker_command(policy, run.jobs) if run.acts_apart else []
     _core.evaluate(
-        path, policy, run.realism, run.into, run.resume, run.jobs, run.shard, run.record_motion, worker, run.limits_s, run.progress
+        path, policy, run.realism, run.into, run.resume, run.jobs, run.shard, run.record_motion, run.record_decisions, worker,
+        run.limits_s, run.progress
     )
 
 
@@ -247,6 +253,8 @@ def _complete(options: dict[str, Any], policy: Any, run: _Run) -> None:
     """What its row of adapters and evaluation want. Raises Error usage.bad_flag for what neither allows."""
     if run.record_motion:
         raise Error("usage.bad_flag", "record_motion", "motion is recorded of the program's own policies alone: leave it out")
+    if run.record_decisions:
+        raise Error("usage.bad_flag", "record_decisions", "decisions are told by classical and vlm alone: leave it out")
     wanted = policy.adapter.options() if hasattr(policy, "adapter") else {}
     for option in options.keys() & wanted.keys():
         raise Error("usage.bad_flag", option, f"the adapter {policy.adapter.name} says it: {wanted[option]!r}; leave it out")

@@ -61,6 +61,7 @@ const std::map<std::string, Work>& works() {
       {"leaderboard", {{"{store}"}, false}},
       {"tables tracks", {{"{store}"}, false}},
       {"tables shapes", {{"{store}"}, false}},
+      {"tables modules", {{"{store}"}, false}},
       {"tables swap", {{"{store}"}, false}},
       {"tables realism", {{"{store}"}, false}},
       {"tables goals", {{"{store}"}, false}},

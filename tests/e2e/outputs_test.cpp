@@ -91,6 +91,7 @@ const std::vector<Output>& outputs() {
       {{"merge"}, "--output", {"{spare}", "-o", "{out}"}, true},
       {{"tables", "tracks"}, "--output", {"{spare}", "-o", "{out}"}},
       {{"tables", "shapes"}, "--output", {"{spare}", "-o", "{out}"}},
+      {{"tables", "modules"}, "--output", {"{spare}", "-o", "{out}"}},
       {{"tables", "swap"}, "--output", {"{spare}", "-o", "{out}"}},
       {{"tables", "realism"}, "--output", {"{spare}", "-o", "{out}"}},
       {{"tables", "goals"}, "--output", {"{spare}", "-o", "{out}"}},

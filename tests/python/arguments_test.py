@@ -91,6 +91,10 @@ CALLS = {
         lambda on: marketgen.evaluate(on.tasks, record_motion="yes", folder=on.folder),
         lambda on: marketgen.evaluate(on.tasks, lambda seen: None, record_motion=True, folder=on.folder),
     ],
+    "record_decisions": [
+        lambda on: marketgen.evaluate(on.tasks, record_decisions="yes", folder=on.folder),
+        lambda on: marketgen.evaluate(on.tasks, lambda seen: None, record_decisions=True, folder=on.folder),
+    ],
     "table": [lambda on: on.store.query("produce"), lambda on: on.store.query(3)],
     "where": [
         lambda on: on.store.query("products", 3),

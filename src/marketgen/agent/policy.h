@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "agent/decision.h"
 #include "agent/model_use.h"
 #include "agent/subtask.h"
 #include "base/result.h"
@@ -76,6 +77,8 @@ class Policy {
   virtual std::optional<ModelUse> model_use() const { return std::nullopt; }
   // What its last action was for.
   virtual Subtask subtask() const { return Subtask::none; }
+  // What it decided so far, once it is told to keep that; null of one that tells nothing.
+  virtual DecisionLog* decisions() { return nullptr; }
 };
 
 }  // namespace marketgen::agent

@@ -72,6 +72,11 @@ Result<void> EpisodeWatchers::step() {
   return {};
 }
 
+void EpisodeWatchers::meets(agent::Policy& policy) {
+  for (EpisodeWatcher* watcher : watchers_)
+    watcher->meets(policy);
+}
+
 void EpisodeWatchers::asks() {
   for (EpisodeWatcher* watcher : watchers_)
     watcher->asks();
@@ -93,7 +98,10 @@ Result<episodes::EpisodeResult> run_policy(episodes::TrackWorld& world,
                                            agent::Policy& policy,
                                            const std::string& name,
                                            EpisodeWatcher* watcher) {
-  if (watcher != nullptr) MARKETGEN_CHECK(watcher->begin(world));
+  if (watcher != nullptr) {
+    MARKETGEN_CHECK(watcher->begin(world));
+    watcher->meets(policy);
+  }
   EpisodeRun run(world);
   const auto broken = act_out(run, policy, watcher);
   MARKETGEN_CHECK(check_interrupt());  // an episode that was broken off has no result

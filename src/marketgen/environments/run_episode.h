@@ -19,6 +19,7 @@ class EpisodeWatcher {
   virtual Result<void> begin(
       const episodes::TrackWorld& world) = 0;  // which outlives the run's steps
   virtual Result<void> step() = 0;             // after every control step
+  virtual void meets(agent::Policy&) {}        // once, who acts; outlives the run's steps
   virtual void asks() {}                       // before the policy is asked
   virtual void answered() {}                   // it has answered, or failed
 };
@@ -30,6 +31,7 @@ class EpisodeWatchers : public EpisodeWatcher {
       : watchers_(std::move(watchers)) {}
   Result<void> begin(const episodes::TrackWorld& world) override;
   Result<void> step() override;
+  void meets(agent::Policy& policy) override;
   void asks() override;
   void answered() override;
 

@@ -21,6 +21,7 @@ class WrappedPolicy : public agent::Policy {
   std::string failure() const override { return policy_->failure(); }
   std::optional<agent::ModelUse> model_use() const override { return policy_->model_use(); }
   agent::Subtask subtask() const override { return policy_->subtask(); }
+  agent::DecisionLog* decisions() override { return policy_->decisions(); }
 
  protected:
   std::unique_ptr<agent::Policy> policy_;

@@ -12,7 +12,6 @@
 
 #include "base/parallel.h"
 #include "episodes/episode_spec.h"
-#include "evaluation/motion_recorder.h"
 #include "io/json.h"
 
 namespace marketgen::evaluation {
@@ -87,7 +86,7 @@ Result<void> serve_episodes(const std::filesystem::path& data,
                   io::read_json<episodes::EpisodeSpec>(*line, told));
     std::optional<Result<episodes::EpisodeResult>> result;
     parallel_for(1, [&](std::size_t) {
-      result = run_recorded(arena, spec, policy, task.realism, task.motion, &report);
+      result = run_recorded(arena, spec, policy, task.realism, task.kept, &report);
     });
     if (result->ok()) {
       report.say("result " + io::write_json_line(**result));

@@ -20,6 +20,7 @@
 #include "catalog/catalog.h"
 #include "episodes/episode_spec.h"
 #include "episodes/realism.h"
+#include "evaluation/run_recorded.h"
 #include "llm/language_model.h"
 
 namespace marketgen::evaluation {
@@ -28,11 +29,11 @@ namespace marketgen::evaluation {
 struct WorkerTask {
   episodes::EpisodeHeader header;  // of their file
   episodes::Realism realism;
-  std::string motion;  // folder of results that keeps what moved; empty: nothing is kept
+  Kept kept;  // beside results
   static constexpr auto fields =
       field_list(field("header", &WorkerTask::header, "of the episodes' file", required()),
                  field("realism", &WorkerTask::realism, "that they are run with", required()),
-                 field("motion", &WorkerTask::motion, "folder of results that keeps what moved"));
+                 field("kept", &WorkerTask::kept, "what is kept of them beside results"));
 };
 
 // Returns when standard input ends. `model`: how that of the policy is reached, if it has one.

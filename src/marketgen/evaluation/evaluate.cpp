@@ -15,7 +15,7 @@
 #include "base/parallel.h"
 #include "environments/policy_name.h"
 #include "evaluation/episode_worker.h"
-#include "evaluation/motion_recorder.h"
+#include "evaluation/run_recorded.h"
 #include "io/json.h"
 
 namespace marketgen::evaluation {
@@ -32,10 +32,10 @@ episodes::EpisodeResult not_run(const episodes::EpisodeSpec& spec,
   return result;
 }
 
-// Whole, for workers; none when no motion is kept.
-std::filesystem::path motion_folder(const EvaluationOptions& options) {
-  return options.record_motion ? std::filesystem::absolute(options.folder)
-                               : std::filesystem::path();
+// Whole paths, for workers.
+Kept kept_of(const EvaluationOptions& options) {
+  const std::string folder = std::filesystem::absolute(options.folder).string();
+  return {options.record_motion ? folder : "", options.record_decisions ? folder : ""};
 }
 
 // In this process, rounding as every parallel loop does.
@@ -44,7 +44,7 @@ EpisodeRunner runner_here(environments::Arena& arena, const EvaluationOptions& o
     std::optional<Result<episodes::EpisodeResult>> result;
     return until_interrupted([&]() -> Result<episodes::EpisodeResult> {
       parallel_for(1, [&](std::size_t) {
-        result = run_recorded(arena, spec, options.policy, options.realism, motion_folder(options));
+        result = run_recorded(arena, spec, options.policy, options.realism, kept_of(options));
       });
       return *std::move(result);
     });
@@ -180,8 +180,8 @@ Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::pat
   // episode says what is wrong with it.
   const auto policy = environments::read_policy_name(options.policy);
   if (policy.ok() && !policy->model.empty()) MARKETGEN_CHECK(arena.model(policy->model));
-  const std::string work = io::write_json_line(
-      WorkerTask{file.header, options.realism, motion_folder(options).string()});
+  const std::string work =
+      io::write_json_line(WorkerTask{file.header, options.realism, kept_of(options)});
   const auto make_runner = [&] {
     return options.worker.empty() ? runner_here(arena, options) : runner_in_worker(options, work);
   };

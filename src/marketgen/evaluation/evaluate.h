@@ -30,6 +30,8 @@ struct EvaluationOptions {
   episodes::Realism realism = {};
   llm::ModelChoice model = {};  // how that of the policy is reached, if it has one
   bool record_motion = false;   // motion/ID.bin.gz of each episode that is run (motion_recorder.h)
+  // decisions/ID.json.gz and .html of each that is run (decision_record.h)
+  bool record_decisions = false;
 };
 
 // Each finished episode is a line of results.jsonl at once; at the end the lines are in the order

@@ -114,22 +114,4 @@ std::string MotionRecorder::packed(const episodes::EpisodeResult& result,
   return episodes::pack_motion(motion_);
 }
 
-Result<episodes::EpisodeResult> run_recorded(environments::Arena& arena,
-                                             const episodes::EpisodeSpec& spec,
-                                             const std::string& policy,
-                                             const episodes::Realism& realism,
-                                             const std::filesystem::path& results,
-                                             environments::EpisodeWatcher* watcher) {
-  if (results.empty()) return environments::run_episode(arena, spec, policy, watcher, {}, realism);
-  MotionRecorder recorder;
-  std::vector<environments::EpisodeWatcher*> all{&recorder};
-  if (watcher != nullptr) all.push_back(watcher);
-  environments::EpisodeWatchers watchers(std::move(all));
-  MARKETGEN_TRY(const episodes::EpisodeResult result,
-                environments::run_episode(arena, spec, policy, &watchers, {}, realism));
-  const std::string hash = episodes::episode_hash(arena.header(), spec);
-  MARKETGEN_CHECK(io::write_file(motion_file(results, spec.id), recorder.packed(result, hash)));
-  return result;
-}
-
 }  // namespace marketgen::evaluation

@@ -37,13 +37,4 @@ class MotionRecorder : public environments::EpisodeWatcher {
   EventRecorder events_;
 };
 
-// run_episode(), with `watcher` if there is one, which keeps the motion in the folder of results
-// that is named, if one is. Errors: those, too; io.cannot_write.
-Result<episodes::EpisodeResult> run_recorded(environments::Arena& arena,
-                                             const episodes::EpisodeSpec& spec,
-                                             const std::string& policy,
-                                             const episodes::Realism& realism,
-                                             const std::filesystem::path& results,
-                                             environments::EpisodeWatcher* watcher = nullptr);
-
 }  // namespace marketgen::evaluation

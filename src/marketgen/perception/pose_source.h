@@ -39,6 +39,8 @@ SurfacePatch patch_of(const ViewCloud& cloud, const Mask& mask, std::size_t max_
 bool is_of_size(const SurfacePatch& patch, const ProductLook& look);
 // Of its bounds, in the base's frame.
 Vec3 middle_of(const ProductLook& look, const Pose& base_from_product);
+// Of its lowest point.
+double lowest_z_m(const ProductLook& look, const Pose& base_from_product);
 
 class PoseSource {
  public:

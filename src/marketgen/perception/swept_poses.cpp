@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Dense>
@@ -196,6 +197,13 @@ bool is_of_size(const SurfacePatch& patch, const ProductLook& look) {
 
 Vec3 middle_of(const ProductLook& look, const Pose& base_from_product) {
   return base_from_product * to_double(look.middle());
+}
+
+double lowest_z_m(const ProductLook& look, const Pose& base_from_product) {
+  double lowest = std::numeric_limits<double>::max();
+  for (const Surfel& surfel : look.surfels())
+    lowest = std::min(lowest, (base_from_product * to_double(surfel.point)).z);
+  return lowest;
 }
 
 FittedPose refined_pose(const ProductLook& look,

@@ -49,6 +49,13 @@ ShelfFind ShelfSight::again(const ShelfFind& known,
   return {known.goal, store * seen.base_from_product, seen.evidence.score};
 }
 
+std::vector<agent::LookedAt> ShelfSight::looked_at(std::vector<FoundShape> found) const {
+  const Pose base_from_store = inverse(agent::store_from_base(place_));
+  for (FoundShape& each : found)
+    each.base_from_product = base_from_store * each.base_from_product;
+  return policy::looked_at(views_, {}, found);
+}
+
 std::vector<Vec3f> ShelfSight::points(const robots::Robot& robot,
                                       const std::vector<double>& state) const {
   const std::vector<Vec3f> kept =

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "agent/aisle_map.h"
+#include "agent/decision.h"
 #include "agent/eyes.h"
 #include "perception/shelf_choice.h"
+#include "policy/looked_at.h"
 #include "robots/robot.h"
 
 namespace marketgen::policy {
@@ -33,6 +35,8 @@ class ShelfSight {
   ShelfFind again(const ShelfFind& known,
                   const perception::WantedProduct& wanted,
                   const perception::ShelfChoice& choice) const;
+  // Of a decision's trace; `found` as in the store's frame.
+  std::vector<agent::LookedAt> looked_at(std::vector<FoundShape> found) const;
   // Measured points without the robot itself, which stands as `state` says (base on the origin).
   std::vector<Vec3f> points(const robots::Robot& robot, const std::vector<double>& state) const;
 

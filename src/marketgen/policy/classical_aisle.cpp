@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "policy/aisle_sight.h"
 #include "policy/aisle_tour.h"
+#include "policy/aisle_trace.h"
 #include "policy/shelf_goals.h"
 #include "skills/plan_failure.h"
 
@@ -59,6 +60,7 @@ class ClassicalAisle : public agent::Policy {
 
   Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
     task_ = task;
+    log_.begin_answer(first.time_s);
     body_.start(first);
     stops_ = view_stops(map_);
     seen_.assign(stops_.size(), false);
@@ -66,11 +68,13 @@ class ClassicalAisle : public agent::Policy {
         goals_,
         learn_shelf_goals(
             task.goals, modules_.language.get(), setup_.hints, *setup_.products, *setup_.looks));
+    log_readings(goals_, log_);
     return {};
   }
 
   Result<agent::Action> act(const agent::Observation& now) override {
     now_ = now;
+    log_.begin_answer(now.time_s);
     body_.sense(now);
     // What could not be planned leads on to the next step at once.
     for (int i = 0; i < 4 && body_.idle() && !done_; ++i)
@@ -81,6 +85,7 @@ class ClassicalAisle : public agent::Policy {
   }
 
   agent::Subtask subtask() const override { return body_.subtask(); }
+  agent::DecisionLog* decisions() override { return &log_; }
   std::string failure() const override {
     for (const ShelfGoal& goal : goals_)
       if (goal.fetched < goal.wanted) return goal.failure;
@@ -111,6 +116,7 @@ class ClassicalAisle : public agent::Policy {
       case AisleStep::pressed:
       case AisleStep::out:
         note(goals_[finds_[find_].place.goal], "Collision");
+        log_find(agent::DecisionKind::contact, "Collision");
         held_ = body_.holds_it();
         step_ = AisleStep::away;
         return body_.back_off();
@@ -154,7 +160,7 @@ class ClassicalAisle : public agent::Policy {
     if (now_.time_s + min_item_left_s > task_.limit_s) {
       for (ShelfGoal& goal : goals_)
         if (goal.is_due()) goal.failure = "Timeout";
-      done_ = true;
+      stop("Timeout");
       return {};
     }
     // Sure finds; then what may be seen nearby; then doubtful ones; then what is farther away.
@@ -165,7 +171,7 @@ class ClassicalAisle : public agent::Policy {
     MARKETGEN_TRY(const bool takes_doubtful, go_to_find(0));
     if (takes_doubtful) return {};
     MARKETGEN_TRY(const bool looks_on, go_looking(far_from_category_m));
-    done_ = !looks_on;
+    if (!looks_on) stop(failure());
     return {};
   }
 
@@ -238,12 +244,16 @@ class ClassicalAisle : public agent::Policy {
     MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
     sight_.add(std::move(view));
     points_ = sight_.points(robot_, body_.state());
+    std::vector<ShelfFind> all;
     for (std::size_t i = 0; i < goals_.size(); ++i) {
       if (!goals_[i].is_due()) continue;
       for (const ShelfFind& find :
-           sight_.find(i, goals_[i].wanted_afar(), map_, *modules_.spots, *modules_.choice))
+           sight_.find(i, goals_[i].wanted_afar(), map_, *modules_.spots, *modules_.choice)) {
         remember(find);
+        all.push_back(find);
+      }
     }
+    log_look(sight_, all, goals_, log_);
     step_ = AisleStep::choose;
     return {};
   }
@@ -297,12 +307,14 @@ class ClassicalAisle : public agent::Policy {
     Find& find = finds_[number];
     ShelfGoal& goal = goals_[find.place.goal];
     const auto item = item_at(find.place);
+    find_ = number;
     if (!item.ok()) return given_up(goal, item.error());
-    if (item->grasps.empty()) return note(goal, "NoGrasp");
+    if (item->grasps.empty()) return refused(goal, "NoGrasp");
     const auto pick = body_.plan_pick(*item, points_, {});
     if (!pick.ok()) return given_up(goal, pick.error());
-    if (!body_.drive_to(agent::base_place(pick->world_from_base)).ok()) return note(goal, "NoPath");
-    find_ = number;
+    if (!body_.drive_to(agent::base_place(pick->world_from_base)).ok())
+      return refused(goal, "NoPath");
+    log_find(agent::DecisionKind::reach, "None");
     step_ = AisleStep::at_shelf;
     return true;
   }
@@ -315,10 +327,19 @@ class ClassicalAisle : public agent::Policy {
     goal.failure = why;
     return false;
   }
-  Result<bool> given_up(ShelfGoal& goal, const Error& error) const {
+  // Of the find that it was to reach.
+  bool refused(ShelfGoal& goal, std::string_view why) {
+    log_find(agent::DecisionKind::reach, why);
+    return note(goal, why);
+  }
+  Result<bool> given_up(ShelfGoal& goal, const Error& error) {
     if (!skills::is_of_planning(error)) return error;
     say(to_string(error));
-    return note(goal, skills::failure_of_plan(error));
+    return refused(goal, skills::failure_of_plan(error));
+  }
+  void stop(std::string_view why) {
+    log_.add({.kind = agent::DecisionKind::stop, .outcome = std::string(why)});
+    done_ = true;
   }
 
   // Towards the product, as far as the head turns.
@@ -345,11 +366,13 @@ class ClassicalAisle : public agent::Policy {
                   goal.wanted_close(*setup_.products, *setup_.looks));
     const ShelfFind again = sight_.again(find.place, wanted, *modules_.choice);
     say(fmt::format("sees it again with score {:.2f} of {:.2f}", again.score, find.place.score));
-    if (again.score >= min_again * find.place.score) {
+    const bool is_there = again.score >= min_again * find.place.score;
+    log_look(sight_, is_there ? std::vector{again} : std::vector<ShelfFind>{}, goals_, log_);
+    if (is_there) {
       find.place = again;
       return take(find, goal);
     }
-    note(goal, "NotFound");
+    refused(goal, "NotFound");
     refuse(find_);
     step_ = AisleStep::choose;
     return {};
@@ -376,12 +399,14 @@ class ClassicalAisle : public agent::Policy {
                     find.place.store_from_product.position.y,
                     find.place.store_from_product.position.z));
     MARKETGEN_CHECK(body_.take(*item, std::move(*pick)));
+    log_find(agent::DecisionKind::reach, "None");
     step_ = AisleStep::pressed;
     return {};
   }
 
   Result<void> pull_out() {
     held_ = body_.holds_it();
+    log_find(agent::DecisionKind::hold, held_ ? "None" : "Missed");
     if (!held_) note(goals_[finds_[find_].place.goal], "Missed");
     step_ = AisleStep::out;
     return body_.pull_out();
@@ -390,6 +415,7 @@ class ClassicalAisle : public agent::Policy {
   Result<void> drop() {
     ShelfGoal& goal = goals_[finds_[find_].place.goal];
     if (!body_.holds_it()) {
+      if (held_) log_find(agent::DecisionKind::place, "Slipped");
       if (held_) note(goal, "Slipped");
       return leave_empty();
     }
@@ -398,6 +424,7 @@ class ClassicalAisle : public agent::Policy {
       if (*dropped) step_ = AisleStep::dropped;
       return {};
     }
+    log_find(agent::DecisionKind::place, "NoPath");
     note(goal, "NoPath");
     say("no way into the basket: " + to_string(dropped.error()));
     done_ = points_.empty();  // with the item in its hand: it cannot go on
@@ -414,12 +441,19 @@ class ClassicalAisle : public agent::Policy {
 
   Result<void> count() {
     ShelfGoal& goal = goals_[finds_[find_].place.goal];
+    log_find(agent::DecisionKind::place, "None");
     ++goal.fetched;
     say(fmt::format("{}: let go in the basket", goal.sku));
     goal.tries = 0;
     refuse(find_);
     step_ = AisleStep::choose;
     return {};
+  }
+
+  // Of the find that is being taken.
+  void log_find(agent::DecisionKind kind, std::string_view outcome) {
+    const ShelfFind& find = finds_[find_].place;
+    log_.add(find_decision(kind, goals_[find.goal], find, outcome));
   }
 
   ClassicalAisleSetup setup_;
@@ -440,6 +474,7 @@ class ClassicalAisle : public agent::Policy {
   ShelfSight sight_;
   std::vector<Vec3f> points_;  // measured from the last stop and before the shelf
   bool done_ = false;
+  agent::DecisionLog log_;
 };
 
 }  // namespace

@@ -9,10 +9,10 @@
 #include "base/gravity.h"
 #include "base/progress.h"
 #include "geometry/rotation_axes.h"
-#include "policy/basket_others.h"
 #include "policy/checkout_sight.h"
+#include "policy/checkout_trace.h"
 #include "policy/felt_contacts.h"
-#include "policy/sought_goals.h"
+#include "policy/pick_choice.h"
 #include "skills/basket_moves.h"
 #include "skills/hand_reach.h"
 #include "skills/place_search.h"
@@ -61,12 +61,16 @@ class ClassicalCheckout : public agent::Policy {
   Result<void> begin(const agent::Task& task, const agent::Observation& first) override {
     task_ = task;
     arm_.start(first);
+    log_.begin_answer(first.time_s);
     MARKETGEN_CHECK(learn_catalogue());
-    return goals_.learn(task.goals, modules_.language.get(), catalogue_);
+    MARKETGEN_CHECK(goals_.learn(task.goals, modules_.language.get(), catalogue_));
+    log_readings(goals_, log_);
+    return {};
   }
 
   Result<agent::Action> act(const agent::Observation& now) override {
     now_ = now;
+    log_.begin_answer(now.time_s);
     // A motion that could not be planned leads on to the next step at once.
     for (int i = 0; i < 3 && arm_.idle() && !done_; ++i)
       MARKETGEN_CHECK(decide());
@@ -77,12 +81,14 @@ class ClassicalCheckout : public agent::Policy {
 
   std::string failure() const override { return failure_; }
   agent::Subtask subtask() const override { return arm_.subtask(); }
+  agent::DecisionLog* decisions() override { return &log_; }
 
  private:
   // The arm or what it holds was pressed on, and has been moved back a second of its way: it looks
   // anew, or goes on with what it holds by another plan.
   Result<void> recover() {
     note("Collision");
+    log_held(agent::DecisionKind::contact, failure_);
     const bool holds = arm_.presses() && holds_it();
     if (step_ == Step::closed && !holds) felt_.note_grasp(grasp_tip_, *held_look_);
     if (step_ == Step::lowered) felt_.note_place(place_tip_.position);
@@ -91,7 +97,7 @@ class ClassicalCheckout : public agent::Policy {
       let_go("Collision");
     else if (!holds)
       go_to_look();
-    else if (hand_at(arm_.tip()) == skills::HandAt::basket)
+    else if (hand_now() == skills::HandAt::basket)
       lift();
     else
       put_down();
@@ -113,6 +119,7 @@ class ClassicalCheckout : public agent::Policy {
       return skills::close_hand(arm_, force_n_);
     }
     note("Collision");
+    log_held(agent::DecisionKind::contact, failure_);
     felt_.note_grasp(grasp_tip_, *held_look_);
     step_back(setup_.tool.opening_m);
     step_ = Step::go_to_look;
@@ -122,6 +129,7 @@ class ClassicalCheckout : public agent::Policy {
   void feel_at_place() {
     if (length(arm_.tip().position - place_tip_.position) < near_place_m) return release();
     note("Collision");
+    log_held(agent::DecisionKind::contact, failure_);
     felt_.note_place(place_tip_.position);
     Pose up = arm_.tip();
     up.position.z += raised_m;
@@ -191,8 +199,10 @@ class ClassicalCheckout : public agent::Policy {
                              goals_.wanted()));
     if (goals_.wanted().empty()) {
       goals_.narrow(sight_, catalogue_);
+      log_readings(goals_, log_);
       sight_.found = modules_.targets->find(goals_.wanted(), sight_.views, sight_.masked);
     }
+    log_look(sight_, goals_, log_);
     sight_.points = without_robot(sight_.points, *setup_.robot, now_);
     if (now_.time_s + min_left_s > task_.limit_s) {
       stop("Timeout");
@@ -203,22 +213,11 @@ class ClassicalCheckout : public agent::Policy {
 
   // ---- What to take next ----
 
-  // What may be taken, and how.
-  struct Choice {
-    const perception::ProductLook* look = nullptr;
-    std::optional<std::size_t> goal;  // none: it is in the way
-    Pose base_from_product;
-    double seen = 0;  // share of it that nothing hides
-    const agent::KnownProduct* known = nullptr;
-    std::vector<perception::SeenGrasp> grasps;
-    std::vector<Vec3f> others;
-  };
-
   // What is asked for, where the hand has room; then what is in the way; then what is asked for
   // though the hand has to press something aside.
   Result<void> choose() {
-    std::vector<Choice> targets;
-    if (due_targets(targets)) {
+    auto [all_there, targets] = due_targets(goals_, sight_, setup_.place.unloading, tries_an_item);
+    if (all_there) {
       stop("None");
       return {};
     }
@@ -232,74 +231,25 @@ class ClassicalCheckout : public agent::Policy {
       MARKETGEN_TRY(const bool begun, take_one_of(targets, borne, contacts));
       if (begun) return {};
       if (cleared_ >= max_cleared) continue;
-      std::vector<Choice> others = others_near(targets);
+      std::vector<PickChoice> others =
+          others_near(targets, goals_, sight_, setup_.place, {catalogue_, *modules_.poses});
       MARKETGEN_TRY(const bool clears, take_one_of(others, borne, contacts));
       if (clears) return {};
     }
-    done_ = true;
+    stop(failure_);
     return {};
-  }
-
-  // Those that are not there yet and were found, what lies open first. True when all are there.
-  bool due_targets(std::vector<Choice>& targets) const {
-    bool all_there = true;
-    for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
-      if (goals_.is_there(sight_, goal, setup_.place.unloading)) continue;
-      all_there = false;
-      if (goals_.tries(goal) >= tries_an_item * goals_.count(goal)) continue;
-      for (const perception::FoundProduct* found : goals_.found_of(sight_, goal))
-        if (!goals_.is_unloaded(*found, setup_.place.unloading))
-          targets.push_back({&goals_.look_of(*found),
-                             goal,
-                             found->pose.base_from_product,
-                             found->pose.evidence.seen,
-                             nullptr,
-                             {},
-                             {}});
-    }
-    std::ranges::stable_sort(targets, std::greater<>{}, &Choice::seen);
-    return all_there;
   }
 
   // Those that the hand came upon something at as often are passed over.
-  Result<bool> take_one_of(std::vector<Choice>& choices, double borne_m, int contacts) {
-    for (Choice& choice : choices) {
+  Result<bool> take_one_of(std::vector<PickChoice>& choices, double borne_m, int contacts) {
+    for (PickChoice& choice : choices) {
       if (felt_.count(*choice.look) >= contacts) continue;
-      if (choice.known == nullptr) MARKETGEN_CHECK(find_grasps(choice));
+      if (choice.known == nullptr)
+        MARKETGEN_CHECK(
+            find_grasps(choice, *setup_.products, *modules_.grasps, sight_, setup_.place));
       if (take(choice, borne_m)) return true;
     }
     return false;
-  }
-
-  Result<void> find_grasps(Choice& choice) {
-    MARKETGEN_TRY(choice.known, setup_.products->product(choice.look->sku()));
-    choice.others = perception::other_points(sight_.points, *choice.look, choice.base_from_product);
-    MARKETGEN_TRY(choice.grasps,
-                  modules_.grasps->grasps({*choice.known,
-                                           choice.base_from_product,
-                                           setup_.place.base_from_basket,
-                                           choice.others}));
-    return {};
-  }
-
-  // ---- What is in the way ----
-
-  // Goods in the basket that are not asked for: nearest to the first target, or highest when none
-  // was found.
-  std::vector<Choice> others_near(const std::vector<Choice>& targets) const {
-    std::optional<Vec3> near;
-    if (!targets.empty()) near = middle_of(*targets[0].look, targets[0].base_from_product);
-    std::vector<Choice> others;
-    for (const RecognisedProduct& other :
-         others_in_basket(sight_, goals_, setup_.place, {catalogue_, *modules_.poses}, near))
-      others.push_back({other.look,
-                        {},
-                        other.pose.base_from_product,
-                        other.pose.evidence.seen,
-                        nullptr,
-                        {},
-                        {}});
-    return others;
   }
 
   Result<void> learn_catalogue() {
@@ -316,18 +266,25 @@ class ClassicalCheckout : public agent::Policy {
     return seen_surroundings(setup_.place, points, hand);
   }
   double rim_z_m() const { return setup_.place.base_from_basket.position.z + setup_.place.rim_m; }
-  skills::HandAt hand_at(const Pose& tip) const {
-    const Vec3 at = inverse(setup_.place.base_from_basket) * tip.position;
-    const bool inside =
-        std::abs(at.x) < setup_.place.inner_half.x && std::abs(at.y) < setup_.place.inner_half.y;
-    return inside ? skills::HandAt::basket : skills::HandAt::counter;
-  }
+  skills::HandAt hand_now() const { return skills::hand_at(setup_.place, arm_.tip()); }
 
   // ---- Taking it ----
 
-  bool take(const Choice& choice, double borne_m) {
+  bool take(const PickChoice& choice, double borne_m) {
     arm_.set_subtask(agent::Subtask::reach);
     if (choice.grasps.empty()) note("NoGrasp");
+    agent::Decision decision = reach_decision(choice);
+    const perception::SeenGrasp* taken = plan_reach(choice, borne_m, decision.tried);
+    if (taken != nullptr) begin_grasp(choice, *taken);
+    if (taken == nullptr) decision.outcome = decision.tried.empty() ? "NoGrasp" : failure_;
+    log_.add(std::move(decision));
+    return taken != nullptr;
+  }
+
+  // The first grasp to which the arm is now on its way; null when there is none.
+  const perception::SeenGrasp* plan_reach(const PickChoice& choice,
+                                          double borne_m,
+                                          std::vector<agent::TriedGrasp>& tries) {
     const skills::Surroundings seen = around(sight_.points, skills::HandAt::basket);
     const std::vector<skills::PlacedBody> walls = walls_.at(setup_.place.base_from_basket);
     std::size_t plans = 0, tried = 0;
@@ -340,23 +297,27 @@ class ClassicalCheckout : public agent::Policy {
         request.force_n = skills::touch_n;
         request.max_force_n = push_n;
         if (felt_.has_grasp(tip)) continue;
+        agent::TriedGrasp& trial = tries.emplace_back();
+        trial = {tip.position, grasp.opening_m, grasp.intrusion_m};
         if (!skills::is_reached(arm_, request, hand, walls)) {
+          trial.outcome = "NoIK";
           note("NoIK");
           continue;
         }
-        if (plans++ >= plans_tried) return false;
-        if (const auto way = arm_.reach(seen, request, next_seed()); !way.ok()) {
-          note(skills::failure_of_plan(way.error()));
-          continue;
+        if (plans++ >= plans_tried) {
+          tries.pop_back();
+          return nullptr;
         }
-        begin_grasp(choice, grasp);
-        return true;
+        const auto way = arm_.reach(seen, request, next_seed());
+        if (way.ok()) return &grasp;
+        note(skills::failure_of_plan(way.error()));
+        trial.outcome = failure_;
       }
     }
-    return false;
+    return nullptr;
   }
 
-  void begin_grasp(const Choice& choice, const perception::SeenGrasp& grasp) {
+  void begin_grasp(const PickChoice& choice, const perception::SeenGrasp& grasp) {
     skills::close_hand(arm_, grasp.force_n);
     goal_ = choice.goal;
     held_look_ = choice.look;
@@ -372,14 +333,6 @@ class ClassicalCheckout : public agent::Policy {
   // By the fingers alone: shut on nothing they come together.
   bool holds_it() const { return now_.openings_m.front() > std::max(0.004, 0.4 * width_m_); }
 
-  double lowest_of_held() const {
-    const Pose pose = arm_.tip() * tip_from_product_;
-    double lowest = 1e9;
-    for (const perception::Surfel& surfel : held_look_->surfels())
-      lowest = std::min(lowest, (pose * to_double(surfel.point)).z);
-    return lowest;
-  }
-
   void count_try() {
     if (goal_)
       goals_.note_taken(*goal_, *held_look_);
@@ -388,9 +341,11 @@ class ClassicalCheckout : public agent::Policy {
   }
 
   void lift() {
+    log_held(agent::DecisionKind::hold, holds_it() ? "None" : "Missed");
     if (!holds_it()) return let_go("Missed");
     const Vec3 middle = setup_.place.base_from_basket.position;
-    if (!skills::lift_out(arm_, basket_around(), lowest_of_held(), middle, force_n_).ok())
+    const double lowest_m = perception::lowest_z_m(*held_look_, arm_.tip() * tip_from_product_);
+    if (!skills::lift_out(arm_, basket_around(), lowest_m, middle, force_n_).ok())
       return let_go("NoPath");
     arm_.wait(calming_s, 0, force_n_);
     step_ = Step::lifted;
@@ -407,7 +362,7 @@ class ClassicalCheckout : public agent::Policy {
   }
 
   skills::BasketSurroundings basket_around() const {
-    return {around(others_, hand_at(arm_.tip())), skills::counter_alone(setup_.place), rim_z_m()};
+    return {around(others_, hand_now()), skills::counter_alone(setup_.place), rim_z_m()};
   }
 
   void step_back(double opening_m) {
@@ -417,7 +372,10 @@ class ClassicalCheckout : public agent::Policy {
   // ---- Putting it down ----
 
   void put_down() {
-    if (!holds_it()) return let_go("Slipped");
+    if (!holds_it()) {
+      log_held(agent::DecisionKind::place, "Slipped");
+      return let_go("Slipped");
+    }
     arm_.set_subtask(agent::Subtask::place);
     const double opening = opening_to_let_go();
     const agent::Workplace& at = setup_.place;
@@ -455,6 +413,7 @@ class ClassicalCheckout : public agent::Policy {
         return;
       }
     }
+    log_held(agent::DecisionKind::place, failure_);
     put_back();
   }
 
@@ -466,6 +425,7 @@ class ClassicalCheckout : public agent::Policy {
     const double opening = opening_to_let_go();
     arm_.wait(opening_s, opening, force_n_);
     step_back(opening);
+    log_held(agent::DecisionKind::place, "None");
     if (goal_) goals_.note_put_down(*goal_);
     felt_.forget();
     step_ = Step::go_to_look;
@@ -491,7 +451,19 @@ class ClassicalCheckout : public agent::Policy {
   void stop(std::string_view why) {
     note(why);
     done_ = true;
+    log_.add({.kind = agent::DecisionKind::stop, .outcome = failure_});
   }
+
+  // ---- What it tells of its decisions ----
+
+  // Of what the hand was last sent to.
+  void log_held(agent::DecisionKind kind, std::string_view outcome) {
+    log_.add({.kind = kind,
+              .goal = goal_ ? static_cast<int>(*goal_) : -1,
+              .sku = held_look_ != nullptr ? held_look_->sku() : "",
+              .outcome = std::string(outcome)});
+  }
+
   Seed next_seed() { return seed_.child("reach", static_cast<std::uint64_t>(moves_++)); }
 
   ClassicalSetup setup_;
@@ -518,6 +490,7 @@ class ClassicalCheckout : public agent::Policy {
   int moves_ = 0;
   bool done_ = false;
   std::string failure_ = "None";
+  agent::DecisionLog log_;
 };
 
 }  // namespace

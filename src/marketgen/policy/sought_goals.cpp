@@ -97,6 +97,13 @@ std::vector<const perception::FoundProduct*> SoughtGoals::found_of(const Sight& 
   return of_goal;
 }
 
+std::vector<std::string> SoughtGoals::skus_of(std::size_t goal) const {
+  std::vector<std::string> skus;
+  for (const perception::ProductLook* look : goals_[goal].readings)
+    skus.push_back(look->sku());
+  return skus;
+}
+
 bool SoughtGoals::is_unloaded(const perception::FoundProduct& found,
                               const agent::WorkArea& unloading) const {
   const Vec3 at = middle_of(look_of(found), found.pose.base_from_product);

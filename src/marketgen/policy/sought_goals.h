@@ -2,6 +2,7 @@
 // a goal's words may mean, the one that is found best is the one that is meant.
 #pragma once
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "perception/target_choice.h"
@@ -32,6 +33,7 @@ class SoughtGoals {
   int count(std::size_t goal) const { return goals_[goal].count; }
   int tries(std::size_t goal) const { return goals_[goal].tries; }
   bool is_read(std::size_t goal) const { return !goals_[goal].readings.empty(); }
+  std::vector<std::string> skus_of(std::size_t goal) const;  // that it may mean
   const perception::ProductLook& look_of(const perception::FoundProduct& found) const {
     return *wanted_[found.look].look;
   }

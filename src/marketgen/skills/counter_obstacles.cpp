@@ -1,5 +1,7 @@
 #include "skills/counter_obstacles.h"
 
+#include <cmath>
+
 namespace marketgen::skills {
 namespace {
 
@@ -13,6 +15,12 @@ motion::BoxObstacle counter_top(const agent::WorkArea& counter) {
 }
 
 }  // namespace
+
+HandAt hand_at(const agent::Workplace& place, const Pose& base_from_tip) {
+  const Vec3 at = inverse(place.base_from_basket) * base_from_tip.position;
+  const bool inside = std::abs(at.x) < place.inner_half.x && std::abs(at.y) < place.inner_half.y;
+  return inside ? HandAt::basket : HandAt::counter;
+}
 
 Surroundings counter_alone(const agent::Workplace& place) {
   Surroundings around;

@@ -93,6 +93,8 @@ void expect_collects(const episodes::EpisodeSpec& spec,
       &store.robot, &map, store.basket, store.driving, episodes::commanded_dofs(store.robot)};
   setup.modules.language = std::move(reader);
   const auto policy = policy::make_classical_aisle(std::move(setup), Seed(3));
+  ASSERT_NE(policy->decisions(), nullptr);
+  policy->decisions()->keep();
   agent::Observation now = world->observe();
   ASSERT_TRUE(policy->begin({"Collect cans", world->spec().limit_s, {told}}, now).ok());
   while (!world->done()) {
@@ -107,6 +109,16 @@ void expect_collects(const episodes::EpisodeSpec& spec,
   EXPECT_TRUE(result->success_strict) << policy->failure() << " after " << result->simulated_s;
   EXPECT_EQ(policy->failure(), "None");
   EXPECT_EQ(world->in_basket().size(), static_cast<std::size_t>(told.count));
+  const auto times = [&](agent::DecisionKind kind, std::string_view outcome) {
+    return std::ranges::count_if(policy->decisions()->decisions(), [&](const auto& decision) {
+      return decision.kind == kind && decision.outcome == outcome;
+    });
+  };
+  EXPECT_EQ(times(agent::DecisionKind::read, "None"), 1);
+  EXPECT_GE(times(agent::DecisionKind::look, "None"), told.count);
+  EXPECT_GE(times(agent::DecisionKind::reach, "None"), told.count);
+  EXPECT_EQ(times(agent::DecisionKind::place, "None"), told.count);
+  EXPECT_EQ(times(agent::DecisionKind::stop, "None"), 1);
 }
 
 TEST(ClassicalAisle, FindsACanAndFetchesIt) {

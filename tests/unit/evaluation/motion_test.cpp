@@ -8,6 +8,7 @@
 #include <map>
 
 #include "evaluation/motion_recorder.h"
+#include "evaluation/run_recorded.h"
 #include "io/flatbuffer.h"
 #include "io/gzip.h"
 #include "support/pool_ground.h"
@@ -111,7 +112,7 @@ TEST_P(Recorded, IsWhatHappened) {
   const episodes::EpisodeSpec spec = pool_episode(GetParam(), 3);
   Last last;
   const auto result = evaluation::run_recorded(
-      pool_ground(GetParam())->arena(), spec, "random", {}, scratch.path(), &last);
+      pool_ground(GetParam())->arena(), spec, "random", {}, {scratch.path().string(), ""}, &last);
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   const auto motion = episodes::read_motion(evaluation::motion_file(scratch.path(), spec.id));
   ASSERT_TRUE(motion.ok()) << to_string(motion.error());
@@ -180,7 +181,7 @@ TEST_P(Recorded, ItsEventsAreTheLedger) {
   const episodes::EpisodeSpec spec = pool_episode(GetParam(), 40);
   Ledger last;
   const auto result = evaluation::run_recorded(
-      pool_ground(GetParam())->arena(), spec, "random", {}, scratch.path(), &last);
+      pool_ground(GetParam())->arena(), spec, "random", {}, {scratch.path().string(), ""}, &last);
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   const auto motion = episodes::read_motion(evaluation::motion_file(scratch.path(), spec.id));
   ASSERT_TRUE(motion.ok()) << to_string(motion.error());
@@ -205,8 +206,11 @@ TEST_P(Recorded, ItsEventsAreTheLedger) {
 TEST(MotionRecorder, TellsWhatWasHeld) {
   const ScratchFolder scratch;
   const episodes::EpisodeSpec spec = pool_episode(episodes::Track::checkout, 60);
-  const auto result = evaluation::run_recorded(
-      pool_ground(episodes::Track::checkout)->arena(), spec, "oracle-plain", {}, scratch.path());
+  const auto result = evaluation::run_recorded(pool_ground(episodes::Track::checkout)->arena(),
+                                               spec,
+                                               "oracle-plain",
+                                               {},
+                                               {scratch.path().string(), ""});
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   const auto motion = episodes::read_motion(evaluation::motion_file(scratch.path(), spec.id));
   ASSERT_TRUE(motion.ok()) << to_string(motion.error());
