@@ -116,7 +116,6 @@ Choices choose(const ShoppingParts& parts, std::optional<std::int64_t> budget) {
   const auto least =
       std::ranges::find_if(states, [&](const State& state) { return missing_of(state) == fewest; });
   choices.least_coins = least->choice.coins;
-  choices.unanswerable = fewest.first + fewest.second;
   const State* best = &states.front();
   for (const State& state : states)
     if (!budget || state.choice.coins <= *budget) best = &state;

@@ -16,14 +16,11 @@ struct Choice {
   std::vector<int> menus;  // of each meal
   // Of each item, then of each part of the chosen menu of each meal: its answer, or nothing_chosen.
   std::vector<int> answers;
-
-  bool has_all() const { return missing_items + missing_needs == 0; }
 };
 
 struct Choices {
   Choice best;                   // within the budget
   std::int64_t least_coins = 0;  // that buy as many items and needs as the store has
-  int unanswerable = 0;          // items and needs that it has not
 };
 
 // Of all choices within `budget` (coins; none: any) that with the fewest items missing, then the

@@ -21,11 +21,11 @@ struct Bought {
   std::vector<ChosenAnswer> of;
 };
 
+// "Fonda Cola and 2 more are".
 std::string list_of(const std::vector<const catalog::Product*>& products) {
-  std::string names;
-  for (const catalog::Product* product : products)
-    names += (names.empty() ? "" : ", ") + catalog::full_name(*product);
-  return names;
+  const std::string first = catalog::full_name(*products.front());
+  return products.size() == 1 ? first + " is"
+                              : fmt::format("{} and {} more are", first, products.size() - 1);
 }
 
 std::string lack_of(const Part& part) {
@@ -55,6 +55,8 @@ std::string reason_of(const ChosenAnswer& chosen) {
     why = "the least price of its kind";
   if (!answer.other && part.kind == PartKind::item && answer.preference == 1)
     why = "what the words say, at the least price";
+  if (!answer.other && !part.sold_out.empty())
+    why += fmt::format("; {} sold out", list_of(part.sold_out));
   constexpr double much_of_it = 0.75;
   if (answer.packs < much_of_it) why += fmt::format("; {:.2g} of a pack is wanted", answer.packs);
   return why;

@@ -165,7 +165,6 @@ Result<ShoppingParts> parts_of(const ShoppingRequest& request,
   Offered offered = offered_of(request, assortment, knowledge);
   offered.breadth = breadth;
   ShoppingParts parts;
-  parts.at_home = request.at_home;
   std::erase_if(items, [&](const ItemReading& item) { return is_among(item, home); });
   for (const ItemReading& item : items)
     parts.items.push_back(item_part(item, offered));

@@ -47,7 +47,6 @@ struct MealParts {
 struct ShoppingParts {
   std::vector<Part> items;
   std::vector<MealParts> meals;
-  std::vector<std::string> at_home;  // items and foods that need not be bought
 };
 
 // Of each option of a food the `breadth` answers that cost the least; of an item the one or two
