@@ -49,7 +49,7 @@ TEST(BudgetChoice, IsTheBestOfAllChoices) {
   std::mt19937 draw(3);
   std::vector<catalog::Product> products(40);
   for (catalog::Product& product : products)
-    product.price = 0.01 * (20 + draw() % 700);
+    product.price = 0.01 * static_cast<double>(20 + draw() % 700);
   for (int round = 0; round < 60; ++round) {
     shopping::ShoppingParts parts;
     parts.meals.push_back({.wish = {.meal = "meal"}, .menus = {{.name = "menu"}}});
@@ -58,7 +58,7 @@ TEST(BudgetChoice, IsTheBestOfAllChoices) {
       Part part{.name = "part", .kind = static_cast<PartKind>(draw() % 3)};
       for (auto k = draw() % 4; k > 0; --k)
         part.answers.push_back({.product = &products[draw() % products.size()],
-                                .packs = 1.0 + draw() % 3,
+                                .packs = static_cast<double>(1 + draw() % 3),
                                 .preference = static_cast<int>(draw() % 10)});
       (part.kind == PartKind::item ? parts.items : parts.meals[0].menus[0].parts).push_back(part);
       all.push_back(part);

@@ -24,6 +24,13 @@ json answered(const std::string& text) {
             {"usage", {{"prompt_tokens", 700}, {"completion_tokens", 90}}}}}};
 }
 
+Result<llm::LanguageModel> model_at(const std::string& url) {
+  llm::ModelChoice choice;
+  choice.model = "openai:m";
+  choice.url = url;
+  return llm::open_language_model(choice);
+}
+
 // The offline plan as the model would say it.
 json answer_of(const shopping::ShoppingPlan& plan) {
   json answer{{"menus", plan.menus}, {"lines", json::array()}};
@@ -38,7 +45,7 @@ json answer_of(const shopping::ShoppingPlan& plan) {
 shopping::ShoppingPlan planned_by_model(const json& steps, int* asked = nullptr) {
   setenv("OPENAI_API_KEY", "test-key-123", 1);
   const MockServer server(steps);
-  auto model = llm::open_language_model({.model = "openai:m", .url = server.url("/v1")});
+  auto model = model_at(server.url("/v1"));
   EXPECT_TRUE(model.ok());
   const auto plan =
       shopping::ModelShoppingPlanner(knowledge(), *model).plan(read(words), every_row());
@@ -125,8 +132,7 @@ TEST(ModelShoppingPlanner, FallsBackFromServersThatDoNotAnswer) {
     EXPECT_FALSE(plan.lines.empty());
   }
   // Nobody listens there.
-  const auto model =
-      llm::open_language_model({.model = "openai:m", .url = "http://127.0.0.1:9/v1"});
+  const auto model = model_at("http://127.0.0.1:9/v1");
   const auto plan =
       shopping::ModelShoppingPlanner(knowledge(), *model).plan(read(words), every_row());
   ASSERT_TRUE(plan.ok());
