@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "build_library.h"
 #include "catalog/asset_database.h"
+#include "catalog/full_name.h"
 #include "command.h"
 #include "io/file.h"
 #include "io/json.h"
@@ -89,20 +90,11 @@ struct SearchRow {
                  field("price", &SearchRow::price, "euro, of goods"));
 };
 
-std::string title_of(const catalog::Product& p) {
-  return fmt::format("{}{}{}{}{}",
-                     p.brand,
-                     p.brand.empty() ? "" : " ",
-                     p.name,
-                     p.variant.empty() ? "" : " ",
-                     p.variant);
-}
-
 SearchRow row_of(const catalog::Catalog& catalog, const catalog::AssetHit& hit) {
   switch (hit.kind) {
     case catalog::AssetKind::goods: {
       const catalog::Product& p = catalog.products[hit.row];
-      return {hit.kind, p.sku, p.sku, title_of(p), p.category, hit.score, p.price};
+      return {hit.kind, p.sku, p.sku, catalog::full_name(p), p.category, hit.score, p.price};
     }
     case catalog::AssetKind::facility: {
       const catalog::FixtureKind& k = catalog.fixture_kinds[hit.row];

@@ -10,6 +10,7 @@
 #include "io/json.h"
 #include "io/output.h"
 #include "number_flags.h"
+#include "planner_flags.h"
 #include "say.h"
 #include "say_unparsed.h"
 #include "store/store.h"
@@ -242,30 +243,6 @@ Result<void> generate(const GenerateFlags& flags) {
   return {};
 }
 
-void add_planner(CLI::App& command, GenerateFlags& flags) {
-  command
-      .add_option("--planner",
-                  flags.planner,
-                  "who plans: offline, or a language model: openai:MODEL, anthropic:MODEL, "
-                  "gemini:MODEL, qwen:MODEL, http:MODEL with --planner-url, replay:FOLDER")
-      ->type_name("PLANNER")
-      ->capture_default_str();
-  planners::PlannerAccess& access = flags.planner_access;
-  command.add_option("--planner-url", access.url, "base URL of another server of that kind")
-      ->type_name("URL");
-  add_output(command, "--record", flags.record, "folder to keep the exchange with the model in");
-  command.add_option("--max-tokens", access.limits.max_tokens, "of the model, read and written")
-      ->capture_default_str();
-  command.add_option("--max-seconds", access.limits.max_seconds, "of waiting for the model")
-      ->capture_default_str();
-  command.add_option("--max-usd", access.limits.max_usd, "needs --usd-per-million");
-  command
-      .add_option("--usd-per-million",
-                  access.limits.usd_per_million,
-                  "price of a million tokens read, and written: 0.15 0.6")
-      ->type_name("FLOAT");
-}
-
 // What the store is made of beside words.
 void add_sources(CLI::App& command, GenerateFlags& flags) {
   command.add_option("--prompt-file", flags.prompt_file, "read the prompt from a file")
@@ -294,7 +271,7 @@ void add_sources(CLI::App& command, GenerateFlags& flags) {
 }
 
 // What of it is said apart from the words.
-void add_shop(CLI::App& command, GenerateFlags& flags) {
+void add_room(CLI::App& command, GenerateFlags& flags) {
   command.add_option("--size", flags.size, "size of the room, e.g. 24x15m")->type_name("SIZE");
   command
       .add_option("--profile",
@@ -335,8 +312,8 @@ Run add_generate(CLI::App& app) {
   add_output(*command, "-o,--output", flags->folder, "folder to make; must not exist or be empty")
       ->required();
   add_sources(*command, *flags);
-  add_shop(*command, *flags);
-  add_planner(*command, *flags);
+  add_room(*command, *flags);
+  add_planner_flags(*command, flags->planner, flags->planner_access, flags->record);
   command->add_option("--count", flags->count, "make this many variants, DIR/variant-1 ...")
       ->check(whole_number(1, 10000));
   command->add_flag("--strict",

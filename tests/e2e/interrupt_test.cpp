@@ -51,6 +51,7 @@ const std::map<std::string, Work>& works() {
          "-o",
          "{out}"}}},
       {"query", {{"{store}", "products", "-o", "{out}"}, false}},
+      {"shop", {{"{store}", "milk"}, false}},
       {"render",
        {{"{store}", "--mode", "path", "--spp", "4096", "--size", "1280x720", "-o", "{out}.png"}}},
       {"view", {{"{store}", "--no-open"}, true, true}},

@@ -100,6 +100,15 @@ void CatalogueReader::add_intent(const catalog::SearchIntent& intent) {
       meanings_[say.front()].push_back({say, means});
 }
 
+bool CatalogueReader::knows(std::string_view word) const {
+  if (rows_with_.contains(word)) return true;
+  return std::ranges::any_of(meanings_, [&](const auto& first) {
+    return std::ranges::any_of(first.second, [&](const Meaning& meaning) {
+      return std::ranges::find(meaning.say, word) != meaning.say.end();
+    });
+  });
+}
+
 double CatalogueReader::rarity(std::string_view word) const {
   const auto found = rows_with_.find(word);
   if (found == rows_with_.end()) return 0;

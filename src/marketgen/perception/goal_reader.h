@@ -39,6 +39,8 @@ class CatalogueReader : public GoalReader {
  public:
   CatalogueReader(const std::vector<catalog::Product>& rows, const catalog::SearchLexicon& lexicon);
   Result<std::vector<std::string>> read(const std::string& text) const override;
+  // Whether the word, as of plain_words(), is in a row or has a meaning.
+  bool knows(std::string_view word) const;
 
  private:
   struct Row {

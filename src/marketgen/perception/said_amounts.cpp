@@ -42,30 +42,6 @@ Words pieces_of(std::string_view text) {
   return words;
 }
 
-std::optional<double> number_of(const std::string& word) {
-  constexpr std::array<std::string_view, 13> counted{"",
-                                                     "one",
-                                                     "two",
-                                                     "three",
-                                                     "four",
-                                                     "five",
-                                                     "six",
-                                                     "seven",
-                                                     "eight",
-                                                     "nine",
-                                                     "ten",
-                                                     "eleven",
-                                                     "twelve"};
-  for (std::size_t i = 1; i < counted.size(); ++i)
-    if (counted[i] == word) return static_cast<double>(i);
-  if (word == "twenty") return 20;
-  double number = 0;
-  const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (read.ec != std::errc{} || read.ptr != word.data() + word.size() || !(number > 0))
-    return std::nullopt;
-  return number;
-}
-
 struct ReadAmount {
   catalog::NetContent content;
   std::size_t words = 0;
@@ -80,7 +56,7 @@ std::optional<ReadAmount> measure_at(const Words& words, std::size_t at) {
     number = 0.5, next = at + 2;
   else if (words[at] == "a")
     next = at + 1;
-  else if (const auto told = number_of(words[at]))
+  else if (const auto told = said_number(words[at]))
     number = *told, next = at + 1;
   else
     return std::nullopt;
@@ -91,7 +67,7 @@ std::optional<ReadAmount> measure_at(const Words& words, std::size_t at) {
 }
 
 std::optional<ReadAmount> amount_at(const Words& words, std::size_t at, const Words& counted) {
-  const auto number = number_of(words[at]);
+  const auto number = said_number(words[at]);
   const auto is = [&](std::size_t i, std::string_view word) {
     return i < words.size() && words[i] == word;
   };
@@ -118,6 +94,30 @@ std::string without_possessive(std::string word) {
 
 }  // namespace
 
+std::optional<double> said_number(std::string_view word) {
+  constexpr std::array<std::string_view, 13> counted{"",
+                                                     "one",
+                                                     "two",
+                                                     "three",
+                                                     "four",
+                                                     "five",
+                                                     "six",
+                                                     "seven",
+                                                     "eight",
+                                                     "nine",
+                                                     "ten",
+                                                     "eleven",
+                                                     "twelve"};
+  for (std::size_t i = 1; i < counted.size(); ++i)
+    if (counted[i] == word) return static_cast<double>(i);
+  if (word == "twenty") return 20;
+  double number = 0;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (read.ec != std::errc{} || read.ptr != word.data() + word.size() || !(number > 0))
+    return std::nullopt;
+  return number;
+}
+
 Words plain_words(std::string_view text) {
   Words words;
   for (std::string& piece : pieces_of(text))
@@ -129,7 +129,9 @@ Words plain_words(std::string_view text) {
 SaidWords said_words(std::string_view text, const Words& counted) {
   const Words pieces = pieces_of(text);
   SaidWords said;
-  std::size_t i = !pieces.empty() && number_of(pieces.front()) ? 1 : 0;
+  std::size_t i = 0;
+  if (!pieces.empty() && !measure_at(pieces, 0)) said.count = said_number(pieces.front());
+  if (said.count) i = 1;
   while (i < pieces.size()) {
     if (const auto amount = amount_at(pieces, i, counted)) {
       said.amounts.push_back(amount->content);

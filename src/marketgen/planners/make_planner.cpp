@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -109,22 +110,29 @@ Result<llm::LanguageModel> recorded_model(const std::filesystem::path& folder) {
 
 }  // namespace
 
-Result<std::unique_ptr<intake::Planner>> make_planner(const std::string& name,
-                                                      const PlannerAccess& access,
-                                                      Seed layout_seed) {
+Result<std::optional<llm::LanguageModel>> open_planner_model(const std::string& name,
+                                                             const PlannerAccess& access) {
   const std::size_t colon = name.find(':');
   const std::string family = name.substr(0, colon);
   const bool named = colon != std::string::npos && colon + 1 < name.size();
   if (std::ranges::find(families, family) == families.end() || named == (family == "offline"))
     return bad_name(name);
   MARKETGEN_CHECK(check_access(name, family, access));
-  if (family == "offline") return intake::offline_planner();
-  MARKETGEN_TRY(intake::OfflinePlanner offline, intake::OfflinePlanner::load());
+  if (family == "offline") return std::optional<llm::LanguageModel>{};
   MARKETGEN_TRY(
       llm::LanguageModel model,
       family == "replay" ? recorded_model(name.substr(colon + 1)) : live_model(name, access));
+  return std::optional(std::move(model));
+}
+
+Result<std::unique_ptr<intake::Planner>> make_planner(const std::string& name,
+                                                      const PlannerAccess& access,
+                                                      Seed layout_seed) {
+  MARKETGEN_TRY(std::optional<llm::LanguageModel> model, open_planner_model(name, access));
+  if (!model) return intake::offline_planner();
+  MARKETGEN_TRY(intake::OfflinePlanner offline, intake::OfflinePlanner::load());
   return std::unique_ptr<intake::Planner>(std::make_unique<AgentPlanner>(
-      std::move(offline), std::move(model), access.limits, layout_seed));
+      std::move(offline), std::move(*model), access.limits, layout_seed));
 }
 
 }  // namespace marketgen::planners

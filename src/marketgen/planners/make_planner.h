@@ -2,11 +2,13 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
 #include "base/seed.h"
 #include "intake/brief.h"
+#include "llm/language_model.h"
 #include "planners/budget.h"
 
 namespace marketgen::planners {
@@ -27,5 +29,9 @@ struct PlannerAccess {
 Result<std::unique_ptr<intake::Planner>> make_planner(const std::string& name,
                                                       const PlannerAccess& access,
                                                       Seed layout_seed);
+
+// The language model of that name alone; nothing for "offline". Errors: as make_planner.
+Result<std::optional<llm::LanguageModel>> open_planner_model(const std::string& name,
+                                                             const PlannerAccess& access);
 
 }  // namespace marketgen::planners

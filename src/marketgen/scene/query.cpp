@@ -9,6 +9,7 @@
 #include "base/safe_line.h"
 #include "base/text.h"
 #include "catalog/country.h"
+#include "catalog/full_name.h"
 #include "io/csv.h"
 #include "io/json.h"
 #include "scene/placements.h"
@@ -92,7 +93,7 @@ std::vector<ProductQueryRow> product_rows(const Scene& scene) {
     ProductQueryRow row{product_id(scene, i),
                         p.sku,
                         p.ean,
-                        full_name(p),
+                        catalog::full_name(p),
                         p.category,
                         "",
                         0,
@@ -162,7 +163,7 @@ std::vector<PriceQueryRow> price_rows(const Scene& scene) {
     const catalog::UnitPrice unit = catalog::unit_price(p);
     rows.push_back({p.sku,
                     p.ean,
-                    full_name(p),
+                    catalog::full_name(p),
                     p.net,
                     p.price,
                     rounded(unit.price, 0.01),
@@ -345,12 +346,6 @@ Table table_of(const TypeInfo& type, const void* rows, std::size_t count, std::s
     table.rows.push_back(std::move(cells));
   }
   return table;
-}
-
-std::string full_name(const catalog::Product& product) {
-  std::string name = product.brand.empty() ? product.name : product.brand + " " + product.name;
-  if (!product.variant.empty()) name += " " + product.variant;
-  return name;
 }
 
 Result<Table> query_scene(const Scene& scene, std::string_view name, std::string_view where) {

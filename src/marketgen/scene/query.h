@@ -34,9 +34,6 @@ struct ProductQueryRow {
                  field("misplaced", &ProductQueryRow::misplaced, "stands in the wrong place"));
 };
 
-// "Fonda Cola Zero Sugar": brand, name and variant.
-std::string full_name(const catalog::Product& product);
-
 // What the cells of a column hold; those of a list, and no others but text, are JSON.
 enum class ColumnKind { text, number, boolean, list };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "catalog/country.h"
+#include "catalog/full_name.h"
 #include "scene/query.h"
 
 namespace marketgen::server {
@@ -45,7 +46,7 @@ Result<SearchAnswer> StoreSearch::find(const scene::Scene& scene,
     if (row == scene.catalog.end() || row->sku != product.sku) continue;
     SearchHit line{static_cast<std::uint32_t>(row - scene.catalog.begin()),
                    product.sku,
-                   scene::full_name(product),
+                   catalog::full_name(product),
                    hit.score,
                    row->price,
                    std::string(catalog::country_of(*row).currency),

@@ -79,5 +79,15 @@ TEST(CatalogueReader, SaysWhenNoWordIsKnown) {
   EXPECT_EQ(result.error().code, "perception.not_understood");
 }
 
+TEST(SaidAmounts, ANumberAtTheBeginningIsAnAmountWhenAMeasureFollows) {
+  const auto pasta = perception::said_words("500 g of pasta", {});
+  ASSERT_EQ(pasta.amounts.size(), 1U);
+  EXPECT_EQ(pasta.amounts[0].amount, 500);
+  EXPECT_FALSE(pasta.count.has_value());
+  const auto milk = perception::said_words("two cartons of milk", {});
+  EXPECT_TRUE(milk.amounts.empty());
+  EXPECT_EQ(milk.count, 2.0);
+}
+
 }  // namespace
 }  // namespace marketgen
