@@ -13,6 +13,8 @@ export enum Form {
   round = 2, // about its upright axis
 }
 
+export type Look = Pick<Sku, "color" | "size_m">;
+
 export interface Portraits {
   readonly texture: Texture;
   readonly cells: readonly [number, number]; // across and down
@@ -111,7 +113,7 @@ export class StandIns {
   // `light`: the goods' own; undefined: it is still to come.
   constructor(
     private readonly table: GoodsTable,
-    private readonly skus: readonly Sku[],
+    private readonly skus: readonly Look[],
     private readonly shared: Shared,
     light?: GoodsLight,
     before?: Before,
