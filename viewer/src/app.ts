@@ -1,8 +1,9 @@
 // The page: what the reader does becomes what is shown.
-import { Navigator, topFov, type Room as NavigatorRoom } from "./camera/navigator";
+import { Navigator, topFov } from "./camera/navigator";
 import type { Mode } from "./camera/modes";
 import { modes } from "./camera/modes";
 import { lookingAt, type Pose } from "./camera/pose";
+import { roomOf } from "./camera/store_room";
 import { add, distance, type Vec3 } from "./camera/vector";
 import { readAddress, writeAddress, type ViewState } from "./state/address";
 import { layerNames, type LayerName } from "./state/layers";
@@ -17,35 +18,24 @@ import { heatOf, type HeatName } from "./stage/heat";
 import { screensOf, Sight } from "./stage/sight";
 import type { Stage } from "./stage/stage";
 import { CardPanel } from "./ui/cards";
-import { element } from "./ui/dom";
+import { element, reduced } from "./ui/dom";
 import { ElevationPanel } from "./ui/elevation";
 import { Hands } from "./ui/hands";
 import { Help } from "./ui/help";
 import type { Movable } from "./ui/joint_controls";
+import { drawLayers } from "./ui/layer_marks";
 import { LayersPanel } from "./ui/layers";
 import { Marks } from "./ui/marks";
 import { SearchPanel, shownHits } from "./ui/search";
 import type { Speech } from "./ui/speech";
 import type { Status } from "./ui/status";
+import { Tape } from "./ui/tape";
 import { Theme } from "./ui/theme";
 import { Toolbar } from "./ui/toolbar";
 
 const longestStep = 0.1; // seconds: however slow the pictures, a walker makes no leap (a flight does)
-const hangsAbove = 1.9; // fixtures that hang so high are walked under
 const addressPause = 250;
 const defaultFov = 55;
-
-export function roomOf(summary: Summary): NavigatorRoom {
-  const obstacles = summary.fixtures
-    .filter((fixture) => fixture.position_m[2] < hangsAbove && fixture.size_m[2] > 0.05)
-    .map((fixture) => ({
-      center: [fixture.position_m[0], fixture.position_m[1]] as const,
-      half: [fixture.size_m[0] / 2, fixture.size_m[1] / 2] as const,
-      yaw: (fixture.yaw_deg * Math.PI) / 180,
-    }));
-  const outline = summary.outline_mm.map(([x, y]) => [x / 1000, y / 1000] as const);
-  return { low: summary.bounds.low_m, high: summary.bounds.high_m, outline, obstacles };
-}
 
 export class App {
   readonly navigator: Navigator;
@@ -56,13 +46,12 @@ export class App {
   private readonly help: Help;
   private readonly marks = new Marks();
   private readonly theme: Theme;
-  private measuring = false;
   private readonly layers = new Set<LayerName>();
   private heat: HeatName | undefined;
   private readonly layersPanel: LayersPanel;
   private readonly elevation: ElevationPanel;
   private readonly editing: Editing;
-  private tape: Vec3[] = [];
+  private readonly tape: Tape;
   private product: number | undefined;
   private fixture: number | undefined;
   private addressTimer = 0;
@@ -80,6 +69,7 @@ export class App {
     stage.ceilingHeight = summary.ceiling_m;
     stage.sight = new Sight(screensOf(summary.fixtures));
     const wanted = readAddress(location.hash);
+    this.tape = new Tape(stage, this.marks, speech);
     stage.setLens(this.usualFov());
     this.navigator = this.startNavigator(wanted);
     this.theme = new Theme((background) => stage.setBackground(background));
@@ -104,7 +94,7 @@ export class App {
       stage.canvas.setAttribute("aria-label", speech.say("view3d"));
       this.showLayers();
       if (this.heat) this.showHeat();
-      this.showTape();
+      this.tape.show();
     });
     window.addEventListener("hashchange", () => this.apply(readAddress(location.hash)));
     this.showTools();
@@ -229,7 +219,7 @@ export class App {
       theme: () => this.theme.toggle(),
       help: () => this.help.open(),
     };
-    return new Toolbar(this.speech, actions, this.summary.cameras, (camera) => this.cameraName(camera));
+    return new Toolbar(this.speech, actions, this.summary.cameras, this.summary.zones);
   }
 
   private makeHands(): Hands {
@@ -261,7 +251,7 @@ export class App {
   }
 
   private escape(): void {
-    if (this.measuring) this.toggleMeasure();
+    if (this.tape.isOut) this.toggleMeasure();
     else if (this.layersPanel.isOpen) this.openLayers(false);
     else if (this.product !== undefined || this.fixture !== undefined) this.deselect();
     else this.search.clear();
@@ -287,18 +277,10 @@ export class App {
     return this.summary.cameras.find(({ name }) => name === "entrance")?.fov_deg ?? defaultFov;
   }
 
-  private cameraName(camera: StoreCamera): string {
-    const zone = camera.name.startsWith("zone:") ? camera.name.slice(5) : undefined;
-    const label = zone && this.summary.zones.find(({ id }) => id === zone)?.label;
-    const name = label ?? zone ?? camera.name;
-    return name.charAt(0).toUpperCase() + name.slice(1).replace(/_/g, " ");
-  }
-
   private click(x: number, y: number): void {
     const picked = this.stage.pickAt(x, y);
-    if (this.measuring) {
-      if (picked) this.tape = this.tape.length === 2 ? [picked.point] : [...this.tape, picked.point];
-      this.showTape();
+    if (this.tape.isOut) {
+      if (picked) this.tape.add(picked.point);
     } else if (picked?.product !== undefined) void this.selectProduct(picked.product);
     else if (picked?.fixture !== undefined) void this.selectFixture(picked.fixture);
     else this.deselect();
@@ -409,20 +391,9 @@ export class App {
   }
 
   private toggleMeasure(): void {
-    this.measuring = !this.measuring;
-    this.tape = [];
-    document.body.classList.toggle("measuring", this.measuring);
-    if (this.measuring) this.status.say(this.speech.say("measureHint"));
-    this.showTape();
+    this.tape.toggle();
+    if (this.tape.isOut) this.status.say(this.speech.say("measureHint"));
     this.showTools();
-  }
-
-  private showTape(): void {
-    this.stage.overlays?.showTape(this.tape);
-    const [a, b] = this.tape;
-    const text = a && b ? this.speech.say("metres", { value: this.speech.number(distance(a, b), 3) }) : "";
-    this.marks.set("tape", a && b ? [{ text, at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2], kind: "tape" }] : []);
-    this.stage.redraw();
   }
 
   private toggleLayer(layer: LayerName): void {
@@ -458,21 +429,8 @@ export class App {
   }
 
   private showLayers(): void {
-    const shown = <T>(layer: LayerName, all: readonly T[]): readonly T[] => (this.layers.has(layer) ? all : []);
-    const { overlays } = this.stage;
-    const zones = shown("zones", this.summary.zones);
-    const aisles = shown("aisles", this.summary.aisles);
-    const violations = shown("violations", this.summary.violations);
-    overlays?.showZones(zones);
-    overlays?.showAisles(aisles);
-    overlays?.showViolations(violations);
-    const metres = (mm: number): string => this.speech.say("metres", { value: this.speech.number(mm / 1000, 2) });
-    this.marks.set("zones", zones.map((zone) => ({ text: zone.label, at: middleOf(zone.polygon_mm, 1.5), kind: "zone" })));
-    this.marks.set("aisles", aisles.map((aisle) => ({ text: metres(aisle.width_mm), at: middleOf(aisle.polygon_mm, 0.05), kind: "aisle" })));
-    const placed = violations.flatMap(({ message, at_mm }) => (at_mm ? [{ text: message, at: [at_mm[0] / 1000, at_mm[1] / 1000, 2.3] as const, kind: "violation" as const }] : []));
-    this.marks.set("violations", placed);
+    drawLayers(this.layers, this.summary, this.stage, this.marks, this.speech);
     this.layersPanel.show(this.layers);
-    this.stage.redraw();
   }
 
   private async savePicture(): Promise<void> {
@@ -529,20 +487,10 @@ export class App {
   private showTools(): void {
     if (this.navigator.mode === "top") this.stage.setLens(topFov);
     else if (this.stage.camera.fov === topFov) this.stage.setLens(this.usualFov());
-    this.toolbar.show({ mode: this.navigator.mode, measuring: this.measuring, zones: this.layers.has("zones"), layers: this.layersPanel.isOpen, edit: this.editing.panel.isOpen });
+    this.toolbar.show({ mode: this.navigator.mode, measuring: this.tape.isOut, zones: this.layers.has("zones"), layers: this.layersPanel.isOpen, edit: this.editing.panel.isOpen });
   }
-}
-
-export function reduced(): boolean {
-  return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
 
 function layersOf({ zones, layers }: ViewState): LayerName[] {
   return zones ? ["zones", ...(layers ?? [])] : [...(layers ?? [])];
-}
-
-function middleOf(polygon: readonly (readonly [number, number])[], height: number): Vec3 {
-  const xs = polygon.map(([x]) => x / 1000);
-  const ys = polygon.map(([, y]) => y / 1000);
-  return [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2, height];
 }

@@ -10,7 +10,7 @@ import { readReplayPlace } from "./replay/addresses";
 import { offerEpisodes, startReplay } from "./replay/start";
 import { ServerError } from "./store/client";
 import { Stage } from "./stage/stage";
-import { element } from "./ui/dom";
+import { WarmUp } from "./stage/warm_up";
 import { Speech } from "./ui/speech";
 import { Status } from "./ui/status";
 
@@ -41,16 +41,20 @@ async function start(): Promise<void> {
   const store = Number(address.get("store") ?? 0) || 0;
   const client = new EditClient(store, address.get("token"));
   for (const path of ["", "/goods.bin"]) client.ahead(path); // WebGL takes a while to begin
-  const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
-  document.body.append(canvas, status.progress, status.note, status.fault);
-  const stage = Stage.create(canvas);
+  document.body.append(status.progress, status.note, status.fault);
+  const stage = Stage.create();
   if (!stage) return status.stop(new Error(speech.say("noWebgl")));
+  const { canvas } = stage;
+  document.body.prepend(canvas);
+  document.body.classList.add("early"); // panels wait: drawing them would hold up the first picture
+  const warm = new WarmUp(stage);
   const times: Record<string, number> = {};
   const watched = ((window as Watched).marketgen = { stage, times } as NonNullable<Watched["marketgen"]>);
 
   try {
     status.work(0.05, speech.say("loading"));
     const summary = await client.summary();
+    warm.draw();
     const app = (watched.app = new App(client, stage, summary, speech, status));
     new ResizeObserver(() => stage.resize()).observe(canvas);
     stage.resize();
@@ -69,10 +73,13 @@ async function start(): Promise<void> {
     app.restore();
     await stage.drawn(); // nothing else holds up the first picture
     times["picture"] = performance.now();
+    warm.end();
+    document.body.classList.remove("early");
     await loadRest(client, stage, goods, summary, watch);
     stage.complete();
     times["complete"] = performance.now();
   } catch (error) {
+    document.body.classList.remove("early");
     // A server without stores makes some.
     if (error instanceof ServerError && error.code === "server.not_found" && !address.has("store")) return location.replace(makeLink(address.get("token")));
     status.stop(error);

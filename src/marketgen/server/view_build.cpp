@@ -121,7 +121,8 @@ Result<void> ViewBuild::make_room() {
       render::raytrace::light_world(store_->scene,
                                     {},
                                     *reports_,
-                                    {.print = render::PrintDetail::distant, .keep_light = true}));
+                                    {.print = render::PrintDetail::distant, .keep_light = true},
+                                    assets::Detail::far));
   MARKETGEN_CHECK(check_interrupt());
   reports_->begin("room", 1);
   MARKETGEN_TRY(std::vector<ViewFile> files, room_files(*lit, store_->scene));

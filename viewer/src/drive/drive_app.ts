@@ -1,7 +1,7 @@
 // The page of a drive: keys and a gamepad move the robot, the server's messages move the picture.
-import { reduced, roomOf } from "../app";
 import { Navigator, topFov } from "../camera/navigator";
 import { lookingAt, type Pose } from "../camera/pose";
+import { roomOf } from "../camera/store_room";
 import { RoomLight } from "../replay/actor_light";
 import { CameraPanel } from "../replay/camera_panel";
 import { Player } from "../replay/player";
@@ -11,7 +11,7 @@ import type { Packed } from "../store/packed";
 import type { Summary } from "../store/contract";
 import { screensOf, Sight } from "../stage/sight";
 import type { Stage } from "../stage/stage";
-import { element } from "../ui/dom";
+import { element, reduced } from "../ui/dom";
 import { Hands } from "../ui/hands";
 import type { Status } from "../ui/status";
 import { Theme } from "../ui/theme";

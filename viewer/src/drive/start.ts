@@ -74,10 +74,10 @@ async function choose(client: DriveClient, place: DrivePlace, speech: Speech, st
 }
 
 async function showDrive(client: DriveClient, place: DrivePlace, speech: Speech, status: Status, now: DriveStatus): Promise<void> {
-  const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
-  document.body.prepend(canvas);
-  const stage = Stage.create(canvas);
+  const stage = Stage.create();
   if (!stage) return status.stop(new Error(speech.say("noWebgl")));
+  const { canvas } = stage;
+  document.body.prepend(canvas);
   const times: Record<string, number> = {};
   const watched = ((window as Watched).drive = { stage, times } as NonNullable<Watched["drive"]>);
   status.work(0.05, speech.say("loading"));

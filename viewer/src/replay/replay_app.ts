@@ -1,12 +1,12 @@
 // The page of a recorded episode: the robot and the goods move as they did.
-import { reduced, roomOf } from "../app";
 import { topFov, Navigator } from "../camera/navigator";
 import { modes, type Mode } from "../camera/modes";
 import { lookingAt, type Pose } from "../camera/pose";
+import { roomOf } from "../camera/store_room";
 import type { Summary } from "../store/contract";
 import { screensOf, Sight } from "../stage/sight";
 import type { Stage } from "../stage/stage";
-import { element } from "../ui/dom";
+import { element, reduced } from "../ui/dom";
 import { Hands } from "../ui/hands";
 import type { Status } from "../ui/status";
 import { Theme } from "../ui/theme";

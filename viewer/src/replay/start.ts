@@ -89,10 +89,10 @@ function standBeside(players: readonly Player[]): void {
 
 async function showEpisode(client: ReplayClient, place: ReplayPlace, words: ReplayWords, status: Status, run: number, episode: number): Promise<void> {
   const { speech } = words;
-  const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
-  document.body.prepend(canvas);
-  const stage = Stage.create(canvas);
+  const stage = Stage.create();
   if (!stage) return status.stop(new Error(speech.say("noWebgl")));
+  const { canvas } = stage;
+  document.body.prepend(canvas);
   const times: Record<string, number> = {};
   const watched = ((window as Watched).replay = { stage, times } as NonNullable<Watched["replay"]>);
   status.work(0.05, speech.say("loading"));

@@ -1,5 +1,5 @@
 // All products: which cells show meshes, which stand-ins, and what is built next.
-import { Box3, Group, Vector3, type IUniform, type RawShaderMaterial, type WebGLRenderer } from "three";
+import { Box3, Group, Vector3, type IUniform, type RawShaderMaterial, type Texture, type WebGLRenderer } from "three";
 import type { Client } from "../store/client";
 import type { MeshesHead, Sku } from "../store/contract";
 import type { Packed } from "../store/packed";
@@ -39,6 +39,7 @@ interface Shown {
   distance: number;
 }
 
+const sheetSize = [1024, 512] as const; // pixels of a label nearby
 const labelsWithin = 2.6; // metres
 const meshesWithin = 14;
 const kept = 1.5; // times as many triangles as may be shown stay built
@@ -118,14 +119,15 @@ export class Goods {
     });
     atlas.makeSmallerCopies();
 
-    const sheets = new PageArray(renderer, 1024, 512, limits.sheetLayers, 11, limits.sharpness, limits.quick);
-    const uniforms: Record<string, IUniform> = {
-      skus: { value: places.texture },
-      atlas: { value: atlas.texture },
-      sheets: { value: sheets.texture },
+    const sheets: IUniform<Texture> = { value: atlas.texture }; // until there are some
+    const newSheets = (): PageArray => {
+      const pages = new PageArray(renderer, sheetSize[0], sheetSize[1], limits.sheetLayers, 11, limits.sharpness, limits.quick);
+      sheets.value = pages.texture;
+      return pages;
     };
+    const uniforms: Record<string, IUniform> = { skus: { value: places.texture }, atlas: { value: atlas.texture }, sheets };
     this.standIns.setPortraits(await drawPortraits(renderer, far, this.skus.length, places, atlas.texture, limits.quick));
-    this.sheets = new Sheets(client, sheets, places, this.changedSoon);
+    this.sheets = new Sheets(client, newSheets, limits.sheetLayers, sheetSize[1], places, this.changedSoon);
     this.materials = [packMaterial(this.shared, uniforms, false), packMaterial(this.shared, uniforms, true)];
     this.far = far;
     for (const shown of this.shown) shown.triangles = this.trianglesOf(shown.cell, far);

@@ -25,6 +25,7 @@ export interface RoomArrays {
 
 const coarserFrom = [1, 3, 8] as const; // times as far as what is drawn finely: where each coarser fineness begins
 const ceilingTimes = 2.5; // a quick picture has the ceiling as if it were so much farther off
+const quickShell = 2; // and floor and walls at least as coarse as that fineness
 const layers = ["solid", "glass", "ceiling"] as const;
 type Layer = (typeof layers)[number];
 const none = 65535; // no fixture
@@ -166,7 +167,8 @@ export class Room {
       if (surface.layer === "ceiling" && !this.ceilingShown) continue;
       if (!sight.sees(part.low, part.high, part.fixture)) continue;
       const times = quick && surface.layer === "ceiling" ? ceilingTimes : 1;
-      const level = fineness(sight.distance(part.low, part.high) * times, fineWithin);
+      const away = fineness(sight.distance(part.low, part.high) * times, fineWithin);
+      const level = quick && part.fixture < 0 && !surface.print ? Math.max(away, quickShell) : away;
       const run = part.runs[level]!;
       surface.shown.set(indices[level]!.subarray(run.start, run.end), surface.filled);
       surface.filled += run.end - run.start;

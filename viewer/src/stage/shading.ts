@@ -7,25 +7,20 @@ import { DoubleSide, GLSL3, RawShaderMaterial, type IUniform, type Texture } fro
 import { PackedError } from "../store/packed";
 
 const atVertex = /* glsl */ `
-uniform float uFilm[FILM_VALUES];
-float filmAt(float stops) {
-  float at = clamp((stops - FIRST_STOP) * STEPS_PER_STOP, 0.0, float(FILM_VALUES) - 1.001);
-  int low = int(at);
-  return mix(uFilm[low], uFilm[low + 1], at - float(low));
-}
+uniform vec3 uResponse[RESPONSES];
 // The cubic's coefficients (of x, x^2, x^3) in light so bright.
 vec3 responseIn(float light) {
-  float stops = log2(max(light, 1e-6));
-  vec3 seen = vec3(filmAt(stops - 3.77124), filmAt(stops - 1.65042), filmAt(stops - 0.16811));
-  return mat3(9.74358974, -26.4957265, 17.09401709,
-             -4.52380952, 19.84126984, -15.87301587,
-              0.83285136, -4.1642568, 4.626952) * seen;
+  float at = min(sqrt(light) * RESPONSES_PER_ROOT, float(RESPONSES) - 1.001);
+  int low = int(at);
+  return mix(uResponse[low], uResponse[low + 1], at - float(low));
 }
 // Of the server's light bytes, whose square times four is the light: its colour as a factor of encoded colours, and its brightness.
 vec4 hueOf(vec3 byte) {
-  vec3 light = byte * byte;
-  float brightness = dot(light, vec3(0.2126, 0.7152, 0.0722));
-  return vec4(pow(light / max(brightness, 1e-5), vec3(1.0 / 2.2)), brightness * 4.0);
+  float root = sqrt(dot(byte * byte, vec3(0.2126, 0.7152, 0.0722)));
+  vec3 x = byte / max(root, 3.2e-3);
+  // x^(2 / 2.2) as Pade has it about 1: three powers would take as long as the rest of the vertex.
+  vec3 hue = ((5.55372 * x + 6.34711) * x + 0.09917) / ((0.09917 * x + 6.34711) * x + 5.55372);
+  return vec4(hue, root * root * 4.0);
 }
 `;
 
@@ -47,19 +42,49 @@ precision highp sampler2DArray;
 // Of the server's section "film": the film curve, sRGB-encoded, at quarters of a stop from 2^-13 on; 1 is a white sheet in the light
 // that the store is exposed for.
 const film = { values: 69, firstStop: -13, stepsPerStop: 4 };
+const brightest = 4; // times that light: what a byte of 255 stands for
+const responses = 129; // evenly over the root of the light
+const greys = [-3.77124, -1.65042, -0.16811] as const; // stops of 0.3, 0.6 and 0.95 of white, encoded
+// The cubic through what three greys become: its coefficients for each of them.
+const throughGreys = [
+  [9.74358974, -26.4957265, 17.09401709],
+  [-4.52380952, 19.84126984, -15.87301587],
+  [0.83285136, -4.1642568, 4.626952],
+] as const;
 
 export interface Shared {
   readonly uDim: IUniform<number>;
-  readonly uFilm: IUniform<Float32Array>;
+  readonly uResponse: IUniform<Float32Array>;
 }
 
 export function newShared(): Shared {
-  return { uDim: { value: 0 }, uFilm: { value: new Float32Array(film.values) } };
+  return { uDim: { value: 0 }, uResponse: { value: new Float32Array(responses * 3) } };
 }
 
 export function setFilm(shared: Shared, curve: Float32Array): void {
   if (curve.length !== film.values) throw new PackedError(`a film curve of ${curve.length} values`);
-  shared.uFilm.value = curve;
+  shared.uResponse.value = responsesOf(curve);
+}
+
+function filmAt(curve: Float32Array, stops: number): number {
+  const at = Math.min(Math.max((stops - film.firstStop) * film.stepsPerStop, 0), film.values - 1.001);
+  const low = Math.floor(at);
+  return curve[low]! + (curve[low + 1]! - curve[low]!) * (at - low);
+}
+
+// The cubic's coefficients of x, x^2 and x^3, in light so bright: three numbers.
+export function responseIn(curve: Float32Array, light: number): readonly [number, number, number] {
+  const stops = Math.log2(Math.max(light, 1e-6));
+  const seen = greys.map((grey) => filmAt(curve, stops + grey));
+  const of = (power: 0 | 1 | 2): number => throughGreys.reduce((sum, through, i) => sum + through[power] * seen[i]!, 0);
+  return [of(0), of(1), of(2)];
+}
+
+// For the shaders, which look them up: a vertex takes less time so, and so does compiling.
+function responsesOf(curve: Float32Array): Float32Array {
+  const table = new Float32Array(responses * 3);
+  for (let i = 0; i < responses; i++) table.set(responseIn(curve, brightest * (i / (responses - 1)) ** 2), i * 3);
+  return table;
 }
 
 export function material(vertex: string, fragment: string, uniforms: Record<string, IUniform>, defines: Record<string, string>): RawShaderMaterial {
@@ -68,7 +93,7 @@ export function material(vertex: string, fragment: string, uniforms: Record<stri
     vertexShader: head + atVertex + vertex,
     fragmentShader: head + atPoint + fragment,
     uniforms,
-    defines: { ...defines, FILM_VALUES: `${film.values}`, FIRST_STOP: film.firstStop.toFixed(1), STEPS_PER_STOP: film.stepsPerStop.toFixed(1) },
+    defines: { ...defines, RESPONSES: `${responses}`, RESPONSES_PER_ROOT: ((responses - 1) / Math.sqrt(brightest)).toFixed(1) },
   });
 }
 

@@ -1,4 +1,5 @@
-// The label pictures of the packs nearest to the eye, in as many layers as there are; the farthest gives way.
+// The label pictures of the packs nearest to the eye, in as many layers as there are; the farthest gives way. The layers' memory (a
+// hundred megabytes) is taken when the first one is there.
 import type { Client } from "../store/client";
 import type { PageArray } from "./page_array";
 import type { SkuPlaces } from "./sku_places";
@@ -23,13 +24,17 @@ export class Sheets {
   private readonly failed = new Set<number>();
   private wanted: readonly Near[] = [];
 
+  private pages: PageArray | undefined;
+
   constructor(
     private readonly client: Client,
-    private readonly pages: PageArray,
+    private readonly newPages: () => PageArray,
+    layers: number,
+    private readonly height: number, // of a layer, in pixels
     private readonly places: SkuPlaces,
     private readonly changed: () => void,
   ) {
-    this.layers = new Array<Layer | undefined>(pages.layers).fill(undefined);
+    this.layers = new Array<Layer | undefined>(layers).fill(undefined);
   }
 
   get loaded(): number {
@@ -64,7 +69,7 @@ export class Sheets {
   private async load(sku: number): Promise<void> {
     this.loading.add(sku);
     try {
-      const picture = await this.client.picture(`/skus/${sku}/label.png?px=${this.pages.height}`);
+      const picture = await this.client.picture(`/skus/${sku}/label.png?px=${this.height}`);
       this.place(sku, picture);
       picture.close();
     } catch {
@@ -90,6 +95,7 @@ export class Sheets {
     }
     this.layers[worst] = { sku, distance };
     this.layerOf.set(sku, worst);
+    this.pages ??= this.newPages();
     this.pages.putWhole(worst, picture);
     this.places.setSheet(sku, worst);
   }

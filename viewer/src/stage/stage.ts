@@ -12,6 +12,7 @@ import {
 } from "three";
 import { direction, type Pose } from "../camera/pose";
 import type { Vec3 } from "../camera/vector";
+import { element } from "../ui/dom";
 import { Pace, type Effort } from "./effort";
 import type { Goods, Limits } from "./goods";
 import type { Overlays } from "./overlays";
@@ -39,18 +40,15 @@ function isSoftware(gl: WebGL2RenderingContext): boolean {
   return /swiftshader|llvmpipe|software/i.test(name);
 }
 
-function newCanvasContext(canvas: HTMLCanvasElement): { gl: WebGL2RenderingContext; software: boolean } | undefined {
-  const probe = document.createElement("canvas").getContext("webgl2");
-  if (!probe) return undefined;
-  const software = isSoftware(probe);
-  probe.getExtension("WEBGL_lose_context")?.loseContext();
-  const gl = canvas.getContext("webgl2", {
-    antialias: !software,
-    alpha: false,
-    powerPreference: "high-performance",
-    preserveDrawingBuffer: false,
-  });
-  return gl ? { gl, software } : undefined;
+interface Drawn {
+  readonly canvas: HTMLCanvasElement;
+  readonly gl: WebGL2RenderingContext;
+}
+
+function newCanvas(antialias: boolean): Drawn | undefined {
+  const canvas = element("canvas", { attributes: { tabindex: "0", role: "application" } });
+  const gl = canvas.getContext("webgl2", { antialias, alpha: false, powerPreference: "high-performance", preserveDrawingBuffer: false });
+  return gl ? { canvas, gl } : undefined;
 }
 
 export class Stage {
@@ -58,7 +56,7 @@ export class Stage {
   readonly scene = new Scene();
   readonly shared: Shared = newShared();
   readonly renderer: WebGLRenderer;
-  readonly software: boolean;
+  readonly canvas: HTMLCanvasElement;
   readonly figures: Figures = { frames: 0, calls: 0, triangles: 0 };
   goods: Goods | undefined;
   room: Room | undefined;
@@ -79,11 +77,10 @@ export class Stage {
   private soon: number | undefined;
 
   private constructor(
-    readonly canvas: HTMLCanvasElement,
-    gl: WebGL2RenderingContext,
-    software: boolean,
+    { canvas, gl }: Drawn,
+    readonly software: boolean,
   ) {
-    this.software = software;
+    this.canvas = canvas;
     this.pace = new Pace(software);
     this.renderer = new WebGLRenderer({ canvas, context: gl, antialias: !software });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
@@ -95,9 +92,12 @@ export class Stage {
   }
 
   // Undefined: the browser has no WebGL 2.
-  static create(canvas: HTMLCanvasElement): Stage | undefined {
-    const context = newCanvasContext(canvas);
-    return context && new Stage(canvas, context.gl, context.software);
+  static create(): Stage | undefined {
+    const plain = newCanvas(false);
+    if (!plain || isSoftware(plain.gl)) return plain && new Stage(plain, true); // one context: a second takes long where there is no GPU
+    plain.gl.getExtension("WEBGL_lose_context")?.loseContext();
+    const smooth = newCanvas(true);
+    return smooth && new Stage(smooth, false);
   }
 
   get limits(): Limits {

@@ -13,6 +13,8 @@ export enum Form {
   round = 2, // about its upright axis
 }
 
+export type Look = Pick<Sku, "color" | "size_m">;
+
 export interface Portraits {
   readonly texture: Texture;
   readonly cells: readonly [number, number]; // across and down
@@ -102,6 +104,7 @@ export class StandIns {
   private readonly uniforms = { pictures: { value: null as Texture | null } };
   private plainFrom = 0;
   private rowOnlyFrom = Infinity;
+  private quick = false;
   private portraits: Portraits | undefined;
   private painted: Uint8Array | undefined; // RGB by product row
   private readonly seen: Uint32Array; // by cell: where those end that show their front
@@ -111,7 +114,7 @@ export class StandIns {
   // `light`: the goods' own; undefined: it is still to come.
   constructor(
     private readonly table: GoodsTable,
-    private readonly skus: readonly Sku[],
+    private readonly skus: readonly Look[],
     private readonly shared: Shared,
     light?: GoodsLight,
     before?: Before,
@@ -149,8 +152,10 @@ export class StandIns {
     return (this.draws[0].filled + this.draws[1].filled) / 3;
   }
 
-  // Farther off than `plainFrom` metres, sides between packs and packs behind packs are left out; `quick`: twice as far, tops as well.
+  // Farther off than `plainFrom` metres, sides between packs and packs behind packs are left out; `quick`: twice as far, all sides and
+  // tops as well, and near ones show the tops of their first rows alone.
   begin(plainFrom: number, quick: boolean): void {
+    this.quick = quick;
     this.rowOnlyFrom = quick ? plainTimes * plainFrom : Infinity;
     this.plainFrom = plainFrom;
     for (const draw of this.draws) draw.filled = 0;
@@ -177,11 +182,13 @@ export class StandIns {
       const beyond = along > rightmost || along < leftmost;
       const seenEnd = beyond && !few ? end : frontEnd;
       this.copy(Side.front, first, seenEnd);
-      if (along > leftmost && (beyond || !few)) this.copy(Side.right, first, seenEnd);
-      if (along < rightmost && (beyond || !few)) this.copy(Side.left, first, seenEnd);
+      const sided = !few || (beyond && !rowOnly);
+      if (sided && along > leftmost) this.copy(Side.right, first, seenEnd);
+      if (sided && along < rightmost) this.copy(Side.left, first, seenEnd);
     }
     if (rowOnly && cell.facing !== facesAnyway && eye.z < high[2]) return;
-    if (eye.z > low[2]) this.copy(Side.top, first, few ? frontEnd : end);
+    const topsEnd = few || (this.quick && !above && cell.facing !== facesAnyway) ? frontEnd : end;
+    if (eye.z > low[2]) this.copy(Side.top, first, topsEnd);
   }
 
   finish(): void {

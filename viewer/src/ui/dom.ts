@@ -60,3 +60,8 @@ export function icon(name: IconName): SVGSVGElement {
   picture.append(path);
   return picture;
 }
+
+// Whether the reader wants no movement that they did not make.
+export function reduced(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}

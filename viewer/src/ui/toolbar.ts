@@ -1,6 +1,6 @@
 // The bar at the foot of the page: ways of moving, views, tools.
 import { modes, type Mode } from "../camera/modes";
-import type { StoreCamera } from "../store/contract";
+import type { StoreCamera, Summary } from "../store/contract";
 import type { TextKey } from "../text/strings";
 import { element, icon, type IconName } from "./dom";
 import { Menu } from "./menu";
@@ -30,13 +30,13 @@ export class Toolbar {
     private readonly speech: Speech,
     private readonly actions: ToolbarActions,
     cameras: readonly StoreCamera[],
-    cameraName: (camera: StoreCamera) => string,
+    zones: Summary["zones"],
   ) {
     const ways = element("div", { class: "group", attributes: { role: "group" } });
     for (const mode of modes) ways.append(this.button(mode, mode, () => actions.mode(mode)));
     const views = new Menu(
       this.button("views", "views"),
-      () => cameras.map((camera) => ({ text: cameraName(camera), choose: () => actions.view(camera) })),
+      () => cameras.map((camera) => ({ text: nameOf(camera, zones), choose: () => actions.view(camera) })),
     );
     const tools = element(
       "div",
@@ -100,4 +100,11 @@ export class Toolbar {
     event.preventDefault();
     event.stopPropagation();
   }
+}
+
+function nameOf(camera: StoreCamera, zones: Summary["zones"]): string {
+  const zone = camera.name.startsWith("zone:") ? camera.name.slice(5) : undefined;
+  const label = zone && zones.find(({ id }) => id === zone)?.label;
+  const name = label ?? zone ?? camera.name;
+  return name.charAt(0).toUpperCase() + name.slice(1).replace(/_/g, " ");
 }

@@ -69,13 +69,14 @@ std::vector<std::uint16_t> add_materials(Draft& draft,
 
 }  // namespace
 
-Result<ProductBuilder> ProductBuilder::begin(Draft& draft) {
+Result<ProductBuilder> ProductBuilder::begin(Draft& draft, assets::Detail detail) {
   ProductBuilder builder;
   const std::vector<std::uint32_t> rows = skus_in_use(draft.scene());
   std::vector<std::optional<Error>> errors(rows.size());
   builder.skus_ = parallel_map(rows.size(), [&](std::size_t i) {
     Sku sku{rows[i], {}, {}};
-    Result<assets::ProductModel> model = assets::make_product_model(draft.scene().catalog[rows[i]]);
+    Result<assets::ProductModel> model =
+        assets::make_product_model(draft.scene().catalog[rows[i]], detail);
     if (model.ok())
       sku.model = std::move(model).value();
     else

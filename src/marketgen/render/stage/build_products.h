@@ -10,8 +10,9 @@ namespace marketgen::render::raytrace {
 
 class ProductBuilder {
  public:
-  // Makes the models of the SKUs in use and asks for their labels. Errors: assets.*, catalog.*.
-  static Result<ProductBuilder> begin(Draft& draft);
+  // Makes the models of the SKUs in use, that finely, and asks for their labels. Errors: assets.*,
+  // catalog.*.
+  static Result<ProductBuilder> begin(Draft& draft, assets::Detail detail);
   // Adds meshes and instances; textures are drawn by now.
   void build(Draft& draft) const;
 

@@ -33,7 +33,8 @@ void add_exhibits(World& world,
 Result<std::unique_ptr<World>> build_world(const scene::Scene& scene,
                                            const std::vector<Exhibit>& exhibits,
                                            Progress& progress,
-                                           PrintDetail print) {
+                                           PrintDetail print,
+                                           assets::Detail goods) {
   auto world = std::make_unique<World>();
   world->device.reset(rtcNewDevice(nullptr));
   if (!world->device)
@@ -41,7 +42,7 @@ Result<std::unique_ptr<World>> build_world(const scene::Scene& scene,
 
   Draft draft(scene, *world, print);
   const Room room = room_of(scene.layout.shell);
-  MARKETGEN_TRY(const ProductBuilder products, ProductBuilder::begin(draft));
+  MARKETGEN_TRY(const ProductBuilder products, ProductBuilder::begin(draft, goods));
   FixtureBuilder fixtures(draft);
   const ShellBuilder shell(draft, room);
   const LightBuilder light(draft);

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "assets/product_model.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "render/stage/exhibit.h"
@@ -10,11 +11,12 @@
 
 namespace marketgen::render::raytrace {
 
-// The world keeps nothing of `scene`. Errors: those of the product models and labels;
-// io.out_of_memory when Embree fails.
+// `goods`: how finely packs are shaped. The world keeps nothing of `scene`. Errors: those of the
+// product models and labels; io.out_of_memory when Embree fails.
 Result<std::unique_ptr<World>> build_world(const scene::Scene& scene,
                                            const std::vector<Exhibit>& exhibits,
                                            Progress& progress,
-                                           PrintDetail print);
+                                           PrintDetail print,
+                                           assets::Detail goods = assets::Detail::near);
 
 }  // namespace marketgen::render::raytrace
