@@ -5,15 +5,14 @@ import { padButtons, type Pad } from "./controls";
 import { say, type DriveKey } from "./strings";
 
 const reach = 44; // pixels from a stick's middle to its end
+// In two columns: what goes up stands above what goes down.
 const held: readonly (readonly [keyof typeof padButtons, DriveKey])[] = [
-  ["up", "touchUp"],
-  ["down", "touchDown"],
-  ["liftUp", "touchLiftUp"],
-  ["liftDown", "touchLiftDown"],
-];
-const pressed: readonly (readonly [keyof typeof padButtons, DriveKey])[] = [
   ["grip", "touchGrip"],
   ["arm", "touchArm"],
+  ["up", "touchUp"],
+  ["liftUp", "touchLiftUp"],
+  ["down", "touchDown"],
+  ["liftDown", "touchLiftDown"],
   ["axes", "touchAxes"],
 ];
 const kept = ["twist", "touchTwist"] as const; // until it is pressed again
@@ -29,7 +28,7 @@ export class TouchPad implements Pad {
     { lifts, arms }: { readonly lifts: boolean; readonly arms: number },
   ) {
     const buttons = element("div", { class: "touch-buttons" });
-    for (const [name, key] of [...pressed, ...held]) {
+    for (const [name, key] of held) {
       if ((!lifts && name.startsWith("lift")) || (arms < 2 && name === "arm")) continue;
       buttons.append(this.button(name, key));
     }
