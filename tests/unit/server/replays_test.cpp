@@ -12,6 +12,7 @@
 #include "episodes/track_view.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/motion_recorder.h"
+#include "evaluation/run_recorded.h"
 #include "io/gzip.h"
 #include "io/jpeg.h"
 #include "render/stage/robot_actor.h"
