@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -264,26 +265,27 @@ class Session : public std::enable_shared_from_this<Session<State>> {
                      });
   }
 
+  // Who answers at the page's socket, or how it is refused.
+  std::variant<std::unique_ptr<SocketPeer>, web::HttpReply> peer_for(const Request& request) {
+    const Result<web::HttpAsk> ask = ask_of(request);
+    if (!ask.ok()) return web::error_reply(400, ask.error());
+    if (auto refused = state_.guard->refusal(*ask)) return *std::move(refused);
+    Result<std::unique_ptr<SocketPeer>> opened = state_.opener(*ask);
+    if (!opened.ok()) return web::error_reply(web::status_of(opened.error()), opened.error());
+    return std::move(opened).value();
+  }
+
   // What is refused is answered as other requests are.
   void upgrade() {
     const Request& request = parser_->get();
-    Result<web::HttpAsk> ask = ask_of(request);
-    std::optional<web::HttpReply> refused;
-    std::unique_ptr<SocketPeer> peer;
-    if (!ask.ok()) {
-      refused = web::error_reply(400, ask.error());
-    } else if (!(refused = state_.guard->refusal(*ask))) {
-      if (Result<std::unique_ptr<SocketPeer>> opened = state_.opener(*ask); opened.ok())
-        peer = std::move(opened).value();
-      else
-        refused = web::error_reply(web::status_of(opened.error()), opened.error());
-    }
-    if (peer != nullptr) {
+    auto met = peer_for(request);
+    if (auto* peer = std::get_if<std::unique_ptr<SocketPeer>>(&met)) {
       stream_.expires_never();
       return carry_web_socket(
-          stream_.release_socket(), request, std::move(peer), state_.connections);
+          stream_.release_socket(), request, std::move(*peer), state_.connections);
     }
-    out_ = outgoing(unread(), *std::move(refused), {true, state_.options.embed});
+    out_ =
+        outgoing(unread(), std::get<web::HttpReply>(std::move(met)), {true, state_.options.embed});
     write(out_.head, true);
   }
 
