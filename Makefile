@@ -52,7 +52,7 @@ test: ## everything CI checks; ends with the release tests' summary
 	tools/test --werror=$(WERROR) --lint=$(TIDY)
 
 sanitize: ## the whole chain over every value of a plan, under address and undefined-behaviour sanitizers
-	cmake --preset asan && cmake --build --preset asan --target test_export
+	cmake --preset asan -DMARKETGEN_MODULES=export && cmake --build --preset asan --target test_export
 	MARKETGEN_CHAINS=all ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1 \
 	  ASAN_SYMBOLIZER_PATH=/usr/lib/llvm-16/bin/llvm-symbolizer UBSAN_OPTIONS=print_stacktrace=1 \
 	  LSAN_OPTIONS=suppressions=cmake/lsan.supp \
