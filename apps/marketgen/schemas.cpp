@@ -2,6 +2,10 @@
 // docs from the field lists.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 #include "catalog/asset_file.h"
 #include "catalog/fixture_kind.h"
 #include "catalog/product.h"
@@ -41,7 +45,8 @@ struct Document {
   const TypeInfo& type;
 };
 
-std::vector<Document> documents() {
+// Stores, and what they are made of.
+std::vector<Document> store_documents() {
   return {
       {"market-plan-1", "What a store should be", type_of<plan::Plan>()},
       {"market-patch-1", "Changes of a plan", type_of<plan::PatchSet>()},
@@ -55,7 +60,12 @@ std::vector<Document> documents() {
        type_of<intake::PhotosFile>()},
       {"market-product-1", "A product row of the catalogue", type_of<catalog::Product>()},
       {"market-asset-1", "An outside model taken into a library", type_of<catalog::AssetFile>()},
-      {"market-fixture-1", "A fixture row of the catalogue", type_of<catalog::FixtureKind>()},
+      {"market-fixture-1", "A fixture row of the catalogue", type_of<catalog::FixtureKind>()}};
+}
+
+// Robots, tasks, and what came of them.
+std::vector<Document> task_documents() {
+  return {
       {"market-robot-1", "A robot, an arm or a tool", type_of<robots::RobotRow>()},
       {"market-aisle-1",
        "The robot of In-Aisle Item Collection",
@@ -75,7 +85,12 @@ std::vector<Document> documents() {
       {"market-drive-1", "What a person drove", type_of<episodes::DriveLog>()},
       {"market-run-1",
        "Which episodes a folder of results is of",
-       type_of<evaluation::RunRecord>()},
+       type_of<evaluation::RunRecord>()}};
+}
+
+// Tables of many runs or stores, and pictures.
+std::vector<Document> table_documents() {
+  return {
       {"market-leaderboard-1",
        "Policies side by side on the same episodes",
        type_of<evaluation::Leaderboard>()},
@@ -107,6 +122,13 @@ std::vector<Document> documents() {
       {"market-annotations-1",
        "What is to be seen in a picture",
        type_of<render::PictureAnnotations>()}};
+}
+
+std::vector<Document> documents() {
+  std::vector<Document> all = store_documents();
+  for (const auto& more : {task_documents(), table_documents()})
+    std::ranges::copy(more, std::back_inserter(all));
+  return all;
 }
 
 Result<void> write_schemas(const std::string& root) {

@@ -90,12 +90,12 @@ Result<void> shop(const ShopFlags& flags) {
   if (!flags.record.empty()) MARKETGEN_CHECK(record.add_folder(flags.record));
   MARKETGEN_TRY(const catalog::Catalog rows, load_rows_of_store(flags.folder));
   MARKETGEN_TRY(const scene::Scene scene, store::open_store_scene(flags.folder));
-  const catalog::Country& country = environments::country_of(scene);
+  const shopping::Assortment assortment = environments::assortment_of(scene, flags.sold_out);
+  const catalog::Country& country = shopping::country_of(assortment);
   const catalog::LocalCatalog local(rows, std::string(country.id));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(const auto knowledge, shopping::ShoppingKnowledge::load(local.get(), data));
-  MARKETGEN_TRY(const shopping::ShoppingPlan plan,
-                plan_of(flags, environments::assortment_of(scene, flags.sold_out), knowledge));
+  MARKETGEN_TRY(const shopping::ShoppingPlan plan, plan_of(flags, assortment, knowledge));
   if (flags.common.json)
     fmt::print("{}", io::write_json(plan));
   else

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/fields.h"
 #include "geometry/image.h"
 #include "geometry/vector.h"
 
@@ -38,16 +39,24 @@ struct FoundGoal {
 
 // A grasp that was thought of.
 struct TriedGrasp {
-  Vec3 tip;  // between the pads
+  std::array<double, 3> tip_m{};  // between the pads
   double opening_m = 0;
   double intrusion_m = 0;        // of the open hand into what else is seen
   std::string outcome = "None";  // a name of FailureCode; "None": this one is taken
+  static constexpr auto fields = field_list(
+      field("tip_m", &TriedGrasp::tip_m, "between the pads"),
+      field("opening_m", &TriedGrasp::opening_m, "of the hand"),
+      field("intrusion_m", &TriedGrasp::intrusion_m, "of the open hand into what else is seen"),
+      field("outcome", &TriedGrasp::outcome, "None: taken; else a failure code"));
 };
 
 // A mark of a picture, in shares of its width and height from the top left.
 struct PictureMark {
   std::array<double, 4> box{};  // left, top, right, bottom
   int goal = -1;                // -1: it is no goal's, but something of its own
+  static constexpr auto fields =
+      field_list(field("box", &PictureMark::box, "left, top, right, bottom in shares of the sides"),
+                 field("goal", &PictureMark::goal, "whose it is taken to be; -1: a mask"));
 };
 
 struct LookedAt {

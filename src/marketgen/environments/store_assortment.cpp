@@ -1,7 +1,6 @@
 #include "environments/store_assortment.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace marketgen::environments {
 
@@ -15,11 +14,6 @@ shopping::Assortment assortment_of(const scene::Scene& scene,
     if (!there[i]) assortment.sold_out.push_back(scene.catalog[i].sku);
   std::ranges::sort(assortment.sold_out);
   return assortment;
-}
-
-const catalog::Country& country_of(const scene::Scene& scene) {
-  return scene.catalog.empty() ? catalog::country_or_euro(std::nullopt)
-                               : catalog::country_of(scene.catalog.front());
 }
 
 }  // namespace marketgen::environments

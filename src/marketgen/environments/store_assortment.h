@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "catalog/country.h"
 #include "scene/scene.h"
 #include "shopping/assortment.h"
 
@@ -12,8 +11,5 @@ namespace marketgen::environments {
 // Rows of the scene; sold out is that of which no item is there, and `sold_out`.
 shopping::Assortment assortment_of(const scene::Scene& scene,
                                    const std::vector<std::string>& sold_out = {});
-
-// That of the scene's prices.
-const catalog::Country& country_of(const scene::Scene& scene);
 
 }  // namespace marketgen::environments

@@ -97,7 +97,7 @@ class GoalStory {
     }
     if (!decision.truth) return true;
     const TruthThere& truth = *decision.truth;
-    if (truth.own_m && *truth.own_m <= right_place_m) return true;
+    if (is_right(truth)) return true;
     if (!truth.sku.empty() && truth.sku != sku_ && truth.off_m <= right_place_m)
       blame(decision, PolicyModule::target, fmt::format("what it went for is {}", truth.sku));
     else

@@ -15,6 +15,11 @@ namespace marketgen::evaluation {
 
 constexpr double right_place_m = 0.03;  // between a product's middle, as taken, and the true one
 
+// The product is there.
+inline bool is_right(const TruthThere& truth) {
+  return truth.own_m && *truth.own_m <= right_place_m;
+}
+
 // In the order of the result's goals, which are those of the task. `decisions` have their truth.
 std::vector<JudgedGoal> judged_goals(const std::vector<DecisionRecord>& decisions,
                                      const episodes::EpisodeResult& result);

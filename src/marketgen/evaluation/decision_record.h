@@ -87,28 +87,9 @@ struct FoundRecord {
                  field("truth", &FoundRecord::truth, "what is there"));
 };
 
-struct TriedRecord {
-  std::array<double, 3> tip_m{};
-  double opening_m = 0, intrusion_m = 0;
-  std::string outcome;
-  static constexpr auto fields = field_list(
-      field("tip_m", &TriedRecord::tip_m, "between the pads"),
-      field("opening_m", &TriedRecord::opening_m, "of the hand"),
-      field("intrusion_m", &TriedRecord::intrusion_m, "of the open hand into what else is seen"),
-      field("outcome", &TriedRecord::outcome, "None: taken; else a failure code"));
-};
-
-struct MarkRecord {
-  std::array<double, 4> box{};
-  int goal = -1;
-  static constexpr auto fields =
-      field_list(field("box", &MarkRecord::box, "left, top, right, bottom in shares of the sides"),
-                 field("goal", &MarkRecord::goal, "whose it is taken to be; -1: a mask"));
-};
-
 struct PictureRecord {
   std::string camera, jpeg;
-  std::vector<MarkRecord> marks;
+  std::vector<agent::PictureMark> marks;
   static constexpr auto fields =
       field_list(field("camera", &PictureRecord::camera, "of the robot"),
                  field("jpeg", &PictureRecord::jpeg, "in base64", at_most_bytes(2'000'000)),
@@ -124,7 +105,7 @@ struct DecisionRecord {
   std::optional<TruthThere> truth;
   std::vector<std::string> readings;
   std::vector<FoundRecord> found;
-  std::vector<TriedRecord> tried;
+  std::vector<agent::TriedGrasp> tried;
   std::vector<PictureRecord> pictures;
   static constexpr auto fields = field_list(
       field("kind", &DecisionRecord::kind, "what was decided"),

@@ -19,11 +19,9 @@ std::array<double, 3> numbers_of(Vec3 at) {
 }
 
 Result<PictureRecord> record_of(const agent::LookedAt& looked) {
-  PictureRecord record{looked.camera, {}, {}};
+  PictureRecord record{looked.camera, {}, looked.marks};
   MARKETGEN_TRY(const std::string jpeg, io::encode_jpeg(looked.picture, io::JpegUse::texture));
   record.jpeg = net::base64_of(jpeg);
-  for (const agent::PictureMark& mark : looked.marks)
-    record.marks.push_back({mark.box, mark.goal});
   return record;
 }
 
@@ -49,7 +47,7 @@ Result<DecisionRecord> DecisionRecorder::record_of(const agent::Decision& decisi
   record.kind = decision.kind;
   record.time_s = decision.time_s, record.computed_s = decision.computed_s;
   record.goal = decision.goal, record.sku = decision.sku, record.outcome = decision.outcome;
-  record.readings = decision.readings;
+  record.readings = decision.readings, record.tried = decision.tried;
   if (decision.middle) {
     record.middle_m = numbers_of(*decision.middle);
     record.truth = truth_at(*world_, decision.sku, *decision.middle);
@@ -62,9 +60,6 @@ Result<DecisionRecord> DecisionRecorder::record_of(const agent::Decision& decisi
                             numbers_of(found.middle),
                             found.score,
                             truth_at(*world_, found.sku, found.middle)});
-  for (const agent::TriedGrasp& tried : decision.tried)
-    record.tried.push_back(
-        {numbers_of(tried.tip), tried.opening_m, tried.intrusion_m, tried.outcome});
   for (const agent::LookedAt& looked : decision.pictures) {
     MARKETGEN_TRY(PictureRecord picture, evaluation::record_of(looked));
     record.pictures.push_back(std::move(picture));

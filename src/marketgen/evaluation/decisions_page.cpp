@@ -18,7 +18,7 @@ constexpr std::string_view page_style = R"(<style>
 .looks rect.goal{stroke:#ffd54a;stroke-opacity:1;stroke-width:2}details{border-bottom:1px solid var(--line);padding:.35rem 0}summary{cursor:pointer}summary .when{color:var(--soft);display:inline-block;min-width:4.5rem}
 </style>)";
 
-std::string mark_rect(const MarkRecord& mark) {
+std::string mark_rect(const agent::PictureMark& mark) {
   const auto& [left, top, right, bottom] = mark.box;
   return fmt::format("<rect{} x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>",
                      mark.goal >= 0 ? " class=\"goal\"" : "",
@@ -30,7 +30,7 @@ std::string mark_rect(const MarkRecord& mark) {
 
 std::string picture_figure(const PictureRecord& picture) {
   std::string rects;
-  for (const MarkRecord& mark : picture.marks)
+  for (const agent::PictureMark& mark : picture.marks)
     rects += mark_rect(mark);
   const std::string camera = escaped_markup(picture.camera);
   const auto found =
@@ -53,8 +53,7 @@ std::string goal_name(int goal) {
 
 // What was true of a place, and whether that is what it was taken for.
 std::string truth_words(const TruthThere& truth, const std::string& sku) {
-  const bool right = truth.own_m && *truth.own_m <= right_place_m;
-  if (right)
+  if (is_right(truth))
     return fmt::format("<span class=\"good\">right, {:.0f} mm off</span>", 1000 * *truth.own_m);
   const std::string there = truth.sku.empty() || truth.sku == sku
                                 ? std::string("something else or nothing")
@@ -78,10 +77,10 @@ std::string found_table(const std::vector<FoundRecord>& found) {
          "</table>";
 }
 
-std::string tried_table(const std::vector<TriedRecord>& tried) {
+std::string tried_table(const std::vector<agent::TriedGrasp>& tried) {
   if (tried.empty()) return "";
   std::string rows;
-  for (const TriedRecord& each : tried)
+  for (const agent::TriedGrasp& each : tried)
     rows += fmt::format(
         "<tr><td>{:.3f} {:.3f} {:.3f}</td><td>{:.0f} mm</td><td>{:.1f} mm</td><td>{}</td></tr>",
         each.tip_m[0],

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "skills/counter_obstacles.h"
 #include "skills/hand_room.h"
 
 namespace marketgen::perception {
@@ -55,11 +56,10 @@ std::vector<Vec3f> other_points(const std::vector<Vec3f>& points,
 Result<std::vector<SeenGrasp>> FittedGrasps::grasps(const GraspQuestion& question) const {
   const agent::KnownProduct& known = question.known;
   skills::LyingPack pack{known.product, known.body, known.pad_friction, question.base_from_product};
-  const Vec3 in_basket = inverse(question.base_from_basket) * pack.middle();
-  if (std::abs(in_basket.x) < place_.inner_half.x && std::abs(in_basket.y) < place_.inner_half.y)
-    pack.ground_m = question.base_from_basket.position.z;
   agent::Workplace place = place_;
   place.base_from_basket = question.base_from_basket;
+  if (skills::is_over_basket(place, pack.middle()))
+    pack.ground_m = question.base_from_basket.position.z;
   MARKETGEN_TRY(const auto candidates,
                 skills::grasps_from_above(pack, tool_, skills::wall_obstacles(place)));
   std::vector<SeenGrasp> grasps;

@@ -266,7 +266,10 @@ class ClassicalCheckout : public agent::Policy {
     return seen_surroundings(setup_.place, points, hand);
   }
   double rim_z_m() const { return setup_.place.base_from_basket.position.z + setup_.place.rim_m; }
-  skills::HandAt hand_now() const { return skills::hand_at(setup_.place, arm_.tip()); }
+  skills::HandAt hand_now() const {
+    return skills::is_over_basket(setup_.place, arm_.tip().position) ? skills::HandAt::basket
+                                                                     : skills::HandAt::counter;
+  }
 
   // ---- Taking it ----
 
@@ -298,7 +301,8 @@ class ClassicalCheckout : public agent::Policy {
         request.max_force_n = push_n;
         if (felt_.has_grasp(tip)) continue;
         agent::TriedGrasp& trial = tries.emplace_back();
-        trial = {tip.position, grasp.opening_m, grasp.intrusion_m};
+        trial = {
+            {tip.position.x, tip.position.y, tip.position.z}, grasp.opening_m, grasp.intrusion_m};
         if (!skills::is_reached(arm_, request, hand, walls)) {
           trial.outcome = "NoIK";
           note("NoIK");

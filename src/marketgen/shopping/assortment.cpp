@@ -8,7 +8,6 @@
 
 #include "base/text.h"
 #include "base/words.h"
-#include "catalog/country.h"
 
 namespace marketgen::shopping {
 namespace {
@@ -17,25 +16,26 @@ double coins_a_unit(const catalog::Country& country) {
   return std::pow(10.0, country.minor_digits);
 }
 
-const catalog::Country& country_of(const Assortment& assortment) {
-  return assortment.products.empty() ? catalog::country_or_euro({})
-                                     : catalog::country_of(assortment.products.front());
+// What people call money, and which it may be.
+constexpr std::pair<std::string_view, std::string_view> money_names[] = {{"euro", "EUR"},
+                                                                         {"dollar", "USD"},
+                                                                         {"dollar", "CAD"},
+                                                                         {"dollar", "AUD"},
+                                                                         {"buck", "USD"},
+                                                                         {"pound", "GBP"},
+                                                                         {"yuan", "CNY"},
+                                                                         {"yen", "JPY"},
+                                                                         {"franc", "CHF"},
+                                                                         {"zloty", "PLN"}};
+
+bool is_sign_or_code(const std::string& low, const catalog::Country& country) {
+  return low == lower_ascii(country.sign) || low == lower_ascii(country.currency);
 }
 
 bool is_its_money(std::string_view said, const catalog::Country& country) {
-  constexpr std::pair<std::string_view, std::string_view> names[] = {{"euro", "EUR"},
-                                                                     {"dollar", "USD"},
-                                                                     {"dollar", "CAD"},
-                                                                     {"dollar", "AUD"},
-                                                                     {"buck", "USD"},
-                                                                     {"pound", "GBP"},
-                                                                     {"yuan", "CNY"},
-                                                                     {"yen", "JPY"},
-                                                                     {"franc", "CHF"},
-                                                                     {"zloty", "PLN"}};
   const std::string low = lower_ascii(said);
-  return said.empty() || low == lower_ascii(country.sign) || low == lower_ascii(country.currency) ||
-         std::ranges::any_of(names, [&](const auto& name) {
+  return said.empty() || is_sign_or_code(low, country) ||
+         std::ranges::any_of(money_names, [&](const auto& name) {
            return name.first == low && name.second == country.currency;
          });
 }
@@ -73,6 +73,19 @@ std::optional<std::string> refusal_of(const Diet& diet, const catalog::Product& 
 }
 
 }  // namespace
+
+const catalog::Country& country_of(const Assortment& assortment) {
+  return assortment.products.empty() ? catalog::country_or_euro({})
+                                     : catalog::country_of(assortment.products.front());
+}
+
+bool is_money(std::string_view text, std::string_view plain) {
+  const std::string low = lower_ascii(text);
+  return std::ranges::any_of(money_names, [&](const auto& name) { return name.first == plain; }) ||
+         std::ranges::any_of(catalog::countries(), [&](const catalog::Country& country) {
+           return is_sign_or_code(low, country);
+         });
+}
 
 const catalog::Product* Assortment::product(std::string_view sku) const {
   const auto found = std::ranges::lower_bound(products, sku, {}, &catalog::Product::sku);

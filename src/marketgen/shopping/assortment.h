@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "catalog/country.h"
 #include "catalog/product.h"
 #include "shopping/request.h"
 
@@ -20,6 +21,12 @@ struct Assortment {
   const catalog::Product* product(std::string_view sku) const;
   bool is_sold_out(std::string_view sku) const;
 };
+
+// That of its prices.
+const catalog::Country& country_of(const Assortment& assortment);
+// Whether a word names any money: its sign or code as it stands in the text, or what people call it
+// ("euro"), lower case and singular.
+bool is_money(std::string_view text, std::string_view plain);
 
 // In the smallest coin of the row's country: exact where prices are summed.
 std::int64_t coins_of(const catalog::Product& product);

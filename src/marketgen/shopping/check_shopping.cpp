@@ -60,18 +60,9 @@ class PlanCheck {
   }
 
  private:
-  Result<std::vector<ItemReading>> read(const std::vector<std::string>& list) const {
-    std::vector<ItemReading> readings;
-    for (const std::string& words : list) {
-      MARKETGEN_TRY(ItemReading item, read_item(words, knowledge_));
-      readings.push_back(std::move(item));
-    }
-    return readings;
-  }
-
   Result<void> note_asked() {
-    MARKETGEN_TRY(const std::vector<ItemReading> items, read(request_.items));
-    MARKETGEN_TRY(const std::vector<ItemReading> home, read(request_.at_home));
+    MARKETGEN_TRY(const std::vector<ItemReading> items, read_items(request_.items, knowledge_));
+    MARKETGEN_TRY(const std::vector<ItemReading> home, read_items(request_.at_home, knowledge_));
     std::vector<ItemReading> named = home;
     for (const ItemReading& item : items) {
       if (is_among(item, home)) continue;

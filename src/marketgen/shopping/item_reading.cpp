@@ -142,6 +142,16 @@ Result<ItemReading> read_item(const std::string& words, const ShoppingKnowledge&
   return item;
 }
 
+Result<std::vector<ItemReading>> read_items(const std::vector<std::string>& list,
+                                            const ShoppingKnowledge& knowledge) {
+  std::vector<ItemReading> readings;
+  for (const std::string& words : list) {
+    MARKETGEN_TRY(ItemReading item, read_item(words, knowledge));
+    readings.push_back(std::move(item));
+  }
+  return readings;
+}
+
 std::optional<Answer> answer_of(const ItemReading& item, const catalog::Product& product) {
   Answer answer{.product = &product, .packs = packs_of(item, product)};
   if (item.food != nullptr) {

@@ -38,6 +38,10 @@ struct ItemReading {
 // Error: shopping.not_understood.
 Result<ItemReading> read_item(const std::string& words, const ShoppingKnowledge& knowledge);
 
+// All of a list, in its order. The same error.
+Result<std::vector<ItemReading>> read_items(const std::vector<std::string>& list,
+                                            const ShoppingKnowledge& knowledge);
+
 // The product as an answer to the item: what it says, or else what is of the same group. Empty for
 // products of other groups, unless the item's words are their whole name.
 std::optional<Answer> answer_of(const ItemReading& item, const catalog::Product& product);

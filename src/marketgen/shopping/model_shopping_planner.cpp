@@ -118,7 +118,7 @@ Result<ShoppingPlan> plan_of(const ShoppingAnswer& answer,
   }
   ShoppingPlan plan = empty_plan(request, assortment, knowledge);
   plan.menus = answer.menus;
-  plan.lines = lines_of(bought, request, assortment, knowledge);
+  plan.lines = lines_of(bought, parts.allowed);
   for (ShoppingLine& line : plan.lines) {
     const auto told = std::ranges::find(answer.lines, line.sku, &ShoppingAnswer::Line::sku);
     line.why = told->why;

@@ -136,13 +136,7 @@ std::int64_t coins_of(const std::vector<ChosenAnswer>& chosen) {
 }
 
 std::vector<ShoppingLine> lines_of(const std::vector<ChosenAnswer>& chosen,
-                                   const ShoppingRequest& request,
-                                   const Assortment& assortment,
-                                   const ShoppingKnowledge& knowledge) {
-  std::vector<const catalog::Product*> allowed;
-  for (const catalog::Product& product : assortment.products)
-    if (!assortment.is_sold_out(product.sku) && !refusal(product, request, knowledge))
-      allowed.push_back(&product);
+                                   const std::vector<const catalog::Product*>& allowed) {
   std::vector<ShoppingLine> lines;
   for (const Bought& bought : bought_of(chosen))
     lines.push_back(line_of(bought, allowed));
@@ -154,9 +148,7 @@ ShoppingPlan empty_plan(const ShoppingRequest& request,
                         const ShoppingKnowledge& knowledge) {
   ShoppingPlan plan;
   plan.request = request;
-  plan.money = assortment.products.empty()
-                   ? catalog::country_or_euro({}).currency
-                   : catalog::country_of(assortment.products.front()).currency;
+  plan.money = country_of(assortment).currency;
   for (const std::string& id : request.diets)
     if (const Diet* diet = knowledge.table().diet(id))
       plan.unmet.push_back({id, UnmetKind::not_told, diet->caution});

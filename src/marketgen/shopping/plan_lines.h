@@ -19,11 +19,9 @@ struct ChosenAnswer {
 std::int64_t coins_of(const std::vector<ChosenAnswer>& chosen);
 
 // One line for each product, in the order of the parts; a product that answers two parts is bought
-// as often as both together want it. With substitutes.
+// as often as both together want it. With substitutes, of those `allowed`.
 std::vector<ShoppingLine> lines_of(const std::vector<ChosenAnswer>& chosen,
-                                   const ShoppingRequest& request,
-                                   const Assortment& assortment,
-                                   const ShoppingKnowledge& knowledge);
+                                   const std::vector<const catalog::Product*>& allowed);
 
 // A plan without lines: the request, its money, and what rows do not tell of its diets.
 ShoppingPlan empty_plan(const ShoppingRequest& request,

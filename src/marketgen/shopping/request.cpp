@@ -33,7 +33,8 @@ std::string said_of(const WordRow& words,
 }
 
 std::string said_of(const std::string& name, const ShoppingKnowledge& knowledge) {
-  return said_of(words_of(name), 0, words_of(name).size(), knowledge);
+  const WordRow words = words_of(name);
+  return said_of(words, 0, words.size(), knowledge);
 }
 
 // Reads one request; the chunks of its words one after the other.

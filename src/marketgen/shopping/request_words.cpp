@@ -12,6 +12,7 @@
 #include "base/words.h"
 #include "catalog/country.h"
 #include "perception/said_amounts.h"
+#include "shopping/assortment.h"
 
 namespace marketgen::shopping {
 namespace {
@@ -112,17 +113,6 @@ std::optional<double> number_in(const RequestWord& word) {
   return perception::said_number(text);
 }
 
-// The name of some money: its sign, its code, or what people call it.
-bool is_money(const RequestWord& word) {
-  constexpr std::array<std::string_view, 8> names{
-      "euro", "dollar", "buck", "pound", "yuan", "yen", "franc", "zloty"};
-  return is_any(names, word.plain) ||
-         std::ranges::any_of(catalog::countries(), [&](const catalog::Country& country) {
-           return lower_ascii(word.text) == lower_ascii(country.sign) ||
-                  lower_ascii(word.text) == lower_ascii(country.currency);
-         });
-}
-
 struct Sum {
   std::size_t from = 0, to = 0;
   Budget budget;
@@ -132,9 +122,11 @@ struct Sum {
 std::optional<Sum> sum_at(const std::vector<RequestWord>& words, std::size_t at) {
   const auto number = number_in(words[at]);
   if (!number) return std::nullopt;
-  if (at + 1 < words.size() && words[at + 1].before == Break::none && is_money(words[at + 1]))
+  if (at + 1 < words.size() && words[at + 1].before == Break::none &&
+      is_money(words[at + 1].text, words[at + 1].plain))
     return Sum{at, at + 2, {*number, words[at + 1].plain}};
-  if (at > 0 && words[at].before == Break::none && is_money(words[at - 1]))
+  if (at > 0 && words[at].before == Break::none &&
+      is_money(words[at - 1].text, words[at - 1].plain))
     return Sum{at - 1, at + 1, {*number, words[at - 1].plain}};
   const bool last =
       at + 1 == words.size() || words[at + 1].before != Break::none || words[at + 1].plain == "for";

@@ -101,16 +101,6 @@ Part item_part(const ItemReading& item, const Offered& offered) {
   return part;
 }
 
-Result<std::vector<ItemReading>> readings_of(const std::vector<std::string>& list,
-                                             const ShoppingKnowledge& knowledge) {
-  std::vector<ItemReading> readings;
-  for (const std::string& words : list) {
-    MARKETGEN_TRY(ItemReading item, read_item(words, knowledge));
-    readings.push_back(std::move(item));
-  }
-  return readings;
-}
-
 Result<void> check_sold_out(const Assortment& assortment) {
   std::vector<std::string_view> skus;
   for (const catalog::Product& product : assortment.products)
@@ -160,8 +150,8 @@ Result<ShoppingParts> parts_of(const ShoppingRequest& request,
                                const ShoppingKnowledge& knowledge,
                                std::size_t breadth) {
   MARKETGEN_CHECK(check_sold_out(assortment));
-  MARKETGEN_TRY(std::vector<ItemReading> items, readings_of(request.items, knowledge));
-  MARKETGEN_TRY(std::vector<ItemReading> home, readings_of(request.at_home, knowledge));
+  MARKETGEN_TRY(std::vector<ItemReading> items, read_items(request.items, knowledge));
+  MARKETGEN_TRY(std::vector<ItemReading> home, read_items(request.at_home, knowledge));
   Offered offered = offered_of(request, assortment, knowledge);
   offered.breadth = breadth;
   ShoppingParts parts;
@@ -173,6 +163,7 @@ Result<ShoppingParts> parts_of(const ShoppingRequest& request,
     const int number = static_cast<int>(parts.meals.size());
     parts.meals.push_back(meal_parts(wish, number, readings, offered, knowledge.table()));
   }
+  parts.allowed = std::move(offered.allowed);
   return parts;
 }
 

@@ -47,6 +47,7 @@ struct MealParts {
 struct ShoppingParts {
   std::vector<Part> items;
   std::vector<MealParts> meals;
+  std::vector<const catalog::Product*> allowed;  // of the store, all that may be bought
 };
 
 // Of each option of a food the `breadth` answers that cost the least; of an item the one or two

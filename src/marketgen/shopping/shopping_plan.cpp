@@ -79,7 +79,7 @@ Result<ShoppingPlan> plan_shopping(const ShoppingRequest& request,
     plan.unmet.push_back(unmet_part(*part, least, assortment));
     if (plan.unmet.back().kind == UnmetKind::over_budget) plan.least = least;
   }
-  plan.lines = lines_of(bill.bought, request, assortment, knowledge);
+  plan.lines = lines_of(bill.bought, parts.allowed);
   plan.total = price_of(coins_of(bill.bought), assortment);
   return plan;
 }

@@ -16,10 +16,9 @@ motion::BoxObstacle counter_top(const agent::WorkArea& counter) {
 
 }  // namespace
 
-HandAt hand_at(const agent::Workplace& place, const Pose& base_from_tip) {
-  const Vec3 at = inverse(place.base_from_basket) * base_from_tip.position;
-  const bool inside = std::abs(at.x) < place.inner_half.x && std::abs(at.y) < place.inner_half.y;
-  return inside ? HandAt::basket : HandAt::counter;
+bool is_over_basket(const agent::Workplace& place, Vec3 base_point) {
+  const Vec3 at = inverse(place.base_from_basket) * base_point;
+  return std::abs(at.x) < place.inner_half.x && std::abs(at.y) < place.inner_half.y;
 }
 
 Surroundings counter_alone(const agent::Workplace& place) {

@@ -7,8 +7,8 @@ namespace marketgen::skills {
 
 // Where the hand is when it goes along a line.
 enum class HandAt { basket, counter };
-// In the basket: over its inside, however high.
-HandAt hand_at(const agent::Workplace& place, const Pose& base_from_tip);
+// Over the inside of the basket, or in it, however high.
+bool is_over_basket(const agent::Workplace& place, Vec3 base_point);
 
 // Ways keep off the counter and the basket. Lines keep off the counter and, of the basket, the
 // outer skin when the hand is in it (its grasp was tested against the walls themselves, and an
