@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -32,7 +33,8 @@ episodes::EpisodeResult not_run(const episodes::EpisodeSpec& spec,
   return result;
 }
 
-// Whole paths, for workers.
+// Whole paths, for workers. Of a folder that has been opened: a path from a working folder that is
+// gone has none.
 Kept kept_of(const EvaluationOptions& options) {
   const std::string folder = std::filesystem::absolute(options.folder).string();
   return {options.record_motion ? folder : "", options.record_decisions ? folder : ""};
@@ -52,9 +54,9 @@ EpisodeRunner runner_here(environments::Arena& arena, const EvaluationOptions& o
 }
 
 // In a process that is started anew when it has died or had to be ended.
-EpisodeRunner runner_in_worker(const EvaluationOptions& options, const std::string& work) {
+EpisodeRunner runner_in_worker(const EvaluationOptions& options, std::string work) {
   const auto worker = std::make_shared<std::unique_ptr<WorkerProcess>>();
-  return [worker, &options, &work](
+  return [worker, &options, work = std::move(work)](
              const episodes::EpisodeSpec& spec) -> Result<episodes::EpisodeResult> {
     const auto began = std::chrono::steady_clock::now();
     if (!*worker) {
@@ -180,10 +182,10 @@ Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::pat
   // episode says what is wrong with it.
   const auto policy = environments::read_policy_name(options.policy);
   if (policy.ok() && !policy->model.empty()) MARKETGEN_CHECK(arena.model(policy->model));
-  const std::string work =
-      io::write_json_line(WorkerTask{file.header, options.realism, kept_of(options)});
-  const auto make_runner = [&] {
-    return options.worker.empty() ? runner_here(arena, options) : runner_in_worker(options, work);
+  const auto make_runner = [&]() -> EpisodeRunner {
+    if (options.worker.empty()) return runner_here(arena, options);
+    const WorkerTask task{file.header, options.realism, kept_of(options)};
+    return runner_in_worker(options, io::write_json_line(task));
   };
   return evaluate_with(file, options, make_runner, progress);
 }
