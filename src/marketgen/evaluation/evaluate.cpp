@@ -41,12 +41,12 @@ Kept kept_of(const EvaluationOptions& options) {
 }
 
 // In this process, rounding as every parallel loop does.
-EpisodeRunner runner_here(environments::Arena& arena, const EvaluationOptions& options) {
-  return [&arena, &options](const episodes::EpisodeSpec& spec) {
+EpisodeRunner runner_here(environments::Arena& arena, const EvaluationOptions& options, Kept kept) {
+  return [&arena, &options, kept = std::move(kept)](const episodes::EpisodeSpec& spec) {
     std::optional<Result<episodes::EpisodeResult>> result;
     return until_interrupted([&]() -> Result<episodes::EpisodeResult> {
       parallel_for(1, [&](std::size_t) {
-        result = run_recorded(arena, spec, options.policy, options.realism, kept_of(options));
+        result = run_recorded(arena, spec, options.policy, options.realism, kept);
       });
       return *std::move(result);
     });
@@ -183,8 +183,9 @@ Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::pat
   const auto policy = environments::read_policy_name(options.policy);
   if (policy.ok() && !policy->model.empty()) MARKETGEN_CHECK(arena.model(policy->model));
   const auto make_runner = [&]() -> EpisodeRunner {
-    if (options.worker.empty()) return runner_here(arena, options);
-    const WorkerTask task{file.header, options.realism, kept_of(options)};
+    Kept kept = kept_of(options);
+    if (options.worker.empty()) return runner_here(arena, options, std::move(kept));
+    const WorkerTask task{file.header, options.realism, std::move(kept)};
     return runner_in_worker(options, io::write_json_line(task));
   };
   return evaluate_with(file, options, make_runner, progress);
