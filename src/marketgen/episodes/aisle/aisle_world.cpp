@@ -63,6 +63,36 @@ std::size_t dof_named(const robots::Robot& robot, std::string_view name) {
   return static_cast<std::size_t>(robot.find_dof(name));
 }
 
+// That the store has what the episode is of: its robot, tools, doors and goals.
+Result<void> check_begins(const EpisodeSpec& spec, const AisleStore& store) {
+  const AisleStation& station = store.station;
+  if (spec.robot != station.robot)
+    return Error{"robot.unknown",
+                 spec.id,
+                 fmt::format("the track has \"{}\", not \"{}\"", station.robot, spec.robot)};
+  MARKETGEN_CHECK(check_carried(station.tool_sets, station.carries, spec.tools, spec.id));
+  if (doors_of(spec) != store.doors)
+    return Error{"episode.bad_value",
+                 spec.id + "/doors",
+                 fmt::format("the store was opened for goals with doors {}, not {}",
+                             name_of(store.doors),
+                             name_of(doors_of(spec)))};
+  for (const EpisodeGoal& goal : spec.goals) {
+    const auto reached = static_cast<int>(store.front_items(goal.sku).size());
+    if (reached > 0 && reached < goal.count)
+      return Error{"episode.impossible",
+                   spec.id,
+                   fmt::format("asks for {} of \"{}\"; {} stand in front within reach",
+                               goal.count,
+                               goal.sku,
+                               reached)};
+    if (reached == 0)
+      return Error{
+          "catalog.unknown_sku", spec.id, "the store offers no \"" + goal.sku + "\" within reach"};
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> AisleWorld::reset(const EpisodeSpec& spec,
@@ -80,30 +110,7 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec,
 Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
   const AisleStation& station = store_->station;
   const robots::Robot& robot = store_->robot;
-  if (spec.robot != station.robot)
-    return Error{"robot.unknown",
-                 spec.id,
-                 fmt::format("the track has \"{}\", not \"{}\"", station.robot, spec.robot)};
-  MARKETGEN_CHECK(check_carried(station.tool_sets, station.carries, spec.tools, spec.id));
-  if (doors_of(spec) != store_->doors)
-    return Error{"episode.bad_value",
-                 spec.id + "/doors",
-                 fmt::format("the store was opened for goals with doors {}, not {}",
-                             name_of(store_->doors),
-                             name_of(doors_of(spec)))};
-  for (const EpisodeGoal& goal : spec.goals) {
-    const auto reached = static_cast<int>(store_->front_items(goal.sku).size());
-    if (reached > 0 && reached < goal.count)
-      return Error{"episode.impossible",
-                   spec.id,
-                   fmt::format("asks for {} of \"{}\"; {} stand in front within reach",
-                               goal.count,
-                               goal.sku,
-                               reached)};
-    if (reached == 0)
-      return Error{
-          "catalog.unknown_sku", spec.id, "the store offers no \"" + goal.sku + "\" within reach"};
-  }
+  MARKETGEN_CHECK(check_begins(spec, *store_));
   physics::RobotActorOptions place;
   place.state = posture_.empty() ? store_->driving : posture_;
   const robots::BasePlace start = start_of(spec);
