@@ -32,6 +32,7 @@
 #include "render/annotations.h"
 #include "robots/robot_row.h"
 #include "scene/scene_file.h"
+#include "shopping/shopping_plan.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -45,7 +46,7 @@ struct Document {
   const TypeInfo& type;
 };
 
-// Stores, and what they are made of.
+// Stores, what they are made of, and what to buy in them.
 std::vector<Document> store_documents() {
   return {
       {"market-plan-1", "What a store should be", type_of<plan::Plan>()},
@@ -60,7 +61,10 @@ std::vector<Document> store_documents() {
        type_of<intake::PhotosFile>()},
       {"market-product-1", "A product row of the catalogue", type_of<catalog::Product>()},
       {"market-asset-1", "An outside model taken into a library", type_of<catalog::AssetFile>()},
-      {"market-fixture-1", "A fixture row of the catalogue", type_of<catalog::FixtureKind>()}};
+      {"market-fixture-1", "A fixture row of the catalogue", type_of<catalog::FixtureKind>()},
+      {"market-shopping-1",
+       "What to buy in a store for a request in words",
+       type_of<shopping::ShoppingPlan>()}};
 }
 
 // Robots, tasks, and what came of them.

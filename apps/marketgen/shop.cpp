@@ -8,13 +8,14 @@
 #include "catalog/country.h"
 #include "command.h"
 #include "environments/store_assortment.h"
-#include "io/file.h"
+#include "environments/store_shopping.h"
 #include "io/json.h"
 #include "io/output.h"
 #include "planner_flags.h"
-#include "planners/budget.h"
+#include "planners/make_planner.h"
 #include "say.h"
-#include "shopping/shopping_planner.h"
+#include "scene/scene.h"
+#include "shopping/shopping_plan.h"
 #include "store/store.h"
 
 namespace marketgen::app {
@@ -72,34 +73,20 @@ void print_plan(const shopping::ShoppingPlan& plan, const catalog::Country& coun
     say("planner     {}: plan of the {}, {}\n", shopper->model, shopper->kept, shopper->why);
 }
 
-Result<shopping::ShoppingPlan> plan_of(const ShopFlags& flags,
-                                       const shopping::Assortment& assortment,
-                                       const shopping::ShoppingKnowledge& knowledge) {
-  planners::PlannerAccess access = flags.access;
-  access.record = flags.record;
-  MARKETGEN_TRY(const auto model, planners::open_planner_model(flags.planner, access));
-  MARKETGEN_TRY(const shopping::ShoppingRequest request,
-                shopping::read_request(flags.words, knowledge));
-  if (!model) return shopping::OfflineShoppingPlanner(knowledge).plan(request, assortment);
-  const planners::Budget budget(*model, access.limits);
-  return shopping::ModelShoppingPlanner(knowledge, budget.model()).plan(request, assortment);
-}
-
 Result<void> shop(const ShopFlags& flags) {
   io::Outputs record;
   if (!flags.record.empty()) MARKETGEN_CHECK(record.add_folder(flags.record));
   MARKETGEN_TRY(const catalog::Catalog rows, load_rows_of_store(flags.folder));
   MARKETGEN_TRY(const scene::Scene scene, store::open_store_scene(flags.folder));
   const shopping::Assortment assortment = environments::assortment_of(scene, flags.sold_out);
-  const catalog::Country& country = shopping::country_of(assortment);
-  const catalog::LocalCatalog local(rows, std::string(country.id));
-  MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
-  MARKETGEN_TRY(const auto knowledge, shopping::ShoppingKnowledge::load(local.get(), data));
-  MARKETGEN_TRY(const shopping::ShoppingPlan plan, plan_of(flags, assortment, knowledge));
+  environments::ShoppingOptions options{flags.planner, flags.access};
+  options.access.record = flags.record;
+  MARKETGEN_TRY(const shopping::ShoppingPlan plan,
+                environments::shop(flags.words, assortment, rows, options));
   if (flags.common.json)
     fmt::print("{}", io::write_json(plan));
   else
-    print_plan(plan, country);
+    print_plan(plan, shopping::country_of(assortment));
   return {};
 }
 

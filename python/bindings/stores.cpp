@@ -8,6 +8,8 @@
 #include "assets/usable_catalog.h"
 #include "audit/compliance.h"
 #include "binding.h"
+#include "environments/store_assortment.h"
+#include "environments/store_shopping.h"
 #include "intake/brief.h"
 #include "intake/conflicts.h"
 #include "intake/drawn_shell.h"
@@ -21,6 +23,7 @@
 #include "scene/query.h"
 #include "store/edit.h"
 #include "store/edit_words.h"
+#include "store/open_stores.h"
 #include "store/planogram.h"
 #include "store_handle.h"
 #include "told_progress.h"
@@ -153,6 +156,21 @@ nb::tuple edit(const StoreHandle& handle,
   return nb::make_tuple(opened(options.folder.string(), *handle.catalog), edited.lost);
 }
 
+// market-shopping/1. The store's own products are known, whatever it was opened with.
+std::string shop(const StoreHandle& handle,
+                 const std::string& request,
+                 const std::vector<std::string>& sold_out,
+                 const std::string& planner,
+                 const planners::PlannerAccess& access) {
+  return io::write_json(value_or_raise(without_interpreter([&] {
+    const store::OpenedStores opened = store::opened_stores({handle.store}, *handle.catalog);
+    return environments::shop(request,
+                              environments::assortment_of(handle.store->scene, sold_out),
+                              opened.catalog,
+                              {planner, access});
+  })));
+}
+
 std::vector<std::string> camera_names(const StoreHandle& handle) {
   std::vector<std::string> names;
   for (const render::Camera& camera : render::standard_cameras(handle.store->scene, 16, 9))
@@ -189,6 +207,7 @@ void add_stores(nb::module_& module) {
       .def("_planogram_patches", &planogram_patches)
       .def("_compliance", &compliance)
       .def("_edit", &edit)
+      .def("_shop", &shop)
       .def("camera_names", &camera_names)
       .def("camera", [](const StoreHandle& h, const std::string& name, int width, int height) {
         return value_or_raise(render::camera_named(h.store->scene, name, width, height));

@@ -17,6 +17,7 @@ PathLike = str | os.PathLike[str]
 Progress = Callable[[int, int, str], Any]  # done, total, what is being done
 MAX_SEED = 2**64 - 1
 MAX_SIDE_PX = 16384
+MAX_TOKENS, MAX_SECONDS = 200_000, 300.0  # of a language model, unless more or less is allowed
 
 
 def bad(name: str, value: Any, expected: str) -> Error:
@@ -36,6 +37,12 @@ def a_path(name: str, value: Any) -> str:
         return os.fsdecode(value)
     except TypeError:
         raise bad(name, value, "a path: str or os.PathLike") from None
+
+
+def texts(name: str, values: Any, expected: str = "a list of texts") -> list[str]:
+    if isinstance(values, str) or not isinstance(values, Sequence):
+        raise bad(name, values, expected)
+    return [a_text(name, value) for value in values]
 
 
 def existing(name: str, file: str) -> str:
@@ -131,6 +138,20 @@ def a_size(name: str, value: Any) -> tuple[int, int]:
     except (TypeError, ValueError):
         raise bad(name, value, "(width, height) in pixels") from None
     return a_whole(name, width, 1, MAX_SIDE_PX), a_whole(name, height, 1, MAX_SIDE_PX)
+
+
+def planner_access(
+    planner_url: Any, record: Any, max_tokens: Any, max_seconds: Any, max_usd: Any, usd_per_million: Any
+) -> _core.PlannerAccess:
+    """How a language model is reached, and what it may cost: arguments of generate() and Store.shop()."""
+    return _core.planner_access(
+        "" if planner_url is None else a_text("planner_url", planner_url),
+        "" if record is None else a_path("record", record),
+        a_whole("max_tokens", max_tokens, 0, 10**12),
+        a_number("max_seconds", max_seconds, 0, 1e9),
+        None if max_usd is None else a_number("max_usd", max_usd, 0, 1e9),
+        None if usd_per_million is None else numbers("usd_per_million", usd_per_million, 2),
+    )
 
 
 def camera_names(text: str) -> tuple[str, ...]:

@@ -103,9 +103,7 @@ class Renderer:
     def set_robots(self, robots: Sequence[str]) -> None:
         """The robots that stand in the pictures from now on, each as "realman-rm65@4.2,3.1,90,posture=stow,lift=0.3":
         row, x, y, heading in degrees, settings (docs/robots.md). Raises Error robot.*, and nothing has changed."""
-        if isinstance(robots, str) or not isinstance(robots, Sequence):
-            raise bad("robots", robots, 'a list of texts like "realman-rm65@4.2,3.1,90"')
-        self._handle._set_robots([arguments.a_text("robots", robot) for robot in robots])
+        self._handle._set_robots(arguments.texts("robots", robots, 'a list of texts like "realman-rm65@4.2,3.1,90"'))
 
     def move(
         self,

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from . import _core, arguments
-from .arguments import MAX_SEED, MAX_SIDE_PX, PathLike, Progress
+from .arguments import MAX_SECONDS, MAX_SEED, MAX_SIDE_PX, MAX_TOKENS, PathLike, Progress
 from .errors import Error, StoreWarning
 from .pictures import Camera, Renderer
 from .views import View, show
@@ -172,6 +172,43 @@ class Store:
         """
         return json.loads(self._handle._compliance(arguments.a_path("planogram", planogram)))
 
+    def shop(
+        self,
+        request: str,
+        *,
+        sold_out: Sequence[str] = (),
+        planner: str = "offline",
+        planner_url: str | None = None,
+        record: PathLike | None = None,
+        max_tokens: int = MAX_TOKENS,
+        max_seconds: float = MAX_SECONDS,
+        max_usd: float | None = None,
+        usd_per_million: tuple[float, float] | None = None,
+    ) -> dict[str, Any]:
+        """What to buy here for a request in words, and what instead where it is sold out: market-shopping/1 (docs/shopping.md).
+
+        request   a meal, a list, persons, a budget, what is at home, a diet: "breakfast for two under 10 euros"
+        sold_out  SKUs that are not there today, beside those of which no item stands in the store
+        planner   who plans: "offline", or a language model, "openai:gpt-4o-mini" or "replay:FOLDER"; where it fails, the offline
+                  plan stands, and `shopper` says why
+        planner_url, record, max_tokens, max_seconds, max_usd, usd_per_million  as of generate()
+
+        `lines` has each product once: `sku`, `name`, `net`, `count` packs at `price`, what it `answers`, `why`, and up to three
+        `substitutes`. `total` and all prices are in `money`, the store's; `unmet` says what the plan does not do, and why. Equal
+        stores and requests have equal plans offline; they are those of `marketgen shop --json`.
+
+        Raises Error shopping.not_understood with the words at fault, or when nothing is asked for; shopping.other_money when the
+        budget is in another money than the store's; catalog.unknown_sku when the store does not sell what is said to be sold
+        out; those of planners. Other Python threads run meanwhile.
+        """
+        plan = self._handle._shop(
+            arguments.a_text("request", request),
+            arguments.texts("sold_out", sold_out, "a list of SKUs"),
+            arguments.a_text("planner", planner),
+            arguments.planner_access(planner_url, record, max_tokens, max_seconds, max_usd, usd_per_million),
+        )
+        return json.loads(plan)
+
     def camera_names(self) -> list[str]:
         """The views that every store has: top, entrance, aisle, checkout, and zone:<id> for each zone."""
         return self._handle.camera_names()
@@ -221,8 +258,8 @@ def generate(
     planner: str = "offline",
     planner_url: str | None = None,
     record: PathLike | None = None,
-    max_tokens: int = 200_000,
-    max_seconds: float = 300,
+    max_tokens: int = MAX_TOKENS,
+    max_seconds: float = MAX_SECONDS,
     max_usd: float | None = None,
     usd_per_million: tuple[float, float] | None = None,
     catalogs: Sequence[PathLike] = (),
@@ -273,14 +310,7 @@ def generate(
         None if floor_plan_scale is None else arguments.a_text("floor_plan_scale", floor_plan_scale),
         [] if image is None else arguments.path_or_paths("image", image),
         arguments.a_text("planner", planner),
-        _core.planner_access(
-            "" if planner_url is None else arguments.a_text("planner_url", planner_url),
-            "" if record is None else arguments.a_path("record", record),
-            arguments.a_whole("max_tokens", max_tokens, 0, 10**12),
-            arguments.a_number("max_seconds", max_seconds, 0, 1e9),
-            None if max_usd is None else arguments.a_number("max_usd", max_usd, 0, 1e9),
-            None if usd_per_million is None else arguments.numbers("usd_per_million", usd_per_million, 2),
-        ),
+        arguments.planner_access(planner_url, record, max_tokens, max_seconds, max_usd, usd_per_million),
         rows,
         arguments.a_truth("previews", previews),
         arguments.a_truth("strict", strict),

@@ -139,3 +139,61 @@ def test_zones_stand_where_a_drawing_has_them(tmp_path):
         Image.new("RGB", (300, 200), "white").save(tmp_path / "blank.png")
         marketgen.generate("", tmp_path / "none", image=tmp_path / "blank.png")
     assert caught.value.code == "photo.not_a_shop"
+
+
+def test_shopping_plans_are_the_programs(store):
+    words = "cola and crisps, at most 20 euros"
+    plan = store.shop(words)
+    assert plan == json.loads(run("shop", store.folder, words, "--json")) == store.shop(words)
+    assert plan["schema"] == "market-shopping/1"
+    assert len(plan["lines"]) == 2 and plan["unmet"] == []
+    prices = {row["sku"]: row["price"] for row in store.query("prices")}
+    assert all(line["price"] == prices[line["sku"]] for line in plan["lines"])
+    assert plan["total"] == pytest.approx(sum(line["count"] * line["price"] for line in plan["lines"]))
+
+    gone = plan["lines"][0]["sku"]
+    other = store.shop(words, sold_out=(gone,))
+    assert other == json.loads(run("shop", store.folder, words, "--sold-out", gone, "--json"))
+    offered = [line["sku"] for line in other["lines"]] + [sub["sku"] for line in other["lines"] for sub in line["substitutes"]]
+    assert len(other["lines"]) == 2 and gone not in offered
+
+
+def test_shopping_knows_a_stores_own_products(tmp_path):
+    rows = tmp_path / "own.csv"
+    rows.write_text(
+        "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg,price\n"
+        "own-fizz,2999999999991,Elderflower Fizzle,beverages,soft drinks,can,66x66x115,0.35,0.9\n"
+    )
+    made = marketgen.generate("a kiosk with cold drinks", tmp_path / "shop", seed=2, size="8x7m", catalogs=[rows])
+    wanted = json.loads(run("shop", made.folder, "elderflower fizzle", "--json"))
+    assert [line["sku"] for line in wanted["lines"]] == ["own-fizz"]
+    assert made.shop("elderflower fizzle") == wanted
+    assert marketgen.open_store(made.folder).shop("elderflower fizzle") == wanted
+
+
+def test_a_model_that_may_not_be_asked_leaves_the_offline_plan(store, tmp_path):
+    asked = {"planner": "http:m", "planner_url": "http://127.0.0.1:9/v1", "max_tokens": 0}
+    plan = store.shop("cola", **asked, record=tmp_path / "talk")
+    shopper = plan.pop("shopper")
+    assert (shopper["model"], shopper["kept"], shopper["requests"]) == ("http:m", "offline", 0)
+    assert "planners.over_budget" in shopper["why"]
+    assert plan == store.shop("cola")
+    assert (tmp_path / "talk" / "model.json").is_file()
+
+
+@pytest.mark.parametrize(
+    ("code", "where", "request", "arguments"),
+    [
+        ("catalog.unknown_sku", "dairy-unicorn-milk", "cola", {"sold_out": ["dairy-unicorn-milk"]}),
+        ("shopping.not_understood", "request", "", {}),
+        ("shopping.not_understood", "flurbs", "two flurbs", {}),
+        ("shopping.other_money", "dollar", "cola for less than 7 dollars", {}),
+        ("usage.bad_flag", "planner", "cola", {"planner": "offline", "planner_url": "http://127.0.0.1:9/v1"}),
+        ("input.not_found", "nowhere", "cola", {"planner": "replay:/nowhere"}),
+    ],
+)
+def test_shopping_says_what_it_cannot_do(store, code, where, request, arguments):
+    with pytest.raises(marketgen.Error) as caught:
+        store.shop(request, **arguments)
+    assert caught.value.code == code
+    assert where in caught.value.where

@@ -10,6 +10,7 @@ diff -r "$repository/schemas" "$scratch/schemas"
 diff -r "$repository/docs/fields" "$scratch/docs/fields"
 
 "$program" render "$scratch/shop" --camera aisle --size 160x120 --quality fast --quiet -o "$scratch/aisle.png" --annotations "$scratch/shop/seen.json"
+"$program" shop "$scratch/shop" "snacks for two" --json > "$scratch/shop/shopping.json"
 # --size-prefixed: the file starts with its length.
 flatc --json --strict-json --size-prefixed -o "$scratch" "$repository/schemas/market-scene-1.fbs" -- "$scratch/shop/scene.bin"
 
@@ -39,7 +40,7 @@ def judge(name):
 
 checked = 0
 for file, name in [("plan.json", "market-plan-1"), ("layout.json", "market-layout-1"), ("store.json", "market-store-1"), ("report.json", "market-report-1"),
-                   ("seen.json", "market-annotations-1")]:
+                   ("seen.json", "market-annotations-1"), ("shopping.json", "market-shopping-1")]:
     document, validator = load(scratch / "shop" / file), judge(name)
     validator.validate(document)
     assert not validator.is_valid({**document, "unheard_of": 1}), f"{name} lets an unknown field through"

@@ -128,7 +128,7 @@ def record(
         shard=_core.read_shard(shard) if arguments.a_text("shard", shard) else (1, 1),
         progress=arguments.a_progress(progress),
         options={
-            "cameras": None if cameras is None else tuple(_texts("cameras", cameras)),
+            "cameras": None if cameras is None else tuple(arguments.texts("cameras", cameras, "a list of names")),
             "quality": quality,
             "control_mode": control_mode,
             "realism": arguments.a_path("realism", realism),
@@ -149,12 +149,6 @@ def record_drives(logs: Sequence[PathLike], folder: PathLike, **options: Any) ->
     drives = Drives(logs)
     path = write_episodes_file(drives, arguments.a_path("folder", folder))
     return record(path, folder, drives, control_mode=drives.control_mode, realism=drives.realism, **options)
-
-
-def _texts(name: str, values: Any) -> list[str]:
-    if isinstance(values, str) or not isinstance(values, Sequence):
-        raise arguments.bad(name, values, "a list of names")
-    return [arguments.a_text(name, value) for value in values]
 
 
 def check_installed() -> None:

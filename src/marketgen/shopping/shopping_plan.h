@@ -1,4 +1,4 @@
-// What to buy for a request in one store.
+// What to buy for a request in one store: market-shopping/1.
 #pragma once
 #include <array>
 #include <optional>
@@ -77,6 +77,7 @@ struct ShopperRecord {
 };
 
 struct ShoppingPlan {
+  std::string schema = "market-shopping/1";
   ShoppingRequest request;
   std::vector<std::string> menus;   // of each meal: "breakfast for 2: cereal with milk"
   std::vector<ShoppingLine> lines;  // each SKU once
@@ -88,6 +89,7 @@ struct ShoppingPlan {
   std::optional<ShopperRecord> shopper;
 
   static constexpr auto fields = field_list(
+      field("schema", &ShoppingPlan::schema, "schema tag", constant("market-shopping/1")),
       field("request", &ShoppingPlan::request, "as it was understood"),
       field("menus", &ShoppingPlan::menus, "what is made of each meal"),
       field("lines", &ShoppingPlan::lines, "what to buy, each SKU once"),
