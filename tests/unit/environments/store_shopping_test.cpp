@@ -34,10 +34,8 @@ const scene::Scene& full_store() {
 Result<shopping::ShoppingPlan> bought(const std::string& words,
                                       const std::vector<std::string>& sold_out = {},
                                       const environments::ShoppingOptions& options = {}) {
-  return environments::shop(words,
-                            environments::assortment_of(full_store(), sold_out),
-                            committed_catalog(),
-                            options);
+  return environments::shop(
+      words, environments::assortment_of(full_store(), sold_out), committed_catalog(), options);
 }
 
 TEST(StoreShopping, TakesAnotherProductForOneThatIsSoldOut) {
@@ -67,7 +65,7 @@ TEST(StoreShopping, WhatNoItemStandsOfIsSoldOut) {
 }
 
 TEST(StoreShopping, AModelWithoutTokensLeavesTheOfflinePlan) {
-  environments::ShoppingOptions options{.planner = "http:m"};
+  environments::ShoppingOptions options{"http:m", {}};
   options.access.url = "http://127.0.0.1:9/v1";  // nobody is asked
   options.access.limits.max_tokens = 0;
   const auto plan = bought("breakfast for two under 14 €", {}, options);
@@ -83,7 +81,7 @@ TEST(StoreShopping, AModelWithoutTokensLeavesTheOfflinePlan) {
 
 TEST(StoreShopping, NothingIsRecordedOfWordsThatAreNotUnderstood) {
   const ScratchFolder scratch;
-  environments::ShoppingOptions options{.planner = "http:m"};
+  environments::ShoppingOptions options{"http:m", {}};
   options.access.url = "http://127.0.0.1:9/v1";
   options.access.record = scratch.path() / "talk";
   const auto plan = bought("two flurbs", {}, options);
@@ -95,7 +93,7 @@ TEST(StoreShopping, NothingIsRecordedOfWordsThatAreNotUnderstood) {
 TEST(StoreShopping, RefusesWhatItCannotDo) {
   EXPECT_EQ(bought("").error().code, "shopping.not_understood");
   EXPECT_EQ(bought("milk", {"dairy-unicorn-milk"}).error().code, "catalog.unknown_sku");
-  EXPECT_EQ(bought("milk", {}, {.planner = "opnai:m"}).error().code, "usage.bad_flag");
+  EXPECT_EQ(bought("milk", {}, {"opnai:m", {}}).error().code, "usage.bad_flag");
 }
 
 }  // namespace
