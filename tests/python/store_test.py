@@ -182,7 +182,7 @@ def test_a_model_that_may_not_be_asked_leaves_the_offline_plan(store, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("code", "where", "request", "arguments"),
+    ("code", "where", "words", "arguments"),
     [
         ("catalog.unknown_sku", "dairy-unicorn-milk", "cola", {"sold_out": ["dairy-unicorn-milk"]}),
         ("shopping.not_understood", "request", "", {}),
@@ -192,8 +192,8 @@ def test_a_model_that_may_not_be_asked_leaves_the_offline_plan(store, tmp_path):
         ("input.not_found", "nowhere", "cola", {"planner": "replay:/nowhere"}),
     ],
 )
-def test_shopping_says_what_it_cannot_do(store, code, where, request, arguments):
+def test_shopping_says_what_it_cannot_do(store, code, where, words, arguments):
     with pytest.raises(marketgen.Error) as caught:
-        store.shop(request, **arguments)
+        store.shop(words, **arguments)
     assert caught.value.code == code
     assert where in caught.value.where
