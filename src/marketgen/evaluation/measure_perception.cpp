@@ -4,13 +4,16 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "episodes/checkout/checkout_senses.h"
 #include "episodes/pictured_products.h"
+#include "geometry/rotation_axes.h"
 #include "perception/target_choice.h"
+#include "policy/checkout_pictures.h"
 
 namespace marketgen::evaluation {
 namespace {
@@ -65,8 +68,12 @@ double middle_value(std::vector<double> values) {
 // One basket, looked at as `classical` looks at it at first: its steps, each timed.
 class PerceptionTrial {
  public:
-  PerceptionTrial(const episodes::CheckoutWorld& world, const episodes::EpisodeSpec& spec)
-      : world_(world), spec_(spec), eyes_(world) {
+  PerceptionTrial(episodes::TrackWorld& world, const episodes::EpisodeSpec& spec)
+      : track_world_(world),
+        world_(*std::get<const episodes::CheckoutWorld*>(world.any())),
+        spec_(spec),
+        eyes_(world_),
+        place_(episodes::workplace_of(world_.station())) {
     measure_.episode = spec.id;
   }
 
@@ -84,25 +91,37 @@ class PerceptionTrial {
     return {};
   }
 
+  // The arm holds still meanwhile.
   Result<void> look() {
     const auto began = std::chrono::steady_clock::now();
-    for (const episodes::StationCamera which :
-         {episodes::StationCamera::scene, episodes::StationCamera::wrist}) {
-      MARKETGEN_TRY(agent::View view, eyes_.look(name_of(which)));
-      views_.emplace_back(std::move(view));
+    const agent::Observation first = track_world_.observe();
+    agent::Action hold{first.position, {}};
+    for (const double opening : first.openings_m)
+      hold.tools.push_back({opening});
+    policy::CheckoutPictures pictures;
+    for (;;) {
+      MARKETGEN_TRY(auto views, pictures.take(eyes_, place_));
+      if (views) {
+        views_ = std::move(*views);
+        break;
+      }
+      MARKETGEN_CHECK(track_world_.step(hold));
     }
+    const Pose off = inverse(world_.basket_pose()) * place_.base_from_basket;
+    measure_.basket_off_m = length(off.position);
+    measure_.basket_off_deg = turn_between({}, off.rotation) * 180 / std::numbers::pi;
     measure_.look_s = seconds_since(began);
     return {};
   }
 
   void find() {
     const auto began = std::chrono::steady_clock::now();
-    const agent::Workplace place = episodes::workplace_of(world_.station());
     for (std::size_t v = 0; v < views_.size(); ++v)
       masked_.push_back(
           {v,
            perception::GeometricMasks().masks(
-               views_[v], perception::goods_in_basket(views_[v], place, place.base_from_basket))});
+               views_[v],
+               perception::goods_in_basket(views_[v], place_, place_.base_from_basket))});
     std::vector<perception::WantedProduct> wanted;
     for (const perception::ProductLook& look : looks_)
       wanted.push_back({&look, {}});
@@ -154,9 +173,11 @@ class PerceptionTrial {
     target.color_error = e.color_error;
   }
 
+  episodes::TrackWorld& track_world_;
   const episodes::CheckoutWorld& world_;
   const episodes::EpisodeSpec& spec_;
   episodes::CheckoutEyes eyes_;
+  agent::Workplace place_;
   PerceptionMeasure measure_;
   std::vector<perception::ProductLook> looks_;  // one a goal
   std::vector<perception::ViewCloud> views_;
@@ -173,8 +194,7 @@ Result<PerceptionMeasure> measured(environments::Arena& arena,
                  fmt::format("perception is measured at a counter, it is of the track {}",
                              name_of(spec.track))};
   MARKETGEN_TRY(const auto opened, arena.open(spec, {}, realism));
-  const auto& world = *std::get<const episodes::CheckoutWorld*>(opened->any());
-  PerceptionTrial trial(world, spec);
+  PerceptionTrial trial(*opened, spec);
   MARKETGEN_CHECK(trial.learn_goals(arena.header().products, arena.catalog().frictions));
   MARKETGEN_CHECK(trial.look());
   trial.find();
@@ -212,8 +232,9 @@ PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures) {
   }
   summary.errors = counted_errors(errors);
   int targets = 0, found = 0, right = 0, visible = 0;
-  std::vector<double> offsets, surfaces;
+  std::vector<double> offsets, surfaces, baskets;
   for (const PerceptionMeasure& measure : measures) {
+    if (measure.error.empty()) baskets.push_back(measure.basket_off_m);
     for (const PerceivedTarget& target : measure.targets) {
       ++targets;
       found += target.found ? 1 : 0;
@@ -230,6 +251,8 @@ PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures) {
   if (visible > 0) summary.mean_mask_iou /= visible;
   summary.found = grasping::share_of(found, targets);
   summary.right = grasping::share_of(right, found);
+  if (!baskets.empty()) summary.max_basket_off_m = std::ranges::max(baskets);
+  summary.median_basket_off_m = middle_value(std::move(baskets));
   summary.median_offset_m = middle_value(std::move(offsets));
   summary.median_surface_m = middle_value(std::move(surfaces));
   return summary;

@@ -42,13 +42,18 @@ struct PerceivedTarget {
 struct PerceptionMeasure {
   std::string episode;
   double pictures_s = 0, look_s = 0, find_s = 0;  // of computing
+  double basket_off_m = 0, basket_off_deg = 0;
   std::vector<PerceivedTarget> targets;
   std::string error, detail;  // of a basket that could not be looked at: its code, and the error
   static constexpr auto fields =
       field_list(field("episode", &PerceptionMeasure::episode, "its id"),
                  field("pictures_s", &PerceptionMeasure::pictures_s, "making the catalogue's"),
-                 field("look_s", &PerceptionMeasure::look_s, "taking both pictures"),
+                 field("look_s", &PerceptionMeasure::look_s, "taking pictures, finding the basket"),
                  field("find_s", &PerceptionMeasure::find_s, "masks, recognition and poses"),
+                 field("basket_off_m",
+                       &PerceptionMeasure::basket_off_m,
+                       "of where the basket is taken to stand"),
+                 field("basket_off_deg", &PerceptionMeasure::basket_off_deg, "the same, turned"),
                  field("targets", &PerceptionMeasure::targets, "one by one"),
                  field("error",
                        &PerceptionMeasure::error,
@@ -68,15 +73,20 @@ struct PerceptionSummary {
   int baskets = 0;
   grasping::Share found, right;  // of all targets; right: of those found
   double mean_mask_iou = 0, median_offset_m = 0, median_surface_m = 0;
+  double median_basket_off_m = 0, max_basket_off_m = 0;
   std::vector<ErrorCount> errors;
-  static constexpr auto fields =
-      field_list(field("baskets", &PerceptionSummary::baskets, "how many"),
-                 field("found", &PerceptionSummary::found, "of the targets"),
-                 field("right", &PerceptionSummary::right, "of what was found"),
-                 field("mean_mask_iou", &PerceptionSummary::mean_mask_iou, "of the targets seen"),
-                 field("median_offset_m", &PerceptionSummary::median_offset_m, "when right"),
-                 field("median_surface_m", &PerceptionSummary::median_surface_m, "when right"),
-                 field("errors", &PerceptionSummary::errors, "baskets that are in none of these"));
+  static constexpr auto fields = field_list(
+      field("baskets", &PerceptionSummary::baskets, "how many"),
+      field("found", &PerceptionSummary::found, "of the targets"),
+      field("right", &PerceptionSummary::right, "of what was found"),
+      field("mean_mask_iou", &PerceptionSummary::mean_mask_iou, "of the targets seen"),
+      field("median_offset_m", &PerceptionSummary::median_offset_m, "when right"),
+      field("median_surface_m", &PerceptionSummary::median_surface_m, "when right"),
+      field("median_basket_off_m",
+            &PerceptionSummary::median_basket_off_m,
+            "of where baskets are taken to stand"),
+      field("max_basket_off_m", &PerceptionSummary::max_basket_off_m, "the same, at most"),
+      field("errors", &PerceptionSummary::errors, "baskets that are in none of these"));
 };
 PerceptionSummary summarize(const std::vector<PerceptionMeasure>& measures);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "skills/own_body.h"
 
@@ -67,20 +69,15 @@ std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,
   return skills::outside_body(points, robot, links);
 }
 
-Result<Sight> take_sight(agent::Eyes& eyes,
-                         const std::vector<std::string>& cameras,
-                         const agent::Workplace& place,
-                         const perception::MaskSource& masks,
-                         const perception::TargetChoice& targets,
-                         const std::vector<perception::WantedProduct>& wanted) {
+Sight sight_of(std::vector<perception::ViewCloud> views,
+               const agent::Workplace& place,
+               const perception::MaskSource& masks,
+               const perception::TargetChoice& targets,
+               const std::vector<perception::WantedProduct>& wanted) {
   Sight sight;
-  for (const std::string& camera : cameras) {
-    MARKETGEN_TRY(agent::View view, eyes.look(camera));
-    sight.views.emplace_back(std::move(view));
-    const perception::ViewCloud& cloud = sight.views.back();
-    sight.masked.push_back(
-        {sight.views.size() - 1, masks.masks(cloud, goods_pixels(cloud, place))});
-  }
+  sight.views = std::move(views);
+  for (std::size_t v = 0; v < sight.views.size(); ++v)
+    sight.masked.push_back({v, masks.masks(sight.views[v], goods_pixels(sight.views[v], place))});
   sight.found = targets.find(wanted, sight.views, sight.masked);
   sight.points = perception::thinned_points(sight.views, point_spacing_m, highest_goods_m);
   return sight;

@@ -21,13 +21,12 @@ struct Sight {
   std::vector<Vec3f> points;                    // measured, thinned
 };
 
-// Pictures of all `cameras`, masks, and where `wanted` lie. Errors: of the eyes.
-Result<Sight> take_sight(agent::Eyes& eyes,
-                         const std::vector<std::string>& cameras,
-                         const agent::Workplace& place,
-                         const perception::MaskSource& masks,
-                         const perception::TargetChoice& targets,
-                         const std::vector<perception::WantedProduct>& wanted);
+// Masks, and where `wanted` lie, in pictures of all cameras.
+Sight sight_of(std::vector<perception::ViewCloud> views,
+               const agent::Workplace& place,
+               const perception::MaskSource& masks,
+               const perception::TargetChoice& targets,
+               const std::vector<perception::WantedProduct>& wanted);
 
 // Without those that show the robot's own body as it stands: it knows where it is.
 std::vector<Vec3f> without_robot(const std::vector<Vec3f>& points,

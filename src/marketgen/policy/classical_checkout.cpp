@@ -9,6 +9,7 @@
 #include "base/gravity.h"
 #include "base/progress.h"
 #include "geometry/rotation_axes.h"
+#include "policy/checkout_pictures.h"
 #include "policy/checkout_sight.h"
 #include "policy/checkout_trace.h"
 #include "policy/felt_contacts.h"
@@ -38,7 +39,7 @@ constexpr int some_contacts = 2, max_contacts = 5;
 // From where the wrist camera looks into the basket: tip over its middle, fingers down.
 constexpr double look_back_m = 0.06, look_height_m = 0.40;
 
-const std::vector<std::string> station_cameras{"scene_camera", "wrist_camera"};
+constexpr double between_pictures_s = 0.05, look_n = 20;
 
 enum class Step { go_to_look, look, closed, lifted, lowered, put_back };
 
@@ -176,13 +177,13 @@ class ClassicalCheckout : public agent::Policy {
     const Vec3 at = setup_.place.base_from_basket.position;
     const Pose tip{{at.x - look_back_m, at.y, look_height_m},
                    rotation_with_axes({0, -1, 0}, {0, 0, -1})};
-    const skills::ReachRequest request{tip, {0, 0, 0.02}, setup_.tool.opening_m, 20};
+    const skills::ReachRequest request{tip, {0, 0, 0.02}, setup_.tool.opening_m, look_n};
     if (arm_.reach(around(others_, skills::HandAt::counter), request, next_seed()).ok()) return;
     // Something stands against the hand: up first, then past what is known of the place alone.
     const skills::Surroundings bare = around({}, skills::HandAt::basket);
     Pose up = arm_.tip();
     up.position.z = std::max(up.position.z, look_height_m);
-    say_failed("raise the hand", arm_.straight(bare, up, setup_.tool.opening_m, 20));
+    say_failed("raise the hand", arm_.straight(bare, up, setup_.tool.opening_m, look_n));
     if (const auto there = arm_.reach(bare, request, next_seed()); !there.ok()) {
       say_failed("go to where it looks from", there);
       note(skills::failure_of_plan(there.error()));
@@ -190,13 +191,14 @@ class ClassicalCheckout : public agent::Policy {
   }
 
   Result<void> look() {
-    MARKETGEN_TRY(sight_,
-                  take_sight(*setup_.eyes,
-                             station_cameras,
-                             setup_.place,
-                             *modules_.masks,
-                             *modules_.targets,
-                             goals_.wanted()));
+    MARKETGEN_TRY(std::optional<std::vector<perception::ViewCloud>> views,
+                  pictures_.take(*setup_.eyes, setup_.place));
+    if (!views) {
+      arm_.wait(between_pictures_s, setup_.tool.opening_m, look_n);
+      return {};
+    }
+    sight_ = sight_of(
+        std::move(*views), setup_.place, *modules_.masks, *modules_.targets, goals_.wanted());
     if (goals_.wanted().empty()) {
       goals_.narrow(sight_, catalogue_);
       log_readings(goals_, log_);
@@ -479,6 +481,7 @@ class ClassicalCheckout : public agent::Policy {
   agent::Observation now_;
   SoughtGoals goals_;
   Step step_ = Step::go_to_look;
+  CheckoutPictures pictures_;
   Sight sight_;
   std::optional<std::size_t> goal_;  // that is being taken; none: something in the way
   const perception::ProductLook* held_look_ = nullptr;

@@ -1,0 +1,48 @@
+#include "policy/checkout_pictures.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "perception/camera_correction.h"
+#include "perception/seen_basket.h"
+
+namespace marketgen::policy {
+namespace {
+
+constexpr int max_rounds = 12;  // where an arm never comes to rest
+// How far the basket may stand from where it is said to; from where it was last seen.
+constexpr double first_off_m = 0.056, first_off_rad = 0.22;
+constexpr double later_off_m = 0.016, later_off_rad = 0.045;
+
+}  // namespace
+
+Result<std::optional<std::vector<perception::ViewCloud>>> CheckoutPictures::take(
+    agent::Eyes& eyes, agent::Workplace& place) {
+  for (std::size_t c = 0; c < cameras.size(); ++c) {
+    MARKETGEN_TRY(agent::View view, eyes.look(cameras[c]));
+    taken_[c].add(std::move(view));
+  }
+  const bool enough = std::ranges::all_of(
+      taken_, [](const perception::SteadyViews& views) { return views.enough(); });
+  if (!enough && ++rounds_ < max_rounds) return std::optional<std::vector<perception::ViewCloud>>{};
+  std::vector<agent::View> merged;
+  for (perception::SteadyViews& views : taken_)
+    merged.push_back(std::exchange(views, {}).merged());
+  rounds_ = 0;
+  merged = perception::corrected_views(std::move(merged), place);
+  std::vector<perception::ViewCloud> clouds;
+  for (agent::View& view : merged)
+    clouds.emplace_back(std::move(view));
+  const auto basket = perception::seen_basket(clouds,
+                                              place,
+                                              found_basket_ ? later_off_m : first_off_m,
+                                              found_basket_ ? later_off_rad : first_off_rad);
+  if (basket) {
+    place.base_from_basket = *basket;
+    found_basket_ = true;
+  }
+  return std::optional(std::move(clouds));
+}
+
+}  // namespace marketgen::policy
