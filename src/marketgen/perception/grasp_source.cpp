@@ -26,9 +26,9 @@ std::vector<Vec3f> thinned_points(const std::vector<ViewCloud>& views,
   };
   for (const ViewCloud& cloud : views) {
     for (std::size_t i = 0; i < cloud.size(); ++i) {
-      if (!cloud.has(i)) continue;
       const Vec3f p = cloud.point(i);
       if (p.x < min_x_m || static_cast<double>(p.z) > max_z || p.z < -0.05F) continue;
+      if (!cloud.is_surface(i)) continue;
       if (taken.insert((cell(p.x) << 42) | (cell(p.y) << 21) | cell(p.z)).second) kept.push_back(p);
     }
   }

@@ -44,7 +44,8 @@ class FittedGrasps : public GraspSource {
   const agent::Workplace& place_;
 };
 
-// Points of all views, about `spacing_m` apart, below `max_z` and before the arm's own body.
+// Points of surfaces in all views, about `spacing_m` apart, below `max_z` and before the arm's own
+// body.
 std::vector<Vec3f> thinned_points(const std::vector<ViewCloud>& views,
                                   double spacing_m,
                                   double max_z);

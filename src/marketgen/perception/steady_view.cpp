@@ -9,77 +9,84 @@
 namespace marketgen::perception {
 namespace {
 
-constexpr std::size_t max_views = 8;
-constexpr double still_m = 5e-4, still_half_turn = 2.5e-4;
-constexpr double aimed_error_m = 4e-4;     // of the mean, one sigma
-constexpr std::size_t compared_every = 7;  // pixels, of two pictures
-constexpr float same_surface_m = 0.012F;   // of what is measured at one pixel
-// Sigma of a normal distribution by the middle value of how far two draws are apart.
-constexpr double sigma_by_middle = 1 / (0.6745 * 1.4142);
+constexpr int max_views = 12;
+constexpr double exact_m = 5e-5;  // what is noisier is no exact depth
+constexpr double still_m = 1e-3, still_turn = 1e-3;
+constexpr double of_normal = 0.6745;  // median of what a normal distribution is off, in sigmas
+constexpr double outlier_sigmas = 3;
 
-bool stands_still(const Pose& a, const Pose& b) {
-  const Quaternion turn = inverse(a.rotation) * b.rotation;
-  return length(a.position - b.position) < still_m &&
-         std::hypot(turn.x, turn.y, turn.z) < still_half_turn;
+bool is_same_place(const agent::View& a, const agent::View& b) {
+  const Pose off = inverse(a.base_from_camera) * b.base_from_camera;
+  return a.camera == b.camera && a.width() == b.width() && a.height() == b.height() &&
+         length(off.position) < still_m &&
+         length(rotate(off.rotation, {0, 0, 1}) - Vec3{0, 0, 1}) < still_turn &&
+         length(rotate(off.rotation, {1, 0, 0}) - Vec3{1, 0, 0}) < still_turn;
 }
 
-// One sigma of one picture.
-double noise_m(const agent::View& a, const agent::View& b) {
-  std::vector<float> apart;
-  for (std::size_t i = 0; i < a.depth_m.size(); i += compared_every)
-    if (a.depth_m[i] > 0 && b.depth_m[i] > 0)
-      apart.push_back(std::abs(a.depth_m[i] - b.depth_m[i]));
-  if (apart.empty()) return 0;
-  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-  std::ranges::nth_element(apart, middle);
-  return static_cast<double>(*middle) * sigma_by_middle;
+// Of one of two pictures, scaled to a metre.
+double noise_of(const agent::View& a, const agent::View& b) {
+  std::vector<float> off;
+  for (std::size_t i = 0; i < a.depth_m.size(); ++i) {
+    if (!(a.depth_m[i] > 0 && b.depth_m[i] > 0)) continue;
+    const float depth = (a.depth_m[i] + b.depth_m[i]) / 2;
+    off.push_back(std::abs(a.depth_m[i] - b.depth_m[i]) / (depth * depth));
+  }
+  if (off.empty()) return 0;
+  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+  std::ranges::nth_element(off, middle);
+  return static_cast<double>(*middle) / of_normal / std::sqrt(2.0);
 }
 
-// Of at least one value; sorts them.
-float middle_mean(std::vector<float>& values) {
-  std::ranges::sort(values);
-  const float middle = values[values.size() / 2];
+// Mean of what lies near the median: where an edge jumps to and fro, the side it is on mostly.
+float mean_of_most(std::vector<float>& depths, double noise_m) {
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::ranges::nth_element(depths, middle);
+  const float median = *middle;
+  const auto apart = static_cast<float>(outlier_sigmas * noise_m) * median * median;
   float sum = 0, count = 0;
-  for (const float value : values) {
-    if (std::abs(value - middle) > same_surface_m) continue;
-    sum += value;
+  for (const float depth : depths) {
+    if (std::abs(depth - median) > apart) continue;
+    sum += depth;
     ++count;
   }
-  return sum / count;
+  return count > 0 ? sum / count : median;
 }
 
 }  // namespace
 
-void SteadyViews::add(agent::View view) {
-  if (!views_.empty() && (!stands_still(views_.back().base_from_camera, view.base_from_camera) ||
-                          views_.back().depth_m.size() != view.depth_m.size()))
-    views_.clear();
+void SteadyView::add(agent::View view) {
+  ++added_;
+  if (!views_.empty() && !is_same_place(views_.front(), view)) return;
   views_.push_back(std::move(view));
+  if (views_.size() == 2) noise_m_ = noise_of(views_[0], views_[1]);
 }
 
-bool SteadyViews::enough() const {
-  if (views_.size() < 2) return false;
-  const double share = noise_m(views_[0], views_[1]) / aimed_error_m;
-  return views_.size() >= max_views || static_cast<double>(views_.size()) >= share * share;
+bool SteadyView::wants_more() const {
+  if (added_ >= max_views) return false;
+  if (views_.size() < 2) return true;
+  const double share = noise_m_ / wanted_noise_m_;
+  return noise_m_ > exact_m && static_cast<double>(views_.size()) < share * share;
 }
 
-agent::View SteadyViews::merged() const {
-  agent::View view = views_.back();
-  if (views_.size() == 1) return view;
-  std::vector<float> values;
-  for (std::size_t i = 0; i < view.depth_m.size(); ++i) {
-    values.clear();
-    for (const agent::View& each : views_)
-      if (each.depth_m[i] > 0) values.push_back(each.depth_m[i]);
-    view.depth_m[i] = 2 * values.size() < views_.size() ? 0 : middle_mean(values);
+agent::View SteadyView::take() {
+  const std::vector<agent::View> views = std::exchange(views_, {});
+  added_ = 0;
+  agent::View steady = views.front();
+  if (views.size() == 1 || noise_m_ <= exact_m) return steady;
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < steady.depth_m.size(); ++i) {
+    depths.clear();
+    for (const agent::View& view : views)
+      if (view.depth_m[i] > 0) depths.push_back(view.depth_m[i]);
+    steady.depth_m[i] = 2 * depths.size() > views.size() ? mean_of_most(depths, noise_m_) : 0;
   }
-  for (std::size_t i = 0; i < view.color.pixels.size(); ++i) {
-    std::size_t sum = views_.size() / 2;
-    for (const agent::View& each : views_)
-      sum += each.color.pixels[i];
-    view.color.pixels[i] = static_cast<std::uint8_t>(sum / views_.size());
+  for (std::size_t i = 0; i < steady.color.pixels.size(); ++i) {
+    std::size_t sum = 0;
+    for (const agent::View& view : views)
+      sum += view.color.pixels[i];
+    steady.color.pixels[i] = static_cast<std::uint8_t>((sum + views.size() / 2) / views.size());
   }
-  return view;
+  return steady;
 }
 
 }  // namespace marketgen::perception

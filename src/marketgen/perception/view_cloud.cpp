@@ -7,8 +7,10 @@
 namespace marketgen::perception {
 namespace {
 
-constexpr int reach_px = 2;       // of the differences that give a normal
-constexpr float step_share = 12;  // what is farther apart than so many pixels' sides is a step
+constexpr int reach_px = 2;        // of the differences that give a normal
+constexpr float step_share = 12;   // what is farther apart than so many pixels' sides is a step
+constexpr float beside_share = 5;  // the same between neighbours of one surface
+constexpr int min_beside = 4;      // of eight neighbours
 constexpr float min_normal_facing = 0.08F;
 
 }  // namespace
@@ -35,6 +37,18 @@ void ViewCloud::place_points() {
       points_[index(x, y)] = eye_ + (right_ * across + down_ * along + ahead_) * depth;
     }
   }
+}
+
+bool ViewCloud::is_surface(std::size_t pixel) const {
+  if (!has(pixel)) return false;
+  const int x = static_cast<int>(pixel % static_cast<std::size_t>(width()));
+  const int y = static_cast<int>(pixel / static_cast<std::size_t>(width()));
+  const float depth = view_.depth_m[pixel], most = beside_share * pixel_m(depth);
+  int beside = -1;  // itself is counted, too
+  for (int v = std::max(0, y - 1); v <= std::min(height() - 1, y + 1); ++v)
+    for (int u = std::max(0, x - 1); u <= std::min(width() - 1, x + 1); ++u)
+      beside += has(index(u, v)) && std::abs(view_.depth_m[index(u, v)] - depth) < most ? 1 : 0;
+  return beside >= min_beside;
 }
 
 void ViewCloud::find_normals() {

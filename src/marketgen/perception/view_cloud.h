@@ -23,6 +23,9 @@ class ViewCloud {
 
   bool has(std::size_t pixel) const { return view_.depth_m[pixel] > 0; }
   Vec3f point(std::size_t pixel) const { return points_[pixel]; }
+  // Whether neighbours have much the same depth. Pixels at the edge of something near are measured
+  // anywhere between it and what is behind it: nothing is there.
+  bool is_surface(std::size_t pixel) const;
   // Unit, towards the camera; zero at steps of depth and where there is no depth.
   Vec3f normal(std::size_t pixel) const { return normals_[pixel]; }
   // Mean over the pixel and its neighbours, sRGB as 0..1.

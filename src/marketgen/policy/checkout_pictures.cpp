@@ -10,7 +10,6 @@
 namespace marketgen::policy {
 namespace {
 
-constexpr int max_rounds = 12;  // where an arm never comes to rest
 // How far the basket may stand from where it is said to; from where it was last seen.
 constexpr double first_off_m = 0.056, first_off_rad = 0.22;
 constexpr double later_off_m = 0.016, later_off_rad = 0.045;
@@ -23,13 +22,11 @@ Result<std::optional<std::vector<perception::ViewCloud>>> CheckoutPictures::take
     MARKETGEN_TRY(agent::View view, eyes.look(cameras[c]));
     taken_[c].add(std::move(view));
   }
-  const bool enough = std::ranges::all_of(
-      taken_, [](const perception::SteadyViews& views) { return views.enough(); });
-  if (!enough && ++rounds_ < max_rounds) return std::optional<std::vector<perception::ViewCloud>>{};
+  if (std::ranges::any_of(taken_, &perception::SteadyView::wants_more))
+    return std::optional<std::vector<perception::ViewCloud>>{};
   std::vector<agent::View> merged;
-  for (perception::SteadyViews& views : taken_)
-    merged.push_back(std::exchange(views, {}).merged());
-  rounds_ = 0;
+  for (perception::SteadyView& views : taken_)
+    merged.push_back(views.take());
   merged = perception::corrected_views(std::move(merged), place);
   std::vector<perception::ViewCloud> clouds;
   for (agent::View& view : merged)

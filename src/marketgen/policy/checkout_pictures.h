@@ -23,8 +23,10 @@ class CheckoutPictures {
 
  private:
   static constexpr std::array<std::string_view, 2> cameras{"scene_camera", "wrist_camera"};
-  std::array<perception::SteadyViews, cameras.size()> taken_;
-  int rounds_ = 0;
+  // Basket and goods are fitted to a millimetre.
+  static constexpr double wanted_noise_m = 0.0011;
+  std::array<perception::SteadyView, cameras.size()> taken_{perception::SteadyView(wanted_noise_m),
+                                                            perception::SteadyView(wanted_noise_m)};
   bool found_basket_ = false;  // it moves little from then on
 };
 

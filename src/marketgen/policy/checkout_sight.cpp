@@ -1,6 +1,7 @@
 #include "policy/checkout_sight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double point_spacing_m = 0.003, highest_goods_m = 0.33;
 constexpr double column_m = 0.02, min_column_m = 0.012;  // of what stands about, as boxes
+constexpr std::size_t stray_points = 2;                  // in a column that do not count
 constexpr double round_basket_m = 0.03;
 
 // Goods in the basket, and what stands on the counter beside it.
@@ -32,19 +34,22 @@ std::vector<std::uint8_t> goods_pixels(const perception::ViewCloud& cloud,
   return wanted;
 }
 
-// Upright boxes under the points.
+// Upright boxes under the points, but for a few strays.
 void add_columns(const std::vector<Vec3f>& points, std::vector<motion::BoxObstacle>& boxes) {
-  std::map<std::pair<int, int>, float> tops;
+  // The highest of each cell, highest first.
+  std::map<std::pair<int, int>, std::array<float, stray_points + 1>> tops;
   for (const Vec3f& p : points) {
     if (p.z < static_cast<float>(min_column_m)) continue;
     const auto cell = [](float v) {
       return static_cast<int>(std::floor(static_cast<double>(v) / column_m));
     };
-    float& top = tops[{cell(p.x), cell(p.y)}];
-    top = std::max(top, p.z);
+    float lower = p.z;
+    for (float& top : tops[{cell(p.x), cell(p.y)}])
+      if (lower > top) std::swap(lower, top);
   }
-  for (const auto& [cell, top] : tops) {
-    const double half = static_cast<double>(top) / 2;
+  for (const auto& [cell, highest] : tops) {
+    const double half = static_cast<double>(highest.back()) / 2;
+    if (half <= 0) continue;
     boxes.push_back({{{(cell.first + 0.5) * column_m, (cell.second + 0.5) * column_m, half}, {}},
                      {column_m / 2, column_m / 2, half}});
   }

@@ -5,7 +5,9 @@
 namespace marketgen::skills {
 namespace {
 
-constexpr double own_body_m = 0.012;  // round the spheres of the robot
+// Round the spheres of the robot: cameras and joints are a few millimetres off, and a depth camera
+// shows what is near larger than it is.
+constexpr double own_body_m = 0.02;
 
 }  // namespace
 

@@ -7,7 +7,6 @@
 #include "base/seed.h"
 #include "perception/camera_correction.h"
 #include "perception/seen_basket.h"
-#include "perception/steady_view.h"
 #include "support/drawn_boxes.h"
 
 namespace marketgen {
@@ -64,57 +63,6 @@ agent::View noisy(agent::View view, std::uint64_t number) {
   for (float& depth : view.depth_m)
     if (depth > 0) depth += static_cast<float>(0.002 * draw.normal());
   return view;
-}
-
-double mean_error_m(const agent::View& view, const agent::View& truth) {
-  double sum = 0;
-  for (std::size_t i = 0; i < view.depth_m.size(); ++i)
-    sum += std::abs(static_cast<double>(view.depth_m[i] - truth.depth_m[i]));
-  return sum / static_cast<double>(view.depth_m.size());
-}
-
-TEST(SteadyViews, NoiseIsLessThanOfOnePicture) {
-  const agent::Workplace place = counter_with_basket();
-  const agent::View truth = seen_from(drawn(place, place.base_from_basket), high);
-  perception::SteadyViews views;
-  int taken = 0;
-  for (; !views.enough(); ++taken)
-    views.add(noisy(truth, static_cast<std::uint64_t>(taken)));
-  EXPECT_EQ(taken, 8);
-  EXPECT_LT(mean_error_m(views.merged(), truth), 0.45 * mean_error_m(noisy(truth, 0), truth));
-}
-
-TEST(SteadyViews, TwoThatAreAlikeAreEnoughAndStayAsTheyAre) {
-  const agent::Workplace place = counter_with_basket();
-  const agent::View truth = seen_from(drawn(place, place.base_from_basket), high);
-  perception::SteadyViews views;
-  views.add(truth);
-  EXPECT_FALSE(views.enough());
-  views.add(truth);
-  EXPECT_TRUE(views.enough());
-  EXPECT_EQ(views.merged().depth_m, truth.depth_m);
-  EXPECT_EQ(views.merged().color.pixels, truth.color.pixels);
-}
-
-TEST(SteadyViews, WhatMostHaveNoDepthOfHasNone) {
-  const agent::Workplace place = counter_with_basket();
-  agent::View seen = seen_from(drawn(place, place.base_from_basket), high), hole = seen;
-  hole.depth_m[5000] = 0;
-  perception::SteadyViews views;
-  for (const agent::View* view : {&seen, &hole, &hole})
-    views.add(*view);
-  EXPECT_EQ(views.merged().depth_m[5000], 0);
-  EXPECT_EQ(views.merged().depth_m[5001], seen.depth_m[5001]);
-}
-
-TEST(SteadyViews, ACameraThatMovedBeginsAnew) {
-  const agent::Workplace place = counter_with_basket();
-  const auto boxes = drawn(place, place.base_from_basket);
-  perception::SteadyViews views;
-  views.add(seen_from(boxes, high));
-  views.add(seen_from(boxes, high + Vec3{0.01, 0, 0}));
-  EXPECT_FALSE(views.enough());
-  EXPECT_EQ(views.merged().depth_m, seen_from(boxes, high + Vec3{0.01, 0, 0}).depth_m);
 }
 
 TEST(SeenBasket, IsWhereItStandsNotWhereItIsSaidTo) {
