@@ -123,25 +123,25 @@ Result<ProductLook> ProductLook::make(const std::string& sku,
     look.high_ = {
         std::max(look.high_.x, p.x), std::max(look.high_.y, p.y), std::max(look.high_.z, p.z)};
   }
-  look.make_table();
   return look;
 }
 
-void ProductLook::make_table() {
+void ProductLook::make_table() const {
+  auto& [made, origin, cells, nearest] = *table_;
   const Vec3f margin{around_m, around_m, around_m};
-  origin_ = low_ - margin;
-  const Vec3f size = high_ + margin - origin_;
-  cells_ = {static_cast<int>(size.x / cell_m) + 1,
-            static_cast<int>(size.y / cell_m) + 1,
-            static_cast<int>(size.z / cell_m) + 1};
-  table_.assign(static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]) *
-                    static_cast<std::size_t>(cells_[2]),
-                -1);
+  origin = low_ - margin;
+  const Vec3f size = high_ + margin - origin;
+  cells = {static_cast<int>(size.x / cell_m) + 1,
+           static_cast<int>(size.y / cell_m) + 1,
+           static_cast<int>(size.z / cell_m) + 1};
+  nearest.assign(static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]) *
+                     static_cast<std::size_t>(cells[2]),
+                 -1);
   for (std::size_t i = 0; i < surfels_.size(); ++i) {
-    const Vec3f off = (surfels_[i].point - origin_) / cell_m;
-    const int cell = (static_cast<int>(off.z) * cells_[1] + static_cast<int>(off.y)) * cells_[0] +
+    const Vec3f off = (surfels_[i].point - origin) / cell_m;
+    const int cell = (static_cast<int>(off.z) * cells[1] + static_cast<int>(off.y)) * cells[0] +
                      static_cast<int>(off.x);
-    table_[static_cast<std::size_t>(cell)] = static_cast<std::int16_t>(i);
+    nearest[static_cast<std::size_t>(cell)] = static_cast<std::int16_t>(i);
   }
   // Each cell takes the best of its neighbours', forth and back, twice.
   for (int i = 0; i < 2; ++i) {
@@ -150,20 +150,21 @@ void ProductLook::make_table() {
   }
 }
 
-void ProductLook::spread(bool forwards) {
+void ProductLook::spread(bool forwards) const {
+  auto& [made, origin, cells, nearest] = *table_;
   const int sign = forwards ? 1 : -1;
-  const int last_x = cells_[0] - 1, last_y = cells_[1] - 1, last_z = cells_[2] - 1;
+  const int last_x = cells[0] - 1, last_y = cells[1] - 1, last_z = cells[2] - 1;
   const auto at = [&](int x, int y, int z) -> std::int16_t& {
-    return table_[static_cast<std::size_t>((z * cells_[1] + y) * cells_[0] + x)];
+    return nearest[static_cast<std::size_t>((z * cells[1] + y) * cells[0] + x)];
   };
   const auto inside = [&](int x, int y, int z) {
     return x >= 0 && y >= 0 && z >= 0 && x <= last_x && y <= last_y && z <= last_z;
   };
   const auto visit = [&](int x, int y, int z) {
-    const Vec3f middle = origin_ + Vec3f{static_cast<float>(x) + 0.5F,
-                                         static_cast<float>(y) + 0.5F,
-                                         static_cast<float>(z) + 0.5F} *
-                                       cell_m;
+    const Vec3f middle = origin + Vec3f{static_cast<float>(x) + 0.5F,
+                                        static_cast<float>(y) + 0.5F,
+                                        static_cast<float>(z) + 0.5F} *
+                                      cell_m;
     const auto off = [&](std::int16_t i) {
       const Vec3f d = surfels_[static_cast<std::size_t>(i)].point - middle;
       return dot(d, d);
@@ -191,11 +192,13 @@ void ProductLook::spread(bool forwards) {
 }
 
 int ProductLook::nearest(Vec3f product_point) const {
-  const Vec3f off = (product_point - origin_) / cell_m;
+  std::call_once(table_->made, [this] { make_table(); });
+  const auto& [made, origin, cells, nearest] = *table_;
+  const Vec3f off = (product_point - origin) / cell_m;
   const int x = static_cast<int>(std::floor(off.x)), y = static_cast<int>(std::floor(off.y)),
             z = static_cast<int>(std::floor(off.z));
-  if (x < 0 || y < 0 || z < 0 || x >= cells_[0] || y >= cells_[1] || z >= cells_[2]) return -1;
-  return table_[static_cast<std::size_t>((z * cells_[1] + y) * cells_[0] + x)];
+  if (x < 0 || y < 0 || z < 0 || x >= cells[0] || y >= cells[1] || z >= cells[2]) return -1;
+  return nearest[static_cast<std::size_t>((z * cells[1] + y) * cells[0] + x)];
 }
 
 }  // namespace marketgen::perception

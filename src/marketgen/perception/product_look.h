@@ -3,6 +3,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -32,19 +34,24 @@ class ProductLook {
   float diagonal_m() const { return length(high_ - low_); }
 
   // The surfel nearest to a point, by a table as coarse as its cells; -1 farther away than the
-  // table reaches.
+  // table reaches. Any number of threads may ask.
   int nearest(Vec3f product_point) const;
 
  private:
-  void make_table();
-  void spread(bool forwards);
+  // Made when it is asked for first: of a whole catalogue few products are.
+  struct Table {
+    std::once_flag made;
+    Vec3f origin;
+    std::array<int, 3> cells{};
+    std::vector<std::int16_t> nearest;
+  };
+  void make_table() const;
+  void spread(bool forwards) const;
 
   std::string sku_;
   std::vector<Surfel> surfels_;
   Vec3f low_, high_;
-  Vec3f origin_;  // of the table
-  std::array<int, 3> cells_{};
-  std::vector<std::int16_t> table_;
+  std::unique_ptr<Table> table_ = std::make_unique<Table>();
 };
 
 }  // namespace marketgen::perception
