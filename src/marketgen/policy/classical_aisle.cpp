@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/progress.h"
+#include "perception/steady_view.h"
 #include "policy/aisle_sight.h"
 #include "policy/aisle_tour.h"
 #include "policy/aisle_trace.h"
@@ -29,6 +30,8 @@ constexpr double same_find_m = 0.04;
 constexpr double min_again = 0.6;  // of its score, at a second look from before the shelf
 constexpr double max_tilt = 1.04, max_pan = 1.3;
 constexpr double other_reach_m = 0.35;  // of a product, measured points that its grasps mind
+
+constexpr double next_picture_s = 0.05;
 
 const std::string head_eye = "head_camera";
 
@@ -226,23 +229,36 @@ class ClassicalAisle : public agent::Policy {
     seen_[*best] = true;
     if (!body_.drive_to(stops_[*best].place).ok()) return true;  // another one, the next time
     step_ = AisleStep::look_up;
+    still_ = {};
     MARKETGEN_CHECK(body_.look(0, stop_tilts[0]));
     return true;
   }
 
   // ---- Looking ----
 
-  Result<void> look_up() {
-    sight_ = ShelfSight(now_.base);
+  // Standing still until pictures tell no more; then true.
+  Result<bool> has_looked() {
     MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
-    sight_.add(std::move(view));
+    still_.add(std::move(view));
+    if (still_.wants_more()) {
+      body_.wait(next_picture_s);
+      return false;
+    }
+    sight_.add(still_.take());
+    return true;
+  }
+
+  Result<void> look_up() {
+    if (still_.empty()) sight_ = ShelfSight(now_.base);
+    MARKETGEN_TRY(const bool looked, has_looked());
+    if (!looked) return {};
     step_ = AisleStep::look_down;
     return body_.look(0, stop_tilts[1]);
   }
 
   Result<void> look_down() {
-    MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
-    sight_.add(std::move(view));
+    MARKETGEN_TRY(const bool looked, has_looked());
+    if (!looked) return {};
     points_ = sight_.points(robot_, body_.state());
     std::vector<ShelfFind> all;
     for (std::size_t i = 0; i < goals_.size(); ++i) {
@@ -349,6 +365,7 @@ class ClassicalAisle : public agent::Policy {
                         finds_[find_].place.store_from_product.position -
                     head.position;
     step_ = AisleStep::look_again;
+    still_ = {};
     return body_.look(std::clamp(std::atan2(at.y, at.x), -max_pan, max_pan),
                       std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, max_tilt));
   }
@@ -357,11 +374,10 @@ class ClassicalAisle : public agent::Policy {
   Result<void> look_again() {
     Find& find = finds_[find_];
     ShelfGoal& goal = goals_[find.place.goal];
-    sight_ = ShelfSight(now_.base);
-    MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
-    sight_.add(std::move(view));
-    const std::vector<Vec3f> more = sight_.points(robot_, body_.state());
-    points_.insert(points_.end(), more.begin(), more.end());
+    if (still_.empty()) sight_ = ShelfSight(now_.base);
+    MARKETGEN_TRY(const bool looked, has_looked());
+    if (!looked) return {};
+    points_ = sight_.points_beside(points_, robot_, body_.state());
     MARKETGEN_TRY(const perception::WantedProduct wanted,
                   goal.wanted_close(*setup_.products, *setup_.looks));
     const ShelfFind again = sight_.again(find.place, wanted, *modules_.choice);
@@ -383,7 +399,7 @@ class ClassicalAisle : public agent::Policy {
     ++find.tries;
     step_ = AisleStep::choose;
     const auto item = item_at(find.place);
-    auto pick = item.ok() ? body_.plan_pick(*item, points_, now_.base)
+    auto pick = item.ok() ? body_.plan_pick(*item, points_, sight_.place())
                           : Result<skills::ShelfPick>(item.error());
     if (!pick.ok()) {
       MARKETGEN_CHECK(given_up(goal, pick.error()));
@@ -472,6 +488,7 @@ class ClassicalAisle : public agent::Policy {
   bool held_ = false;               // it was in the hand when that closed
   AisleStep step_ = AisleStep::choose;
   ShelfSight sight_;
+  perception::SteadyView still_;  // of the look that is being taken
   std::vector<Vec3f> points_;  // measured from the last stop and before the shelf
   bool done_ = false;
   agent::DecisionLog log_;
