@@ -10,7 +10,7 @@ namespace marketgen::perception {
 namespace {
 
 constexpr int max_views = 12;
-constexpr double wanted_noise_m = 0.0012;  // a metre away, of all together
+constexpr double wanted_noise_m = 0.0018;  // a metre away, of all together
 constexpr double exact_m = 5e-5;           // what is noisier is no exact depth
 constexpr double still_m = 1e-3, still_turn = 1e-3;
 constexpr double of_normal = 0.6745;  // median of what a normal distribution is off, in sigmas

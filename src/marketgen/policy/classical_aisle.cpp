@@ -24,6 +24,7 @@ constexpr double near_category_m = 3.5, far_from_category_m = 7;
 constexpr double worth_off_per_m = 0.02;  // of a find's score, off the category's place
 constexpr double sure = 0.58;             // worth of a find that is taken at once
 constexpr double about_as_good = 0.04;    // of worths: the nearer one is taken
+constexpr int max_moves = 2;       // before one find
 constexpr double min_item_left_s = 45;
 constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and lower boards
 constexpr double same_find_m = 0.04;
@@ -100,6 +101,7 @@ class ClassicalAisle : public agent::Policy {
     ShelfFind place;
     double worth = 0;  // score, less what it stands off its category's place
     int tries = 0;
+    int moves = 0;  // to elsewhere, since it was out of reach from where it was looked at again
   };
 
   // The arm or what it holds was pressed on, and has been moved back a second of its way: what was
@@ -284,11 +286,12 @@ class ClassicalAisle : public agent::Policy {
     const Vec2 hint = goals_[find.goal].hint;
     const Vec3 at = find.store_from_product.position;
     const double worth = find.score - worth_off_per_m * std::hypot(at.x - hint.x, at.y - hint.y);
-    say(fmt::format("finds {} at {:.2f} {:.2f} {:.2f}, score {:.2f}, worth {:.2f}",
+    say(fmt::format("finds {} at {:.2f} {:.2f} {:.2f}, turned {:.1f} deg, score {:.2f}, worth {:.2f}",
                     goals_[find.goal].sku,
                     at.x,
                     at.y,
                     at.z,
+                    yaw_of(find.store_from_product.rotation) * 180 / M_PI,
                     find.score,
                     worth));
     if (known == finds_.end())
@@ -381,7 +384,13 @@ class ClassicalAisle : public agent::Policy {
     MARKETGEN_TRY(const perception::WantedProduct wanted,
                   goal.wanted_close(*setup_.products, *setup_.looks));
     const ShelfFind again = sight_.again(find.place, wanted, *modules_.choice);
-    say(fmt::format("sees it again with score {:.2f} of {:.2f}", again.score, find.place.score));
+    const Pose moved = inverse(find.place.store_from_product) * again.store_from_product;
+    say(fmt::format("sees it again with score {:.2f} of {:.2f}, by {:.3f} {:.3f} m, {:.1f} deg",
+                    again.score,
+                    find.place.score,
+                    moved.position.x,
+                    moved.position.y,
+                    yaw_of(moved.rotation) * 180 / M_PI));
     const bool is_there = again.score >= min_again * find.place.score;
     log_look(sight_, is_there ? std::vector{again} : std::vector<ShelfFind>{}, goals_, log_);
     if (is_there) {
@@ -403,8 +412,7 @@ class ClassicalAisle : public agent::Policy {
                           : Result<skills::ShelfPick>(item.error());
     if (!pick.ok()) {
       MARKETGEN_CHECK(given_up(goal, pick.error()));
-      refuse(find_);
-      return {};
+      return move_before(find, goal);
     }
     say(fmt::format("takes {} with {}, score {:.2f}, worth {:.2f}, at {:.2f} {:.2f} {:.2f}",
                     goal.sku,
@@ -417,6 +425,18 @@ class ClassicalAisle : public agent::Policy {
     MARKETGEN_CHECK(body_.take(*item, std::move(*pick)));
     log_find(agent::DecisionKind::reach, "None");
     step_ = AisleStep::pressed;
+    return {};
+  }
+
+  // It did not come to stand where it was to, or the product stands elsewhere than it was seen from
+  // afar: another place, by what is known now.
+  Result<void> move_before(Find& find, ShelfGoal& goal) {
+    if (++find.moves <= max_moves) {
+      --goal.tries, --find.tries;
+      MARKETGEN_TRY(const bool goes, approach(find_));
+      if (goes) return {};
+    }
+    refuse(find_);
     return {};
   }
 

@@ -38,6 +38,9 @@ struct ShelfPickQuestion : PickMotion {
   // none.
   std::function<Result<void>(const ShelfPick&)> may_hold;
   std::optional<Pose> world_from_base = {};  // stands there and nowhere else
+  // Of the lift, from the one at which a grasp is at the height that suits an arm; tried in this
+  // order.
+  std::vector<double> lift_offsets_m = {0};
   std::string where;                         // of errors: what is to be taken
 };
 
