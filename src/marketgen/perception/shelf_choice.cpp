@@ -21,6 +21,7 @@ constexpr double apart_share = 0.6;     // of a pack's width, between two that a
 constexpr double first_step_m = 0.004, last_step_m = 0.0006;
 constexpr double step_rad_per_m = 12;  // of the turn, for each metre of the step
 constexpr double worth_a_turn = 1.04;
+constexpr double again_m = 0.04;  // from where it was found, before a second look
 constexpr double rival_better = 1.0;
 constexpr std::array over_top_m{0.008, 0.014, 0.020};
 constexpr float flush_m = 0.010F;  // along the view, between what goes on and what does not
@@ -46,6 +47,16 @@ ShelfSpot spot_of(const Pose& pose,
                   const ProductLook& look) {
   const Vec3 at = (inverse(board.base_from_board) * pose).position + front_of(look);
   return {number, at.x, at.y};
+}
+
+// A board as wide and deep as a product may stand elsewhere than it was found, with the product in
+// its middle.
+BoardAhead board_around(const ProductLook& look, const Pose& base_from_product) {
+  const Vec3f size = look.high() - look.low();
+  return {base_from_product * Pose{front_of(look), {}},
+          static_cast<double>(size.x) + 2 * again_m,
+          again_m,
+          static_cast<double>(size.z)};
 }
 
 // From there along the board and into it, and about the upright where it may turn: it goes on
@@ -210,15 +221,14 @@ std::vector<FoundOnShelf> UprightMatching::find(const WantedProduct& wanted,
 FittedPose UprightMatching::again(const WantedProduct& wanted,
                                   const std::vector<ViewCloud>& views,
                                   const Pose& base_from_product) const {
-  constexpr std::array offsets_m{0.0, -0.01, 0.01, -0.02, 0.02};
   const ProductLook& look = *wanted.look;
-  FittedPose best;
-  for (const double x : offsets_m) {
-    for (const double y : offsets_m) {
-      const Pose pose = base_from_product * Pose{{x, y, 0}, {}};
-      const PoseEvidence e = evidence_of(look, pose, {}, views, sweep_surfels);
-      if (e.score > best.evidence.score) best = {pose, e};
-    }
+  FittedPose best{base_from_product,
+                  evidence_of(look, base_from_product, {}, views, sweep_surfels)};
+  const BoardAhead around = board_around(look, base_from_product);
+  for (const ShelfSpot& spot : SweptSpots().spots(views, {around}, look.high() - look.low())) {
+    const Pose pose = pose_on(spot, around, look);
+    const PoseEvidence e = evidence_of(look, pose, {}, views, sweep_surfels);
+    if (e.score > best.evidence.score) best = {pose, e};
   }
   if (best.evidence.score <= 0) return best;
   best = stood_best(look, best.base_from_product, views);

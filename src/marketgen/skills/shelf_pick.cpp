@@ -90,8 +90,10 @@ class ShelfPickPlanner {
     pick.grasp = grasp;
     pick.number = number;
     pick.world_from_base = world_from_base;
-    pick.state = raised_state(
-        robot_, question_.driving, world_from_tip.position.z - tip_over_lift_m + lift_offset_m, grasp.opening_m);
+    pick.state = raised_state(robot_,
+                              question_.driving,
+                              world_from_tip.position.z - tip_over_lift_m + lift_offset_m,
+                              grasp.opening_m);
     if (question_.may_stand) MARKETGEN_CHECK(question_.may_stand(world_from_base, pick.state));
     const PickPlace place{world_from_base, pick.state, world_from_tip, out_};
     MARKETGEN_TRY(PickWays ways, plan_pick_ways(model_, place, question_.around, question_, seed_));

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double wall_m = 1.0, pixel_noise_m = 0.0035;
 
-
 agent::View wall() {
-  const std::vector<DrawnBox> boxes{{{{wall_m + 0.01, 0, -1}, {}}, {0.02, 2, 2}, plain({120, 120, 120})}};
+  const std::vector<DrawnBox> boxes{
+      {{{wall_m + 0.01, 0, -1}, {}}, {0.02, 2, 2}, plain({120, 120, 120})}};
   const Pose eye{{}, rotation_with_axes({0, -1, 0}, {1, 0, 0})};
   return drawn_view(boxes, eye, 80, 60, 60);
 }

@@ -66,8 +66,8 @@ TEST_F(ShelfPick, WhereNoneCanBeLetGoTheReasonIsSaid) {
   EXPECT_EQ(pick.error().code, "collect.no_drop");
 }
 
-// A base stands some centimetres and a degree off where it was to: at one height of the lift the arm
-// comes to fewer grasps than at several.
+// A base stands some centimetres and a degree off where it was to: at one height of the lift the
+// arm comes to fewer grasps than at several.
 TEST_F(ShelfPick, AnotherHeightOfTheLiftReachesFromBesideThePlannedPlace) {
   question_.world_from_product.position.z = 1.2;
   const auto planned = plan();
