@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -19,6 +20,8 @@ constexpr double min_shelf_fit = 0.85;  // of packs found rightly on 11 shelves 
 constexpr double apart_share = 0.6;     // of a pack's width, between two that are looked at
 constexpr double first_step_m = 0.004, last_step_m = 0.0006;
 constexpr double step_rad_per_m = 12;  // of the turn, for each metre of the step
+constexpr double worth_a_turn = 1.04;
+constexpr double again_m = 0.04;  // from where it was found, before a second look
 constexpr double rival_better = 1.0;
 constexpr std::array over_top_m{0.008, 0.014, 0.020};
 constexpr float flush_m = 0.010F;  // along the view, between what goes on and what does not
@@ -46,12 +49,24 @@ ShelfSpot spot_of(const Pose& pose,
   return {number, at.x, at.y};
 }
 
-// Along the board, into it, and about the upright: it goes on standing.
-FittedPose stood_best(const ProductLook& look,
-                      const Pose& near,
-                      const std::vector<ViewCloud>& views) {
+// A board as wide and deep as a product may stand elsewhere than it was found, with the product in
+// its middle.
+BoardAhead board_around(const ProductLook& look, const Pose& base_from_product) {
+  const Vec3f size = look.high() - look.low();
+  return {base_from_product * Pose{front_of(look), {}},
+          static_cast<double>(size.x) + 2 * again_m,
+          again_m,
+          static_cast<double>(size.z)};
+}
+
+// From there along the board and into it, and about the upright where it may turn: it goes on
+// standing.
+FittedPose moved_best(const ProductLook& look,
+                      const Pose& from,
+                      const std::vector<ViewCloud>& views,
+                      bool may_turn) {
   const SurfacePatch none;
-  FittedPose best{near, evidence_of(look, near, none, views, fit_surfels)};
+  FittedPose best{from, evidence_of(look, from, none, views, fit_surfels)};
   for (double step = first_step_m; step > last_step_m; step /= 2) {
     for (bool moved = true; moved;) {
       moved = false;
@@ -62,7 +77,7 @@ FittedPose stood_best(const ProductLook& look,
                              Pose{{0, -step, 0}, {}},
                              Pose{{}, rotation_about({0, 0, 1}, turn)},
                              Pose{{}, rotation_about({0, 0, 1}, -turn)}};
-      for (const Pose& move : moves) {
+      for (const Pose& move : std::span(moves).first(may_turn ? moves.size() : moves.size() - 2)) {
         const Pose pose = best.base_from_product * move;
         const PoseEvidence e = evidence_of(look, pose, none, views, fit_surfels);
         if (e.score <= best.evidence.score * 1.001) continue;
@@ -72,6 +87,17 @@ FittedPose stood_best(const ProductLook& look,
     }
   }
   return best;
+}
+
+// As it is faced unless it clearly fits better turned: a narrow front or a round one says little of
+// how it is turned, and goods are faced straight.
+FittedPose stood_best(const ProductLook& look,
+                      const Pose& near,
+                      const std::vector<ViewCloud>& views) {
+  const FittedPose turned = moved_best(look, near, views, true);
+  const Pose back{turned.base_from_product.position, near.rotation};
+  const FittedPose straight = moved_best(look, back, views, false);
+  return turned.evidence.score > worth_a_turn * straight.evidence.score ? turned : straight;
 }
 
 // Of what is measured right over its front, the share that goes on in the same surface: the front
@@ -195,15 +221,14 @@ std::vector<FoundOnShelf> UprightMatching::find(const WantedProduct& wanted,
 FittedPose UprightMatching::again(const WantedProduct& wanted,
                                   const std::vector<ViewCloud>& views,
                                   const Pose& base_from_product) const {
-  constexpr std::array offsets_m{0.0, -0.01, 0.01, -0.02, 0.02};
   const ProductLook& look = *wanted.look;
-  FittedPose best;
-  for (const double x : offsets_m) {
-    for (const double y : offsets_m) {
-      const Pose pose = base_from_product * Pose{{x, y, 0}, {}};
-      const PoseEvidence e = evidence_of(look, pose, {}, views, sweep_surfels);
-      if (e.score > best.evidence.score) best = {pose, e};
-    }
+  FittedPose best{base_from_product,
+                  evidence_of(look, base_from_product, {}, views, sweep_surfels)};
+  const BoardAhead around = board_around(look, base_from_product);
+  for (const ShelfSpot& spot : SweptSpots().spots(views, {around}, look.high() - look.low())) {
+    const Pose pose = pose_on(spot, around, look);
+    const PoseEvidence e = evidence_of(look, pose, {}, views, sweep_surfels);
+    if (e.score > best.evidence.score) best = {pose, e};
   }
   if (best.evidence.score <= 0) return best;
   best = stood_best(look, best.base_from_product, views);

@@ -1,6 +1,7 @@
 #include "policy/aisle_body.h"
 
 #include <algorithm>
+#include <array>
 
 namespace marketgen::policy {
 namespace {
@@ -11,6 +12,9 @@ constexpr double let_go_wider_by_m = 0.02;  // than what was held
 constexpr double pressed_aside_m = 0.2;     // what is so near to a product gives way to fingers
 constexpr double point_radius_m = 0.006;    // of a measured point
 constexpr double min_held_m = 0.004;        // between fingers that hold something
+// A base that believes to be where it is not comes to stand some centimetres and a degree off; the
+// arm then reaches by another height of its lift.
+constexpr std::array standing_lifts_m{0.0, -0.05, 0.05, -0.10, 0.10, -0.15, 0.15, -0.20, 0.20};
 constexpr double max_leave_m = 0.30, leave_step_m = 0.04;
 
 std::vector<Vec3f> near(const std::vector<Vec3f>& points, Vec3 middle, double within_m) {
@@ -135,12 +139,14 @@ Result<skills::ShelfPick> AisleBody::plan_pick(const PickTarget& item,
   question.where = item.known->product.sku;
   MARKETGEN_TRY(const assets::ProductBody body, skills::make_store_body(item.known->product));
   question.may_hold = [&](const skills::ShelfPick& pick) { return may_hold(body, pick); };
-  if (from)
+  if (from) {
     question.world_from_base = agent::store_from_base(*from);
-  else
+    question.lift_offsets_m.assign(standing_lifts_m.begin(), standing_lifts_m.end());
+  } else {
     question.may_stand = [&](const Pose& base, const std::vector<double>&) {
       return may_stand(agent::base_place(base));
     };
+  }
   question.speed = skills::carrying_speed;
   question.acceleration = skills::carrying_acceleration;
   return skills::plan_shelf_pick(*setup_.robot, question, next_seed());

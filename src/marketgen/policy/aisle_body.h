@@ -52,6 +52,7 @@ class AisleBody {
   Result<void> drive_to(const robots::BasePlace& place);
   // The head: to the left and down, rad.
   Result<void> look(double pan, double tilt) { return executor_.look(pan, tilt); }
+  void wait(double seconds) { executor_.wait(seconds); }
   // A place to stand and the arm's ways. `points`: measured. Queues nothing.
   Result<skills::ShelfPick> plan_pick(const PickTarget& item,
                                       const std::vector<Vec3f>& points,

@@ -1,5 +1,8 @@
 #include "policy/aisle_sight.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "perception/grasp_source.h"
 #include "policy/aisle_tour.h"
 #include "skills/own_body.h"
@@ -9,6 +12,15 @@ namespace {
 
 constexpr double ahead_m = 2.0;  // boards whose middle is farther are seen too small
 constexpr double cloud_spacing_m = 0.008, highest_point_m = 2.5;
+constexpr float hidden_m = 0.03F;  // behind what is seen: something else
+
+// Whether a picture shows what is there, in the base's frame.
+bool is_seen(const std::vector<perception::ViewCloud>& views, Vec3f point) {
+  return std::ranges::any_of(views, [&](const perception::ViewCloud& view) {
+    const auto at = view.project(point);
+    return at && view.has(at->pixel) && at->depth_m < view.view().depth_m[at->pixel] + hidden_m;
+  });
+}
 
 }  // namespace
 
@@ -67,6 +79,16 @@ std::vector<Vec3f> ShelfSight::points(const robots::Robot& robot,
   for (const Vec3f& point : kept)
     points.push_back(to_float(store * to_double(point)));
   return points;
+}
+
+std::vector<Vec3f> ShelfSight::points_beside(const std::vector<Vec3f>& before,
+                                             const robots::Robot& robot,
+                                             const std::vector<double>& state) const {
+  std::vector<Vec3f> all = points(robot, state);
+  const Pose base_from_store = inverse(agent::store_from_base(place_));
+  for (const Vec3f& point : before)
+    if (!is_seen(views_, to_float(base_from_store * to_double(point)))) all.push_back(point);
+  return all;
 }
 
 }  // namespace marketgen::policy

@@ -23,6 +23,7 @@ struct ShelfFind {
 class ShelfSight {
  public:
   explicit ShelfSight(const robots::BasePlace& place) : place_(place) {}
+  const robots::BasePlace& place() const { return place_; }
   void add(agent::View view) { views_.emplace_back(std::move(view)); }
 
   // Where a product stands on the boards nearby; best first.
@@ -39,6 +40,11 @@ class ShelfSight {
   std::vector<agent::LookedAt> looked_at(std::vector<FoundShape> found) const;
   // Measured points without the robot itself, which stands as `state` says (base on the origin).
   std::vector<Vec3f> points(const robots::Robot& robot, const std::vector<double>& state) const;
+  // The same, with those of `before` that are not seen anew from here: what is measured again is
+  // better known, against where the base believes it is now.
+  std::vector<Vec3f> points_beside(const std::vector<Vec3f>& before,
+                                   const robots::Robot& robot,
+                                   const std::vector<double>& state) const;
 
  private:
   std::vector<perception::BoardAhead> boards_ahead(const agent::AisleMap& map) const;

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "base/progress.h"
+#include "perception/steady_view.h"
 #include "policy/aisle_sight.h"
 #include "policy/aisle_tour.h"
 #include "policy/aisle_trace.h"
+#include "policy/shelf_finds.h"
 #include "policy/shelf_goals.h"
 #include "skills/plan_failure.h"
 
@@ -20,15 +22,15 @@ constexpr int tries_a_find = 2;  // of what was found at one place
 // Shelves so near to the category's place are looked at before a doubtful find is taken; those
 // farther than the second are left out.
 constexpr double near_category_m = 3.5, far_from_category_m = 7;
-constexpr double worth_off_per_m = 0.02;  // of a find's score, off the category's place
-constexpr double sure = 0.58;             // worth of a find that is taken at once
-constexpr double about_as_good = 0.04;    // of worths: the nearer one is taken
+constexpr double sure = 0.58;  // worth of a find that is taken at once
+constexpr int max_moves = 2;   // before one find
 constexpr double min_item_left_s = 45;
 constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and lower boards
-constexpr double same_find_m = 0.04;
 constexpr double min_again = 0.6;  // of its score, at a second look from before the shelf
 constexpr double max_tilt = 1.04, max_pan = 1.3;
 constexpr double other_reach_m = 0.35;  // of a product, measured points that its grasps mind
+
+constexpr double next_picture_s = 0.05;
 
 const std::string head_eye = "head_camera";
 
@@ -93,12 +95,6 @@ class ClassicalAisle : public agent::Policy {
   }
 
  private:
-  struct Find {
-    ShelfFind place;
-    double worth = 0;  // score, less what it stands off its category's place
-    int tries = 0;
-  };
-
   // The arm or what it holds was pressed on, and has been moved back a second of its way: what was
   // planned is given up, and goes on from here by another plan.
   Result<void> recover() {
@@ -176,37 +172,12 @@ class ClassicalAisle : public agent::Policy {
   }
 
   Result<bool> go_to_find(double min_worth) {
-    while (const auto find = next_find(min_worth)) {
+    while (const auto find = finds_.next(goals_, now_.base, min_worth)) {
       MARKETGEN_TRY(const bool goes, approach(*find));
       if (goes) return true;
-      refuse(*find);
+      finds_.refuse(*find);
     }
     return false;
-  }
-
-  // Of each goal the finds that are about as good as its best; of these the nearest.
-  std::optional<std::size_t> next_find(double min_worth) const {
-    std::vector<double> best_of(goals_.size(), min_worth);
-    for (const Find& find : finds_)
-      best_of[find.place.goal] = std::max(best_of[find.place.goal], find.worth);
-    std::optional<std::size_t> best;
-    double least = 0;
-    for (std::size_t i = 0; i < finds_.size(); ++i) {
-      const ShelfFind& find = finds_[i].place;
-      const bool good = finds_[i].worth >= std::max(min_worth, best_of[find.goal] - about_as_good);
-      if (!good || !goals_[find.goal].is_due()) continue;
-      const Vec3 at = find.store_from_product.position;
-      const double off = std::hypot(at.x - now_.base.x_m, at.y - now_.base.y_m);
-      if (best && off >= least) continue;
-      best = i;
-      least = off;
-    }
-    return best;
-  }
-
-  void refuse(std::size_t find) {
-    refused_.push_back(finds_[find].place);
-    finds_.erase(finds_.begin() + static_cast<std::ptrdiff_t>(find));
   }
 
   // To the next place from which a missing goal may be seen; false when there is none.
@@ -226,23 +197,36 @@ class ClassicalAisle : public agent::Policy {
     seen_[*best] = true;
     if (!body_.drive_to(stops_[*best].place).ok()) return true;  // another one, the next time
     step_ = AisleStep::look_up;
+    still_ = {};
     MARKETGEN_CHECK(body_.look(0, stop_tilts[0]));
     return true;
   }
 
   // ---- Looking ----
 
-  Result<void> look_up() {
-    sight_ = ShelfSight(now_.base);
+  // Standing still until pictures tell no more; then true.
+  Result<bool> has_looked() {
     MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
-    sight_.add(std::move(view));
+    still_.add(std::move(view));
+    if (still_.wants_more()) {
+      body_.wait(next_picture_s);
+      return false;
+    }
+    sight_.add(still_.take());
+    return true;
+  }
+
+  Result<void> look_up() {
+    if (still_.empty()) sight_ = ShelfSight(now_.base);
+    MARKETGEN_TRY(const bool looked, has_looked());
+    if (!looked) return {};
     step_ = AisleStep::look_down;
     return body_.look(0, stop_tilts[1]);
   }
 
   Result<void> look_down() {
-    MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
-    sight_.add(std::move(view));
+    MARKETGEN_TRY(const bool looked, has_looked());
+    if (!looked) return {};
     points_ = sight_.points(robot_, body_.state());
     std::vector<ShelfFind> all;
     for (std::size_t i = 0; i < goals_.size(); ++i) {
@@ -259,26 +243,19 @@ class ClassicalAisle : public agent::Policy {
   }
 
   void remember(const ShelfFind& find) {
-    const auto is_same = [&](const ShelfFind& other) {
-      return other.goal == find.goal && length(other.store_from_product.position -
-                                               find.store_from_product.position) < same_find_m;
-    };
-    if (std::ranges::any_of(refused_, is_same)) return;
-    const auto known = std::ranges::find_if(finds_, is_same, &Find::place);
-    const Vec2 hint = goals_[find.goal].hint;
+    const ShelfGoal& goal = goals_[find.goal];
+    const auto worth = finds_.remember(find, goal.hint);
+    if (!worth) return;
     const Vec3 at = find.store_from_product.position;
-    const double worth = find.score - worth_off_per_m * std::hypot(at.x - hint.x, at.y - hint.y);
-    say(fmt::format("finds {} at {:.2f} {:.2f} {:.2f}, score {:.2f}, worth {:.2f}",
-                    goals_[find.goal].sku,
-                    at.x,
-                    at.y,
-                    at.z,
-                    find.score,
-                    worth));
-    if (known == finds_.end())
-      finds_.push_back({find, worth, 0});
-    else if (find.score > known->place.score)
-      known->place = find, known->worth = worth;
+    say(fmt::format(
+        "finds {} at {:.2f} {:.2f} {:.2f}, turned {:.1f} deg, score {:.2f}, worth {:.2f}",
+        goal.sku,
+        at.x,
+        at.y,
+        at.z,
+        yaw_of(find.store_from_product.rotation) * 180 / M_PI,
+        find.score,
+        *worth));
   }
 
   // ---- Taking it ----
@@ -304,7 +281,7 @@ class ClassicalAisle : public agent::Policy {
   }
 
   Result<bool> approach(std::size_t number) {
-    Find& find = finds_[number];
+    KnownFind& find = finds_[number];
     ShelfGoal& goal = goals_[find.place.goal];
     const auto item = item_at(find.place);
     find_ = number;
@@ -349,23 +326,29 @@ class ClassicalAisle : public agent::Policy {
                         finds_[find_].place.store_from_product.position -
                     head.position;
     step_ = AisleStep::look_again;
+    still_ = {};
     return body_.look(std::clamp(std::atan2(at.y, at.x), -max_pan, max_pan),
                       std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, max_tilt));
   }
 
   // From where it came to stand, by what is seen from there.
   Result<void> look_again() {
-    Find& find = finds_[find_];
+    KnownFind& find = finds_[find_];
     ShelfGoal& goal = goals_[find.place.goal];
-    sight_ = ShelfSight(now_.base);
-    MARKETGEN_TRY(agent::View view, setup_.eyes->look(head_eye));
-    sight_.add(std::move(view));
-    const std::vector<Vec3f> more = sight_.points(robot_, body_.state());
-    points_.insert(points_.end(), more.begin(), more.end());
+    if (still_.empty()) sight_ = ShelfSight(now_.base);
+    MARKETGEN_TRY(const bool looked, has_looked());
+    if (!looked) return {};
+    points_ = sight_.points_beside(points_, robot_, body_.state());
     MARKETGEN_TRY(const perception::WantedProduct wanted,
                   goal.wanted_close(*setup_.products, *setup_.looks));
     const ShelfFind again = sight_.again(find.place, wanted, *modules_.choice);
-    say(fmt::format("sees it again with score {:.2f} of {:.2f}", again.score, find.place.score));
+    const Pose moved = inverse(find.place.store_from_product) * again.store_from_product;
+    say(fmt::format("sees it again with score {:.2f} of {:.2f}, by {:.3f} {:.3f} m, {:.1f} deg",
+                    again.score,
+                    find.place.score,
+                    moved.position.x,
+                    moved.position.y,
+                    yaw_of(moved.rotation) * 180 / M_PI));
     const bool is_there = again.score >= min_again * find.place.score;
     log_look(sight_, is_there ? std::vector{again} : std::vector<ShelfFind>{}, goals_, log_);
     if (is_there) {
@@ -373,22 +356,21 @@ class ClassicalAisle : public agent::Policy {
       return take(find, goal);
     }
     refused(goal, "NotFound");
-    refuse(find_);
+    finds_.refuse(find_);
     step_ = AisleStep::choose;
     return {};
   }
 
-  Result<void> take(Find& find, ShelfGoal& goal) {
+  Result<void> take(KnownFind& find, ShelfGoal& goal) {
     ++goal.tries;
     ++find.tries;
     step_ = AisleStep::choose;
     const auto item = item_at(find.place);
-    auto pick = item.ok() ? body_.plan_pick(*item, points_, now_.base)
+    auto pick = item.ok() ? body_.plan_pick(*item, points_, sight_.place())
                           : Result<skills::ShelfPick>(item.error());
     if (!pick.ok()) {
       MARKETGEN_CHECK(given_up(goal, pick.error()));
-      refuse(find_);
-      return {};
+      return move_before(find, goal);
     }
     say(fmt::format("takes {} with {}, score {:.2f}, worth {:.2f}, at {:.2f} {:.2f} {:.2f}",
                     goal.sku,
@@ -401,6 +383,18 @@ class ClassicalAisle : public agent::Policy {
     MARKETGEN_CHECK(body_.take(*item, std::move(*pick)));
     log_find(agent::DecisionKind::reach, "None");
     step_ = AisleStep::pressed;
+    return {};
+  }
+
+  // It did not come to stand where it was to, or the product stands elsewhere than it was seen from
+  // afar: another place, by what is known now.
+  Result<void> move_before(KnownFind& find, ShelfGoal& goal) {
+    if (++find.moves <= max_moves) {
+      --goal.tries, --find.tries;
+      MARKETGEN_TRY(const bool goes, approach(find_));
+      if (goes) return {};
+    }
+    finds_.refuse(find_);
     return {};
   }
 
@@ -434,7 +428,7 @@ class ClassicalAisle : public agent::Policy {
 
   Result<void> leave_empty() {
     step_ = AisleStep::choose;
-    if (finds_[find_].tries >= tries_a_find) refuse(find_);
+    if (finds_[find_].tries >= tries_a_find) finds_.refuse(find_);
     if (!body_.go_home(points_).ok() && !body_.go_home({}).ok()) done_ = true;
     return {};
   }
@@ -445,7 +439,7 @@ class ClassicalAisle : public agent::Policy {
     ++goal.fetched;
     say(fmt::format("{}: let go in the basket", goal.sku));
     goal.tries = 0;
-    refuse(find_);
+    finds_.refuse(find_);
     step_ = AisleStep::choose;
     return {};
   }
@@ -466,13 +460,13 @@ class ClassicalAisle : public agent::Policy {
   std::vector<ShelfGoal> goals_;
   std::vector<ViewStop> stops_;
   std::vector<bool> seen_;  // of the stops
-  std::vector<Find> finds_;
-  std::vector<ShelfFind> refused_;  // taken, or not to be taken
-  std::size_t find_ = 0;            // that is being taken
-  bool held_ = false;               // it was in the hand when that closed
+  ShelfFinds finds_;
+  std::size_t find_ = 0;  // that is being taken
+  bool held_ = false;     // it was in the hand when that closed
   AisleStep step_ = AisleStep::choose;
   ShelfSight sight_;
-  std::vector<Vec3f> points_;  // measured from the last stop and before the shelf
+  perception::SteadyView still_;  // of the look that is being taken
+  std::vector<Vec3f> points_;     // measured from the last stop and before the shelf
   bool done_ = false;
   agent::DecisionLog log_;
 };

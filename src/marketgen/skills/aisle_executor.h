@@ -40,6 +40,7 @@ class AisleExecutor {
   // way_back. ----
   void drive(motion::BaseFollower way);
   Result<void> look(double pan, double tilt);  // the head, to the left and down, rad
+  void wait(double seconds) { body_.wait(seconds); }
   Result<void> raise(double lift_m, agent::Subtask of);
   void open(int tool, agent::ToolCommand command);  // for what was queued before
 

@@ -68,7 +68,20 @@ class ShelfPickPlanner {
   }
 
  private:
+  // Error: of the first height of the lift.
   Result<ShelfPick> at_place(std::size_t number, const Pose& world_from_base) const {
+    std::optional<Error> first;
+    for (const double offset : question_.lift_offsets_m) {
+      auto pick = at_height(number, world_from_base, offset);
+      if (pick.ok()) return pick;
+      if (!first) first = pick.error();
+    }
+    return *first;
+  }
+
+  Result<ShelfPick> at_height(std::size_t number,
+                              const Pose& world_from_base,
+                              double lift_offset_m) const {
     const robots::Grasp& grasp = question_.grasps[number];
     const Pose world_from_tip = question_.world_from_product * grasp.product_from_tool;
     ShelfPick pick;
@@ -77,8 +90,10 @@ class ShelfPickPlanner {
     pick.grasp = grasp;
     pick.number = number;
     pick.world_from_base = world_from_base;
-    pick.state = raised_state(
-        robot_, question_.driving, world_from_tip.position.z - tip_over_lift_m, grasp.opening_m);
+    pick.state = raised_state(robot_,
+                              question_.driving,
+                              world_from_tip.position.z - tip_over_lift_m + lift_offset_m,
+                              grasp.opening_m);
     if (question_.may_stand) MARKETGEN_CHECK(question_.may_stand(world_from_base, pick.state));
     const PickPlace place{world_from_base, pick.state, world_from_tip, out_};
     MARKETGEN_TRY(PickWays ways, plan_pick_ways(model_, place, question_.around, question_, seed_));

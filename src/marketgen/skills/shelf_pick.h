@@ -38,7 +38,10 @@ struct ShelfPickQuestion : PickMotion {
   // none.
   std::function<Result<void>(const ShelfPick&)> may_hold;
   std::optional<Pose> world_from_base = {};  // stands there and nowhere else
-  std::string where;                         // of errors: what is to be taken
+  // Of the lift, from the one at which a grasp is at the height that suits an arm; tried in this
+  // order.
+  std::vector<double> lift_offsets_m = {0};
+  std::string where;  // of errors: what is to be taken
 };
 
 // Over the grasps, the robot's arms that end in that gripper, and places in front of the product.

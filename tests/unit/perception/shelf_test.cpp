@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "base/seed.h"
 #include "perception/shelf_choice.h"
 #include "support/drawn_boxes.h"
 
@@ -115,6 +116,31 @@ TEST(UprightMatching, FindsAgainWhatMovedALittle) {
   EXPECT_LT(length(again.base_from_product.position - pack.pose.position), 0.004);
   const Pose elsewhere = board_pose() * Pose{{-0.3, 0.1, 0}, {}};
   EXPECT_LT(perception::UprightMatching().again({&red}, views, elsewhere).evidence.score, 0.1);
+}
+
+double turned_by(const perception::FoundOnShelf& found) {
+  return yaw_of((inverse(board_pose()) * found.pose.base_from_product).rotation);
+}
+
+// What is measured of a front errs by millimetres: that is no reason to take it for turned.
+TEST(UprightMatching, IsFacedStraightUnlessItIsClearlyTurned) {
+  const perception::ProductLook red = look_of("red", carton_red);
+  std::vector<perception::ViewCloud> exact = look_at({pack_at(0.05, carton_red)});
+  agent::View view = exact.front().view();
+  Stream draw = Seed(5).stream();
+  for (float& depth : view.depth_m)
+    depth += 0.0015F * static_cast<float>(draw.normal());
+  std::vector<perception::ViewCloud> noisy;
+  noisy.emplace_back(std::move(view));
+  const auto straight = find_on_shelf({&red, {}}, noisy);
+  ASSERT_FALSE(straight.empty());
+  EXPECT_NEAR(turned_by(straight.front()), 0, 1e-9);
+  constexpr double turn = 0.3;
+  DrawnBox turned = pack_at(0.05, carton_red);
+  turned.pose.rotation = turned.pose.rotation * rotation_about({0, 0, 1}, turn);
+  const auto found = find_on_shelf({&red, {}}, look_at({turned}));
+  ASSERT_FALSE(found.empty());
+  EXPECT_NEAR(turned_by(found.front()), turn, 0.1);
 }
 
 TEST(UprightMatching, ARivalOfAnySizeIsNotTakenForIt) {
