@@ -9,8 +9,9 @@ namespace marketgen::perception {
 
 class SteadyView {
  public:
+  SteadyView() = default;
   // Wants pictures until depth a metre away has so little noise (one sigma), at most twelve.
-  explicit SteadyView(double wanted_noise_m = 0.0018) : wanted_noise_m_(wanted_noise_m) {}
+  explicit SteadyView(double wanted_noise_m) : wanted_noise_m_(wanted_noise_m) {}
   // Left out when it was taken by another camera or from elsewhere than the first one.
   void add(agent::View view);
   bool empty() const { return views_.empty(); }
@@ -23,7 +24,7 @@ class SteadyView {
   agent::View take();
 
  private:
-  double wanted_noise_m_;
+  double wanted_noise_m_ = 0.0018;
   std::vector<agent::View> views_;
   int added_ = 0;  // with those left out
   double noise_m_ = 0;
