@@ -89,15 +89,22 @@ FittedPose moved_best(const ProductLook& look,
   return best;
 }
 
-// As it is faced unless it clearly fits better turned: a narrow front or a round one says little of
-// how it is turned, and goods are faced straight.
 FittedPose stood_best(const ProductLook& look,
                       const Pose& near,
                       const std::vector<ViewCloud>& views) {
-  const FittedPose turned = moved_best(look, near, views, true);
-  const Pose back{turned.base_from_product.position, near.rotation};
-  const FittedPose straight = moved_best(look, back, views, false);
-  return turned.evidence.score > worth_a_turn * straight.evidence.score ? turned : straight;
+  return moved_best(look, near, views, true);
+}
+
+// Faced as `straight` is, unless it fits clearly better as it was found: a narrow front or a round
+// one says little of how it is turned, and goods are faced straight. Which product it is has been
+// told before, by the turn that fits each best.
+FittedPose faced(const ProductLook& look,
+                 const FittedPose& found,
+                 const Quaternion& straight,
+                 const std::vector<ViewCloud>& views) {
+  const FittedPose there =
+      moved_best(look, {found.base_from_product.position, straight}, views, false);
+  return found.evidence.score > worth_a_turn * there.evidence.score ? found : there;
 }
 
 // Of what is measured right over its front, the share that goes on in the same surface: the front
@@ -211,7 +218,9 @@ std::vector<FoundOnShelf> UprightMatching::find(const WantedProduct& wanted,
     const auto rival_there = [&](const ProductLook& rival) {
       return pose_on(there.spot, boards[spot.board], rival);
     };
-    if (!is_rival(wanted, there.pose, views, rival_there)) found.push_back(there);
+    if (is_rival(wanted, there.pose, views, rival_there)) continue;
+    there.pose = faced(look, there.pose, boards[spot.board].base_from_board.rotation, views);
+    found.push_back(there);
   }
   std::ranges::stable_sort(
       found, std::greater<>{}, [](const FoundOnShelf& f) { return f.pose.evidence.score; });
@@ -235,7 +244,8 @@ FittedPose UprightMatching::again(const WantedProduct& wanted,
   const auto rival_there = [&](const ProductLook& rival) {
     return best.base_from_product * Pose{front_of(look) - front_of(rival), {}};
   };
-  return is_rival(wanted, best, views, rival_there) ? FittedPose{} : best;
+  if (is_rival(wanted, best, views, rival_there)) return {};
+  return faced(look, best, base_from_product.rotation, views);
 }
 
 }  // namespace marketgen::perception

@@ -197,7 +197,7 @@ class ClassicalAisle : public agent::Policy {
     seen_[*best] = true;
     if (!body_.drive_to(stops_[*best].place).ok()) return true;  // another one, the next time
     step_ = AisleStep::look_up;
-    still_ = {};
+    still_ = perception::SteadyView();
     MARKETGEN_CHECK(body_.look(0, stop_tilts[0]));
     return true;
   }
@@ -326,7 +326,7 @@ class ClassicalAisle : public agent::Policy {
                         finds_[find_].place.store_from_product.position -
                     head.position;
     step_ = AisleStep::look_again;
-    still_ = {};
+    still_ = perception::SteadyView();
     return body_.look(std::clamp(std::atan2(at.y, at.x), -max_pan, max_pan),
                       std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, max_tilt));
   }
