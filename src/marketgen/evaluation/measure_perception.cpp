@@ -94,10 +94,7 @@ class PerceptionTrial {
   // The arm holds still meanwhile.
   Result<void> look() {
     const auto began = std::chrono::steady_clock::now();
-    const agent::Observation first = track_world_.observe();
-    agent::Action hold{first.position, {}};
-    for (const double opening : first.openings_m)
-      hold.tools.push_back({opening});
+    const agent::Action hold = episodes::still_action(track_world_.observe());
     policy::CheckoutPictures pictures;
     for (;;) {
       MARKETGEN_TRY(auto views, pictures.take(eyes_, place_));

@@ -1,14 +1,12 @@
 #include "perception/camera_correction.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include <Eigen/Dense>
 
-#include "perception/view_cloud.h"
+#include "perception/over_counter.h"
 
 namespace marketgen::perception {
 namespace {
@@ -24,10 +22,8 @@ constexpr float pair_gate_m = 0.012F, min_pair_normals = 0.85F;
 constexpr int pair_rounds = 8;
 constexpr float min_upright = 0.9F;  // of a level surface's normal
 
-using Normal3 = Eigen::Matrix3d;
-
 // Solves for three small unknowns, of which the first `lengths` are metres, the others radians.
-Eigen::Vector3d solved(Normal3 a, const Eigen::Vector3d& b, int lengths) {
+Eigen::Vector3d solved(Eigen::Matrix3d a, const Eigen::Vector3d& b, int lengths) {
   a /= alike_px * point_off_m * point_off_m;
   for (int i = 0; i < 3; ++i) {
     const double off = i < lengths ? camera_off_m : camera_off_rad;
@@ -47,7 +43,7 @@ Pose levelled(const ViewCloud& cloud, const agent::Workplace& place) {
   const Vec3 pivot = place.base_from_basket.position;
   Eigen::Vector3d fit = Eigen::Vector3d::Zero();  // height over the pivot, slopes along x and y
   for (const double gate : level_gates_m) {
-    Normal3 a = Normal3::Zero();
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < cloud.size(); i += taken_every_px) {
       if (!cloud.has(i) || cloud.normal(i).z < min_upright) continue;
@@ -67,19 +63,11 @@ Pose levelled(const ViewCloud& cloud, const agent::Workplace& place) {
 }
 
 // How far `moved` must go over the counter to agree with `still`, about a pivot.
-struct OverCounter {
-  double x_m = 0, y_m = 0, turn_rad = 0;
-  Pose about(Vec3 pivot, double share) const {
-    const Quaternion turn = rotation_about({0, 0, 1}, share * turn_rad);
-    return {pivot - rotate(turn, pivot) + Vec3{share * x_m, share * y_m, 0}, turn};
-  }
-};
-
 OverCounter agreement(const ViewCloud& still, const ViewCloud& moved, Vec3 pivot) {
   OverCounter way;
   for (int round = 0; round < pair_rounds; ++round) {
-    const Pose pose = way.about(pivot, 1);
-    Normal3 a = Normal3::Zero();
+    const Pose pose = way.about(pivot);
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < moved.size(); i += taken_every_px) {
       const Vec3f own = moved.normal(i);
@@ -105,28 +93,19 @@ OverCounter agreement(const ViewCloud& still, const ViewCloud& moved, Vec3 pivot
 
 }  // namespace
 
-std::vector<agent::View> corrected_views(std::vector<agent::View> views,
-                                         const agent::Workplace& place) {
-  for (agent::View& view : views)
-    view.base_from_camera = levelled(ViewCloud(view), place) * view.base_from_camera;
-  std::vector<ViewCloud> clouds(views.begin(), views.end());
+void correct_cameras(std::vector<ViewCloud>& views, const agent::Workplace& place) {
+  for (ViewCloud& view : views)
+    view.move(levelled(view, place));
   const Vec3 pivot = place.base_from_basket.position;
   // Against the first; then all go back by the mean of how far they came.
   std::vector<OverCounter> ways(views.size());
-  OverCounter mean;
+  OverCounter back;
   for (std::size_t v = 1; v < views.size(); ++v) {
-    ways[v] = agreement(clouds[0], clouds[v], pivot);
-    const auto count = static_cast<double>(views.size());
-    mean.x_m += ways[v].x_m / count;
-    mean.y_m += ways[v].y_m / count;
-    mean.turn_rad += ways[v].turn_rad / count;
+    ways[v] = agreement(views[0], views[v], pivot);
+    back = back + ways[v] * (-1.0 / static_cast<double>(views.size()));
   }
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    const OverCounter way{
-        ways[v].x_m - mean.x_m, ways[v].y_m - mean.y_m, ways[v].turn_rad - mean.turn_rad};
-    views[v].base_from_camera = way.about(pivot, 1) * views[v].base_from_camera;
-  }
-  return views;
+  for (std::size_t v = 0; v < views.size(); ++v)
+    views[v].move((ways[v] + back).about(pivot));
 }
 
 }  // namespace marketgen::perception

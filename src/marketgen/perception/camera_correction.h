@@ -4,16 +4,14 @@
 #pragma once
 #include <vector>
 
-#include "agent/eyes.h"
 #include "agent/workplace.h"
+#include "perception/view_cloud.h"
 
 namespace marketgen::perception {
 
-// The views with `base_from_camera` corrected: height and tilt of each by what it sees of the
-// counter, place and turn over the counter by what the others see of the same goods: all meet in
-// the middle, since none is known to be better. As far as the pictures tell: what they do not tell
-// stays as it was.
-std::vector<agent::View> corrected_views(std::vector<agent::View> views,
-                                         const agent::Workplace& place);
+// Moves the views: height and tilt of each by what it sees of the counter, place and turn over the
+// counter by what the others see of the same goods: all meet in the middle, since none is known to
+// be better. As far as the pictures tell: what they do not tell stays as it was.
+void correct_cameras(std::vector<ViewCloud>& views, const agent::Workplace& place);
 
 }  // namespace marketgen::perception

@@ -2,13 +2,14 @@
 #include <array>
 #include <cmath>
 
+#include "perception/placed_surface.h"
 #include "perception/pose_source.h"
 
 namespace marketgen::perception {
 namespace {
 
 constexpr float min_facing = 0.25F;  // cosine; surface more aslant says little
-constexpr float min_tolerance_m = 0.003F, tolerance_px = 1.0F;
+constexpr float min_tolerance_m = 0.003F;
 constexpr float covered_m = 0.006F;
 constexpr double violation_weight = 1.5;
 constexpr double color_scale = 0.16;  // error at which the score is down to 1/e
@@ -53,25 +54,6 @@ class ColorPairs {
   std::array<Sum, sides> sums_{};
 };
 
-// The turn and shift of a pose in single precision.
-class Placed {
- public:
-  explicit Placed(const Pose& pose)
-      : x_(to_float(rotate(pose.rotation, {1, 0, 0}))),
-        y_(to_float(rotate(pose.rotation, {0, 1, 0}))),
-        z_(to_float(rotate(pose.rotation, {0, 0, 1}))),
-        at_(to_float(pose.position)) {}
-  Vec3f turned(Vec3f v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
-  Vec3f operator()(Vec3f v) const { return turned(v) + at_; }
-  Vec3f back(Vec3f p) const {
-    const Vec3f d = p - at_;
-    return {dot(d, x_), dot(d, y_), dot(d, z_)};
-  }
-
- private:
-  Vec3f x_, y_, z_, at_;
-};
-
 double covered_share(const ProductLook& look, const Placed& placed, const SurfacePatch& patch) {
   if (patch.points.empty()) return 1;
   double covered = 0;
@@ -96,24 +78,19 @@ void look_at(const Surfel& surfel,
              double surfel_m2,
              Tally& tally) {
   const Vec3f point = placed(surfel.point), normal = placed.turned(surfel.normal);
-  const float facing = dot(normal, normalized(cloud.eye() - point));
-  if (facing < min_facing) return;
-  const auto seen = cloud.project(point);
-  if (!seen || !cloud.has(seen->pixel)) return;
-  const float off = seen->depth_m - cloud.view().depth_m[seen->pixel];
-  const float slope = std::sqrt(1 - facing * facing) / facing;
-  const float tolerance = min_tolerance_m + tolerance_px * cloud.pixel_m(seen->depth_m) * slope;
-  if (off > 2 * tolerance) {
+  const auto shown = shown_piece(cloud, point, normal, min_facing, min_tolerance_m);
+  if (!shown) return;
+  if (shown->is_hidden()) {
     tally.hidden += 1;
-  } else if (off < -2 * tolerance) {
+  } else if (shown->is_missing()) {
     tally.violated += 1;
   } else {
-    const double near = std::clamp(2.0 - static_cast<double>(std::abs(off) / tolerance), 0.0, 1.0);
+    const double near = shown->agreement();
     tally.supported += near;
-    (off > 0 ? tally.hidden : tally.violated) += 1 - near;
+    (shown->off_m > 0 ? tally.hidden : tally.violated) += 1 - near;
     tally.area_m2 += near * surfel_m2;
     if (near > 0.5)
-      tally.colors.add(side_of(surfel.normal), surfel.color, cloud.color(seen->pixel));
+      tally.colors.add(side_of(surfel.normal), surfel.color, cloud.color(shown->pixel));
   }
 }
 

@@ -7,6 +7,9 @@
 #include <functional>
 #include <utility>
 
+#include "perception/over_counter.h"
+#include "perception/placed_surface.h"
+
 namespace marketgen::perception {
 namespace {
 
@@ -48,42 +51,33 @@ std::vector<WallPiece> wall_pieces(const agent::Workplace& place) {
   return pieces;
 }
 
-// How it stands against where it is said to.
-struct Shift {
-  double x_m = 0, y_m = 0, turn_rad = 0;
-  Pose of(const Pose& nominal) const {
-    return {nominal.position + Vec3{x_m, y_m, 0},
-            rotation_about({0, 0, 1}, turn_rad) * nominal.rotation};
-  }
-};
-
 class BasketFit {
  public:
   BasketFit(const std::vector<ViewCloud>& views, const agent::Workplace& place)
       : views_(views), nominal_(place.base_from_basket), pieces_(wall_pieces(place)) {}
 
   // Pieces that are where they should be less those that should be seen and are not.
-  double score(const Shift& shift, float tolerance_m) const {
-    const Matrix34 m = matrix_of(shift.of(nominal_));
+  double score(const OverCounter& shift, float tolerance_m) const {
+    const Placed placed(pose(shift));
     double sum = 0;
     for (const ViewCloud& view : views_)
       for (const WallPiece& piece : pieces_)
-        sum += piece_score(piece, m, view, tolerance_m);
+        sum += piece_score(piece, placed, view, tolerance_m);
     return sum;
   }
   double max_score() const { return static_cast<double>(pieces_.size() * views_.size()); }
-  Pose pose(const Shift& shift) const { return shift.of(nominal_); }
+  Pose pose(const OverCounter& shift) const { return shift.about(nominal_.position) * nominal_; }
 
-  Shift refined(Shift best) const {
+  OverCounter refined(OverCounter best) const {
     double best_score = score(best, fine_tolerance_m);
     for (double step = basket_step_m; step > min_basket_step_m; step /= 2) {
       bool better = true;
       for (int round = 0; better && round < 8; ++round) {
         better = false;
         for (const double s : {step, -step}) {
-          for (const Shift& move : {Shift{s, 0, 0}, {0, s, 0}, {0, 0, s / turn_arm_m}}) {
-            const Shift moved{
-                best.x_m + move.x_m, best.y_m + move.y_m, best.turn_rad + move.turn_rad};
+          for (const OverCounter& move :
+               {OverCounter{s, 0, 0}, {0, s, 0}, {0, 0, s / turn_arm_m}}) {
+            const OverCounter moved = best + move;
             const double moved_score = score(moved, fine_tolerance_m);
             if (moved_score <= best_score) continue;
             best = moved, best_score = moved_score, better = true;
@@ -95,36 +89,19 @@ class BasketFit {
   }
 
  private:
-  static Vec3f turned(const Matrix34& m, Vec3f v) {
-    return {static_cast<float>(m.m[0][0]) * v.x + static_cast<float>(m.m[0][1]) * v.y +
-                static_cast<float>(m.m[0][2]) * v.z,
-            static_cast<float>(m.m[1][0]) * v.x + static_cast<float>(m.m[1][1]) * v.y +
-                static_cast<float>(m.m[1][2]) * v.z,
-            static_cast<float>(m.m[2][0]) * v.x + static_cast<float>(m.m[2][1]) * v.y +
-                static_cast<float>(m.m[2][2]) * v.z};
-  }
-
   static double piece_score(const WallPiece& piece,
-                            const Matrix34& m,
+                            const Placed& placed,
                             const ViewCloud& view,
                             float tolerance_m) {
-    const Vec3f point = turned(m, piece.point) + Vec3f{static_cast<float>(m.m[0][3]),
-                                                       static_cast<float>(m.m[1][3]),
-                                                       static_cast<float>(m.m[2][3])};
-    const Vec3f normal = turned(m, piece.normal);
-    const float facing = dot(normal, normalized(view.eye() - point));
-    if (facing < min_wall_facing) return 0;
-    const auto seen = view.project(point);
-    if (!seen || !view.has(seen->pixel)) return 0;
-    const float off = seen->depth_m - view.view().depth_m[seen->pixel];
-    const float slope = std::sqrt(1 - facing * facing) / facing;
-    const float tolerance = tolerance_m + view.pixel_m(seen->depth_m) * slope;
-    if (off < -2 * tolerance) return -1;
-    const double near = std::clamp(2.0 - static_cast<double>(std::abs(off) / tolerance), 0.0, 1.0);
-    const Vec3f measured = view.normal(seen->pixel);
+    const Vec3f normal = placed.turned(piece.normal);
+    const auto shown = shown_piece(view, placed(piece.point), normal, min_wall_facing, tolerance_m);
+    if (!shown) return 0;
+    if (shown->is_missing()) return -1;
+    const double near = shown->agreement();
+    const Vec3f measured = view.normal(shown->pixel);
     const bool has_normal = dot(measured, measured) > 0;
     if (has_normal && dot(measured, normal) < min_wall_normals) return 0;
-    return off < 0 ? near - (1 - near) : near;
+    return shown->off_m < 0 ? near - (1 - near) : near;
   }
 
   const std::vector<ViewCloud>& views_;
@@ -133,20 +110,20 @@ class BasketFit {
 };
 
 // The best of a grid, best first.
-std::vector<Shift> coarse_shifts(const BasketFit& fit, double off_m, double off_rad) {
+std::vector<OverCounter> coarse_shifts(const BasketFit& fit, double off_m, double off_rad) {
   const int sides = static_cast<int>(std::ceil(off_m / shift_step_m));
   const int turns = static_cast<int>(std::ceil(off_rad / shift_step_rad));
-  std::vector<std::pair<double, Shift>> all;
+  std::vector<std::pair<double, OverCounter>> all;
   for (int x = -sides; x <= sides; ++x) {
     for (int y = -sides; y <= sides; ++y) {
       for (int t = -turns; t <= turns; ++t) {
-        const Shift shift{x * shift_step_m, y * shift_step_m, t * shift_step_rad};
+        const OverCounter shift{x * shift_step_m, y * shift_step_m, t * shift_step_rad};
         all.emplace_back(fit.score(shift, coarse_tolerance_m), shift);
       }
     }
   }
   std::ranges::stable_sort(all, std::greater<>{}, [](const auto& entry) { return entry.first; });
-  std::vector<Shift> best;
+  std::vector<OverCounter> best;
   for (std::size_t i = 0; i < std::min(kept_shifts, all.size()); ++i)
     best.push_back(all[i].second);
   return best;
@@ -159,10 +136,10 @@ std::optional<Pose> seen_basket(const std::vector<ViewCloud>& views,
                                 double off_m,
                                 double off_rad) {
   const BasketFit fit(views, place);
-  std::optional<Shift> best;
+  std::optional<OverCounter> best;
   double best_score = min_supported * fit.max_score();
-  for (const Shift& begun : coarse_shifts(fit, off_m, off_rad)) {
-    const Shift shift = fit.refined(begun);
+  for (const OverCounter& begun : coarse_shifts(fit, off_m, off_rad)) {
+    const OverCounter shift = fit.refined(begun);
     const double score = fit.score(shift, fine_tolerance_m);
     if (score > best_score) best = shift, best_score = score;
   }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include "perception/placed_surface.h"
 #include "perception/pose_source.h"
 
 namespace marketgen::perception {
@@ -55,25 +56,9 @@ Vec3f middle_from(const ProductLook& look, Vec3f towards) {
   return weight > 0 ? sum / weight : look.middle();
 }
 
-class ProductFrame {
- public:
-  explicit ProductFrame(const Pose& base_from_product)
-      : product_from_base_(inverse(base_from_product)),
-        x_(to_float(rotate(product_from_base_.rotation, {1, 0, 0}))),
-        y_(to_float(rotate(product_from_base_.rotation, {0, 1, 0}))),
-        z_(to_float(rotate(product_from_base_.rotation, {0, 0, 1}))),
-        at_(to_float(product_from_base_.position)) {}
-  Vec3f turned(Vec3f v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
-  Vec3f operator()(Vec3f p) const { return turned(p) + at_; }
-
- private:
-  Pose product_from_base_;
-  Vec3f x_, y_, z_, at_;
-};
-
 // Mean distance of the patch from the product, each at most coarse_reach_m.
 float coarse_distance(const ProductLook& look, const SurfacePatch& patch, const Pose& pose) {
-  const ProductFrame frame(pose);
+  const Placed frame(inverse(pose));  // product frame
   const std::size_t step = std::max<std::size_t>(1, patch.points.size() / coarse_points);
   float sum = 0, count = 0;
   for (std::size_t i = 0; i < patch.points.size(); i += step, ++count) {
@@ -117,7 +102,7 @@ std::vector<Guess> coarse_guesses(const ProductLook& look, const SurfacePatch& p
 
 // One step of an iterative closest point fit, point to plane. False when too few points match.
 bool fit_step(const ProductLook& look, const SurfacePatch& patch, float gate_m, Pose& pose) {
-  const ProductFrame frame(pose);
+  const Placed frame(inverse(pose));  // product frame
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
   const Vec3f middle = look.middle();

@@ -16,14 +16,26 @@ constexpr float min_normal_facing = 0.08F;
 }  // namespace
 
 ViewCloud::ViewCloud(agent::View view) : view_(std::move(view)) {
+  place_camera();
+  place_points();
+  find_normals();
+  blur_colors();
+}
+
+void ViewCloud::move(const Pose& way) {
+  view_.base_from_camera = way * view_.base_from_camera;
+  place_camera();
+  place_points();
+  for (Vec3f& normal : normals_)
+    normal = to_float(rotate(way.rotation, to_double(normal)));
+}
+
+void ViewCloud::place_camera() {
   const Pose& pose = view_.base_from_camera;
   eye_ = to_float(pose.position);
   right_ = to_float(rotate(pose.rotation, {1, 0, 0}));
   down_ = to_float(rotate(pose.rotation, {0, 1, 0}));
   ahead_ = to_float(rotate(pose.rotation, {0, 0, 1}));
-  place_points();
-  find_normals();
-  blur_colors();
 }
 
 void ViewCloud::place_points() {

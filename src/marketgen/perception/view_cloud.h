@@ -11,6 +11,8 @@ namespace marketgen::perception {
 class ViewCloud {
  public:
   explicit ViewCloud(agent::View view);
+  // The camera stands elsewhere than it was said to, and so does all that it sees: base_from_base.
+  void move(const Pose& way);
 
   const agent::View& view() const { return view_; }
   int width() const { return view_.width(); }
@@ -43,6 +45,7 @@ class ViewCloud {
   float pixel_m(float depth_m) const { return depth_m / static_cast<float>(view_.lens.fx); }
 
  private:
+  void place_camera();
   void place_points();
   void find_normals();
   void blur_colors();

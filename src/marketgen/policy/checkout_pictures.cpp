@@ -24,13 +24,10 @@ Result<std::optional<std::vector<perception::ViewCloud>>> CheckoutPictures::take
   }
   if (std::ranges::any_of(taken_, &perception::SteadyView::wants_more))
     return std::optional<std::vector<perception::ViewCloud>>{};
-  std::vector<agent::View> merged;
-  for (perception::SteadyView& views : taken_)
-    merged.push_back(views.take());
-  merged = perception::corrected_views(std::move(merged), place);
   std::vector<perception::ViewCloud> clouds;
-  for (agent::View& view : merged)
-    clouds.emplace_back(std::move(view));
+  for (perception::SteadyView& views : taken_)
+    clouds.emplace_back(views.take());
+  perception::correct_cameras(clouds, place);
   const auto basket = perception::seen_basket(clouds,
                                               place,
                                               found_basket_ ? later_off_m : first_off_m,

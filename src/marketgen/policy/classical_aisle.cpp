@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
@@ -253,7 +254,7 @@ class ClassicalAisle : public agent::Policy {
         at.x,
         at.y,
         at.z,
-        yaw_of(find.store_from_product.rotation) * 180 / M_PI,
+        yaw_of(find.store_from_product.rotation) * 180 / std::numbers::pi,
         find.score,
         *worth));
   }
@@ -348,7 +349,7 @@ class ClassicalAisle : public agent::Policy {
                     find.place.score,
                     moved.position.x,
                     moved.position.y,
-                    yaw_of(moved.rotation) * 180 / M_PI));
+                    yaw_of(moved.rotation) * 180 / std::numbers::pi));
     const bool is_there = again.score >= min_again * find.place.score;
     log_look(sight_, is_there ? std::vector{again} : std::vector<ShelfFind>{}, goals_, log_);
     if (is_there) {

@@ -90,6 +90,30 @@ TEST(SeenBasket, IsNowhereWhereNoneStands) {
   EXPECT_FALSE(perception::seen_basket(views, place, 0.04, 0.12));
 }
 
+TEST(ViewCloud, MovedIsAsIfItHadBeenTakenFromThere) {
+  const agent::Workplace place = counter_with_basket();
+  const Pose way{{0.01, -0.02, 0.005}, rotation_about(normalized(Vec3{1, 2, -1}), 0.05)};
+  agent::View view = seen_from(drawn(place, place.base_from_basket), low);
+  perception::ViewCloud moved(view);
+  moved.move(way);
+  view.base_from_camera = way * view.base_from_camera;
+  const perception::ViewCloud there(view);
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    ASSERT_LT(length(moved.point(i) - there.point(i)), 1e-6F) << i;
+    ASSERT_LT(length(moved.normal(i) - there.normal(i)), 1e-4F) << i;
+  }
+}
+
+std::vector<agent::View> corrected_views(const std::vector<agent::View>& said,
+                                         const agent::Workplace& place) {
+  std::vector<perception::ViewCloud> clouds(said.begin(), said.end());
+  perception::correct_cameras(clouds, place);
+  std::vector<agent::View> views;
+  for (const perception::ViewCloud& cloud : clouds)
+    views.push_back(cloud.view());
+  return views;
+}
+
 TEST(CorrectedViews, AgreeWithTheCounterAndWithEachOther) {
   const agent::Workplace place = counter_with_basket();
   const auto boxes = drawn(place, place.base_from_basket);
@@ -99,7 +123,7 @@ TEST(CorrectedViews, AgreeWithTheCounterAndWithEachOther) {
   std::vector<agent::View> said = truth;
   const Pose off{{0.003, -0.004, 0.004}, rotation_about(normalized(Vec3{1, -1, 0.5}), 0.004)};
   said[0].base_from_camera = off * said[0].base_from_camera;
-  const auto views = perception::corrected_views(said, place);
+  const auto views = corrected_views(said, place);
   // Where the two take a point of the heap for, one against the other and over the counter.
   const Vec3 point{0.52, 0.05, 0.09};
   const auto taken_for = [&](const std::vector<agent::View>& as, std::size_t v) {
@@ -117,7 +141,7 @@ TEST(CorrectedViews, WhatIsRightStays) {
   std::vector<agent::View> said;
   for (const Vec3 eye : {high, low})
     said.push_back(seen_from(boxes, eye));
-  const auto views = perception::corrected_views(said, place);
+  const auto views = corrected_views(said, place);
   for (std::size_t v = 0; v < views.size(); ++v) {
     EXPECT_LT(length(views[v].base_from_camera.position - said[v].base_from_camera.position),
               0.001);
