@@ -1,5 +1,6 @@
 // marketgen generate: a prompt or a plan becomes a store folder.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/parallel.h"
 #include "base/text.h"
@@ -23,7 +24,7 @@ struct GenerateFlags {
   std::vector<std::string> words;
   std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, country,
       time, skin, planner = "offline", folder, record;
-  std::vector<std::string> catalogs, images;
+  std::vector<std::string> catalogs, images, vary;
   planners::PlannerAccess planner_access;
   int count = 1;
   bool strict = false, no_previews = false;
@@ -80,6 +81,10 @@ Result<intake::Brief> brief_of(const GenerateFlags& flags) {
   if (!flags.style.empty()) brief.style = flags.style;
   if (!flags.country.empty()) brief.country = flags.country;
   if (!flags.time.empty()) brief.time = flags.time;
+  for (const std::string& axis : flags.vary) {
+    if (!brief.vary) brief.vary.emplace();
+    MARKETGEN_CHECK(plan::add_vary(*brief.vary, axis, "brief.bad_vary", "--vary"));
+  }
   if (!flags.skin.empty()) brief.skin = flags.skin;
   brief.planner = flags.planner;
   return brief;
@@ -292,6 +297,14 @@ void add_room(CLI::App& command, GenerateFlags& flags) {
                   "weekday and hour that the shelves show, \"Sat 17:30\": what shoppers took since "
                   "the last restocking is gone; by itself no time")
       ->type_name("TIME");
+  command
+      .add_option("--vary",
+                  flags.vary,
+                  "AXIS=SEED, repeatable: what a seed of its own draws in this store, whatever "
+                  "--seed is: " +
+                      fmt::format("{}", fmt::join(plan::vary_axes(), ", ")))
+      ->type_name("AXIS=SEED")
+      ->delimiter(',');
   command
       .add_option(
           "--skin", flags.skin, "a style's materials, colours and light; the layout stays as it is")

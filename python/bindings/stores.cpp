@@ -62,6 +62,7 @@ StoreHandle generate(const std::string& prompt,
                      const std::optional<std::string>& style,
                      const std::optional<std::string>& country,
                      const std::optional<std::string>& time,
+                     const std::vector<std::string>& vary,
                      const std::optional<std::string>& plan,
                      const std::optional<std::string>& floor_plan,
                      const std::optional<std::string>& floor_plan_scale,
@@ -84,6 +85,10 @@ StoreHandle generate(const std::string& prompt,
   options.brief.style = style;
   options.brief.country = country;
   options.brief.time = time;
+  for (const std::string& axis : vary) {
+    if (!options.brief.vary) options.brief.vary.emplace();
+    check_or_raise(plan::add_vary(*options.brief.vary, axis, "brief.bad_vary", "vary"));
+  }
   options.brief.floor_plan = floor_plan;
   options.brief.floor_plan_scale = floor_plan_scale;
   options.brief.image_files = images;

@@ -95,6 +95,13 @@ def a_whole(name: str, value: Any, low: int, high: int) -> int:
     return number
 
 
+def seeds(name: str, values: Any, high: int) -> dict[str, int]:
+    """A seed for each name."""
+    if not isinstance(values, Mapping) or not all(isinstance(key, str) for key in values):
+        raise bad(name, values, 'seeds by name, as in {"fill": 3}')
+    return {key: a_whole(name, seed, 0, high) for key, seed in values.items()}
+
+
 def a_number(name: str, value: Any, low: float, high: float) -> float:
     try:
         number = float(value) if not isinstance(value, (bool, str, bytes)) else math.nan

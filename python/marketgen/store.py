@@ -251,6 +251,7 @@ def generate(
     style: str | None = None,
     country: str | None = None,
     time: str | None = None,
+    vary: Mapping[str, int] | None = None,
     plan: PathLike | None = None,
     floor_plan: PathLike | None = None,
     floor_plan_scale: str | None = None,
@@ -275,6 +276,8 @@ def generate(
     style     look: "scandinavian", "industrial", ...
     country   whose money and units price tags have: "us", "gb", "cn", "jp", ...; by itself euro, or what the kind of shop says
     time      weekday and hour that the shelves show, "Sat 17:30": what shoppers took since the last restocking is gone; by itself no time
+    vary      seeds of single axes in the place of `seed`: {"planogram": 3, "fill": 8}; axes are "layout", "planogram", "fill",
+              "disorder" and "prices" (docs/plan.md)
     plan      a market-plan/1 file instead of a prompt
     floor_plan        SVG, DXF, PNG or JPEG of the room: outline, doors and columns (docs/drawings.md)
     floor_plan_scale  its scale where the file says none: "1 unit = 10 mm", "1 px = 2 cm", "1:100"
@@ -305,6 +308,7 @@ def generate(
         None if style is None else arguments.a_text("style", style),
         None if country is None else arguments.a_text("country", country),
         None if time is None else arguments.a_text("time", time),
+        [] if vary is None else [f"{axis}={seed}" for axis, seed in arguments.seeds("vary", vary, MAX_SEED).items()],
         None if plan is None else arguments.a_path("plan", plan),
         None if floor_plan is None else arguments.a_path("floor_plan", floor_plan),
         None if floor_plan_scale is None else arguments.a_text("floor_plan_scale", floor_plan_scale),

@@ -31,6 +31,7 @@ struct Brief {
   std::optional<std::string> style;             // --style
   std::optional<std::string> country;           // --country
   std::optional<std::string> time;              // --time (plan/store_time.h)
+  std::optional<plan::Vary> vary;               // --vary
   std::string planner = "offline";              // --planner
   std::optional<std::string> skin;              // --skin: the style whose look the store gets
   std::optional<std::string> floor_plan;        // --floor-plan: SVG, DXF, PNG or JPEG
@@ -50,6 +51,7 @@ struct Brief {
                  field("style", &Brief::style, "style given by a flag"),
                  field("country", &Brief::country, "country given by a flag"),
                  field("time", &Brief::time, "weekday and hour given by a flag"),
+                 field("vary", &Brief::vary, "seeds of single axes given by a flag"),
                  field("planner", &Brief::planner, "who plans"),
                  field("skin", &Brief::skin, "style that sets materials, colours and light only"),
                  field("floor_plan", &Brief::floor_plan, "drawing of the shell"),

@@ -15,6 +15,7 @@
 #include "catalog/catalog.h"
 #include "geometry/rectangle.h"
 #include "plan/planogram.h"
+#include "plan/vary.h"
 
 namespace marketgen::plan {
 
@@ -433,6 +434,7 @@ struct Plan {
   std::string profile = "supermarket-eu";
   std::optional<std::string> country;
   std::optional<std::string> time;  // plan/store_time.h
+  std::optional<Vary> vary;
   Shell shell;
   Look look;
   std::vector<Node> nodes;
@@ -457,6 +459,7 @@ struct Plan {
             "weekday and hour of the day, \"Sat 17:30\": what shoppers took since the last "
             "restocking is gone; absent: no time",
             at_most_bytes(16)),
+      field("vary", &Plan::vary, "seeds of single axes in the place of the store's own"),
       field("shell", &Plan::shell, "the room", required()),
       field("look", &Plan::look, "materials and light"),
       field("nodes",

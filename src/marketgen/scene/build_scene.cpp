@@ -345,14 +345,19 @@ Result<Scene> build_scene(const layout::Layout& layout,
   for (std::size_t f = 0; f < layout.fixtures.size(); ++f)
     add_fixture(scene, layout.fixtures[f], models.of(f), rows);
 
+  const auto of = [&](std::optional<std::uint64_t> plan::Vary::*axis) {
+    return plan::axis_seed(plan.vary, axis, seed, scene_stream);
+  };
+  const Seed prices = of(&plan::Vary::prices);
   std::vector<BayRef> bays = bays_of(scene);
-  plan_bays(bays, scene, plan, rows, seed);
+  plan_bays(bays, scene, plan, rows, of(&plan::Vary::planogram));
   MARKETGEN_CHECK(stock_by_planogram(bays, scene, plan, rows));
   MARKETGEN_CHECK(check_number(bays, scene, plan, rows));
   MARKETGEN_TRY(const std::optional<StoreSales> sales, sales_of(plan, rows));
-  add_stock(scene, bays, fill_bays(bays, scene, plan, sales, rows, seed), rows, seed);
-  misplace_items(scene, plan, rows, seed);
-  fault_price_tags(scene, plan, seed);
+  add_stock(
+      scene, bays, fill_bays(bays, scene, plan, sales, rows, of(&plan::Vary::fill)), rows, prices);
+  misplace_items(scene, plan, rows, of(&plan::Vary::disorder));
+  fault_price_tags(scene, plan, prices);
   MARKETGEN_CHECK(add_placements(scene, plan, rows));
   take_catalog_slice(scene, rows);
   return scene;

@@ -248,6 +248,9 @@ struct Scene {
                  field("joints", &Scene::joints, "what moves"));
 };
 
+// The stream of a store's seed that scenes are drawn from.
+constexpr std::string_view scene_stream = "scene";
+
 // What the scene needs of the plan: stock per zone, overrides, planogram, placements.
 // Deterministic for any thread count. Errors: catalog.*, assets.*, plan.*, planogram.*.
 Result<Scene> build_scene(const layout::Layout& layout,

@@ -44,6 +44,8 @@ Result<void> put_on_skin(plan::Plan& plan,
   return {};
 }
 
+constexpr std::string_view plan_stream = "plan", layout_stream = "layout";
+
 // The time that was asked for takes the place of the plan's own.
 Result<void> set_time(plan::Plan& plan, const intake::Brief& brief) {
   if (!brief.time) return {};
@@ -52,6 +54,13 @@ Result<void> set_time(plan::Plan& plan, const intake::Brief& brief) {
   plan.time = plan::text_of(time);
   plan::note_provenance(plan, {"/time"}, plan::Source::flag);
   return {};
+}
+
+// The same of single axes' seeds, each by itself.
+void set_vary(plan::Plan& plan, const intake::Brief& brief) {
+  if (!brief.vary) return;
+  plan.vary = plan::with_vary(plan.vary.value_or(plan::Vary{}), *brief.vary);
+  plan::note_provenance(plan, {"/vary"}, plan::Source::flag);
 }
 
 struct Built {
@@ -72,11 +81,13 @@ Result<intake::Planned> plan_of(const CreateOptions& options,
   if (options.plan_file) {
     MARKETGEN_TRY(planned, read_planned(*options.plan_file, catalog));
   } else {
-    const Seed seed = Seed(options.seed).child("plan");
+    const Seed seed = plan::axis_seed(
+        brief.vary, &plan::Vary::layout, Seed(options.seed).child(plan_stream), plan_stream);
     MARKETGEN_TRY(planned, intake::plan_from_brief(brief, catalog, *planner, seed, concessions));
   }
   MARKETGEN_CHECK(put_on_skin(planned.plan, brief, catalog));
   MARKETGEN_CHECK(set_time(planned.plan, brief));
+  set_vary(planned.plan, brief);
   return planned;
 }
 
@@ -102,11 +113,12 @@ Result<void> require_no_contradiction(const intake::Planned& planned) {
 Result<Designed> design(const CreateOptions& options,
                         const catalog::Catalog& catalog,
                         Stages& stages) {
-  const Seed layout_seed = Seed(options.seed).child(layout_stream);
   std::unique_ptr<intake::Planner> planner;  // for words only
   if (!options.plan_file) {
-    MARKETGEN_TRY(planner,
-                  planners::make_planner(options.brief.planner, options.planner, layout_seed));
+    MARKETGEN_TRY(
+        planner,
+        planners::make_planner(
+            options.brief.planner, options.planner, layout_seed(options.brief.vary, options.seed)));
   }
   intake::Brief brief = options.brief;
   const PlanAgain plan = [&](const intake::Concessions& concessions) {
@@ -115,21 +127,21 @@ Result<Designed> design(const CreateOptions& options,
   Designed designed;
   MARKETGEN_TRY(designed.planned, stages.run("plan", [&] { return plan({}); }));
   brief.seen = designed.planned.seen;
+  const Seed seed = layout_seed(designed.planned.plan.vary, options.seed);
   if (options.strict) {
     MARKETGEN_CHECK(require_understood(designed.planned));
     MARKETGEN_CHECK(require_no_contradiction(designed.planned));
   }
   MARKETGEN_TRY(designed.repaired, stages.run("repair", [&] {
-    return layout::repair_plan(designed.planned.plan, catalog, layout_seed);
+    return layout::repair_plan(designed.planned.plan, catalog, seed);
   }));
   MARKETGEN_TRY(designed.layout, stages.run("layout", [&] {
     // A plan that somebody wrote says itself what it is: nothing is conceded.
-    return options.plan_file ? layout::make_layout(designed.repaired.plan, catalog, layout_seed)
-                             : layout_of(designed.repaired, catalog, layout_seed);
+    return options.plan_file ? layout::make_layout(designed.repaired.plan, catalog, seed)
+                             : layout_of(designed.repaired, catalog, seed);
   }));
   if (options.plan_file || keeps_hard_rules(designed.layout.violations)) return designed;
-  return stages.run("concede",
-                    [&] { return concede(std::move(designed), plan, catalog, layout_seed); });
+  return stages.run("concede", [&] { return concede(std::move(designed), plan, catalog, seed); });
 }
 
 // Why a wish was not met is what was measured, and what stood in its way.
@@ -148,7 +160,7 @@ Result<Built> build(const CreateOptions& options, const catalog::Catalog& catalo
   MARKETGEN_TRY(Designed designed, design(options, catalog, stages));
   MARKETGEN_TRY(scene::Scene scene, stages.run("scene", [&] {
     return scene::build_scene(
-        designed.layout, designed.repaired.plan, catalog, seed.child(scene_stream));
+        designed.layout, designed.repaired.plan, catalog, seed.child(scene::scene_stream));
   }));
   MARKETGEN_TRY(audit::Audit audit, stages.run("audit", [&] {
     return audit::audit_store(scene, catalog, designed.planned.requirements);
@@ -236,12 +248,17 @@ Result<Created> saved_in(io::FolderDraft& draft,
 
 }  // namespace
 
+Seed layout_seed(const std::optional<plan::Vary>& vary, std::uint64_t store_seed) {
+  return plan::axis_seed(
+      vary, &plan::Vary::layout, Seed(store_seed).child(layout_stream), layout_stream);
+}
+
 Result<scene::Scene> scene_of_plan(const plan::Plan& plan,
                                    const catalog::Catalog& catalog,
                                    std::uint64_t seed) {
   MARKETGEN_TRY(const layout::Layout layout,
-                layout::make_layout(plan, catalog, Seed(seed).child(layout_stream)));
-  return scene::build_scene(layout, plan, catalog, Seed(seed).child(scene_stream));
+                layout::make_layout(plan, catalog, layout_seed(plan.vary, seed)));
+  return scene::build_scene(layout, plan, catalog, Seed(seed).child(scene::scene_stream));
 }
 
 Result<MadeStore> made_store(const CreateOptions& options,

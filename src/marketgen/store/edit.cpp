@@ -97,7 +97,7 @@ Result<layout::Layout> layout_after(const Store& store,
                                     const plan::Plan& plan,
                                     const std::set<std::string>& furnish,
                                     const catalog::Catalog& catalog) {
-  const Seed seed = Seed(store.manifest.seed).child(layout_stream);
+  const Seed seed = layout_seed(plan.vary, store.manifest.seed);
   Result<layout::Layout> plain = layout::make_layout(plan, catalog, seed);
   if (!plain.ok() && plain.error().code != "layout.impossible") return plain;
   const layout::Layout& before = store.scene.layout;
@@ -167,10 +167,11 @@ Result<scene::Scene> scene_after(const Store& store,
       shelves && made_by.marketgen == program_version && made_by.catalog == catalog.content_hash &&
       io::write_json_line(store.scene.layout) == io::write_json_line(now.layout);
   Result<scene::Scene> scene =
-      same_floor
-          ? scene::restocked(store.scene, *shelves, now.plan, catalog)
-          : scene::build_scene(
-                now.layout, now.plan, catalog, Seed(store.manifest.seed).child(scene_stream));
+      same_floor ? scene::restocked(store.scene, *shelves, now.plan, catalog)
+                 : scene::build_scene(now.layout,
+                                      now.plan,
+                                      catalog,
+                                      Seed(store.manifest.seed).child(scene::scene_stream));
   if (!scene.ok()) return plan::in_plan_file(scene.error(), source + " (plan)");
   return scene;
 }
@@ -288,7 +289,7 @@ Result<Created> save_edited(const EditedStore& edited,
 }
 
 Result<bool> follows_from_plan(const Store& store, const catalog::Catalog& catalog) {
-  const Seed seed = Seed(store.manifest.seed).child(layout_stream);
+  const Seed seed = layout_seed(store.plan.vary, store.manifest.seed);
   MARKETGEN_TRY(const layout::Repaired repaired, layout::repair_plan(store.plan, catalog, seed));
   if (io::write_json_line(repaired.plan) != io::write_json_line(store.plan)) return false;
   const Result<layout::Layout> plain = layout::make_layout(store.plan, catalog, seed);

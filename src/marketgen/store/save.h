@@ -10,8 +10,8 @@
 
 namespace marketgen::store {
 
-// Names of the seed's streams.
-constexpr std::string_view layout_stream = "layout", scene_stream = "scene";
+// The seed of the layout of a store: its own, or its plan's for that axis.
+Seed layout_seed(const std::optional<plan::Vary>& vary, std::uint64_t store_seed);
 
 // Whether opening would take the stages' files: for those who only try a store.
 Result<void> check_stages(const plan::Plan& plan,

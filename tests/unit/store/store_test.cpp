@@ -88,6 +88,138 @@ TEST_F(StoreFolder, AtATimeIsThatOfItsPlan) {
   EXPECT_EQ(code_of_create(noon), "brief.bad_time");
 }
 
+// What is drawn for every axis, each by itself.
+struct DrawnAxes {
+  std::string layout, planogram, fill, disorder, prices;
+  friend bool operator==(const DrawnAxes&, const DrawnAxes&) = default;
+};
+
+DrawnAxes axes_of(const scene::Scene& scene) {
+  DrawnAxes drawn;
+  drawn.layout = io::write_json_line(scene.layout);
+  for (const scene::Facing& facing : scene.facings) {
+    drawn.planogram += fmt::format("{} {} {:.4f} {}, ",
+                                   facing.shelf,
+                                   scene.catalog[facing.sku].sku,
+                                   facing.x_m,
+                                   facing.facings);
+    for (std::uint32_t i = 0; i < facing.product_count; ++i) {
+      const scene::SceneProduct& item = scene.products[facing.first_product + i];
+      const bool strange = (item.flags & scene::product_misplaced) != 0;
+      drawn.fill += fmt::format("{:.4f} {:.4f}, ", item.position_m[0], item.position_m[1]);
+      drawn.disorder += strange ? fmt::format("{} {}, ", facing.first_product + i, item.sku) : "";
+    }
+  }
+  for (const scene::PriceLabel& label : scene.price_labels)
+    drawn.prices += fmt::format("{} {}, ", label.promotion, label.price_cents);
+  return drawn;
+}
+
+// A shop where every axis draws something.
+store::CreateOptions untidy(store::CreateOptions options, const plan::Plan& plan) {
+  plan::Plan messy = plan;
+  for (plan::Zone& zone : messy.zones) {
+    zone.stock.misplaced = 0.1;
+    zone.stock.out_of_stock = 0.1;
+  }
+  const fs::path file = options.folder.string() + "-plan.json";
+  if (const auto written = io::write_file(file, io::write_json(messy)); !written.ok())
+    fatal(to_string(written.error()).c_str());
+  options.brief = {};
+  options.plan_file = file;
+  return options;
+}
+
+TEST_F(StoreFolder, AnAxisWithASeedDrawsWhatAStoreOfThatSeedDraws) {
+  create(tiny("plain"));
+  const plan::Plan plan = store::open_store(parent_ / "plain", committed_catalog())->plan;
+  const auto drawn = [&](const char* name, std::uint64_t seed, const plan::Vary& vary) {
+    store::CreateOptions options = untidy(tiny(name), plan);
+    options.seed = seed;
+    options.brief.vary = vary;
+    create(options);
+    return axes_of(store::open_store(parent_ / name, committed_catalog())->scene);
+  };
+  const DrawnAxes three = drawn("three", 3, {}), nine = drawn("nine", 9, {});
+  plan::Vary all;
+  all.layout = all.planogram = all.fill = all.disorder = all.prices = 9;
+  EXPECT_EQ(drawn("all", 3, all), nine);
+  ASSERT_NE(three.planogram, nine.planogram);
+  plan::Vary fill;
+  fill.fill = 9;
+  const DrawnAxes filled = drawn("fill", 3, fill);
+  EXPECT_EQ(filled.layout, three.layout);
+  EXPECT_EQ(filled.planogram, three.planogram);
+  EXPECT_EQ(filled.prices, three.prices);
+  EXPECT_NE(filled.fill, three.fill);
+  plan::Vary prices;
+  prices.prices = 9;
+  DrawnAxes priced = drawn("prices", 3, prices);
+  EXPECT_NE(priced.prices, three.prices);
+  priced.prices = three.prices;
+  EXPECT_EQ(priced, three);
+  plan::Vary disorder;
+  disorder.disorder = 9;
+  DrawnAxes messed = drawn("disorder", 3, disorder);
+  EXPECT_NE(messed.disorder, three.disorder);
+  messed.disorder = three.disorder;
+  EXPECT_EQ(messed, three);
+  plan::Vary planogram;
+  planogram.planogram = 9;
+  const DrawnAxes others = drawn("planogram", 3, planogram);
+  EXPECT_EQ(others.planogram, nine.planogram);
+  EXPECT_EQ(others.layout, three.layout);
+}
+
+// The plan keeps the axes: it makes the store again, and a flag takes the place of an axis.
+TEST_F(StoreFolder, AxesAreInThePlan) {
+  store::CreateOptions options = tiny("varied");
+  options.brief.vary.emplace();
+  options.brief.vary->layout = 5;
+  options.brief.vary->fill = 6;
+  const store::Created made = create(options);
+  store::CreateOptions again = tiny("again");
+  again.brief = {};
+  again.plan_file = options.folder / "plan.json";
+  EXPECT_EQ(create(again).manifest.scene_hash, made.manifest.scene_hash);
+  const auto store = store::open_store(options.folder, committed_catalog());
+  EXPECT_EQ(
+      scene::scene_hash(
+          store::scene_of_plan(store->plan, committed_catalog(), store->manifest.seed).value()),
+      made.manifest.scene_hash);
+  EXPECT_TRUE(store::follows_from_plan(*store, committed_catalog()).value());
+  again.folder = parent_ / "other-fill";
+  again.brief.vary.emplace();
+  again.brief.vary->fill = 7;
+  create(again);
+  const auto other = store::open_store(again.folder, committed_catalog());
+  EXPECT_EQ(other->plan.vary->layout, 5U);
+  EXPECT_EQ(other->plan.vary->fill, 7U);
+  EXPECT_NE(other->manifest.scene_hash, made.manifest.scene_hash);
+}
+
+TEST(Vary, SaysWhatIsWrong) {
+  for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
+           {"", "there is no axis \"\""},
+           {"fil=3", "did you mean \"fill\"?"},
+           {"fill", "gives fill no seed"},
+           {"fill=", "gives fill no seed"},
+           {"fill=-1", "gives fill no seed"},
+           {"fill=3x", "gives fill no seed"},
+           {"fill=18446744073709551616", "gives fill no seed"},
+           {"layout=2", "layout is given twice"}}) {
+    plan::Vary vary;
+    vary.layout = 1;
+    const auto added = plan::add_vary(vary, text, "brief.bad_vary", "--vary");
+    ASSERT_FALSE(added.ok()) << text;
+    EXPECT_EQ(added.error().code, "brief.bad_vary");
+    EXPECT_NE(added.error().message.find(says), std::string::npos) << added.error().message;
+  }
+  plan::Vary vary;
+  EXPECT_TRUE(plan::add_vary(vary, "fill=18446744073709551615", "x", "y").ok());
+  EXPECT_EQ(vary.fill, 18446744073709551615U);
+}
+
 TEST_F(StoreFolder, CreateOpenVerify) {
   const store::Created created = create(tiny());
   EXPECT_EQ(listing(),
