@@ -32,7 +32,7 @@ struct EvalFlags {
   std::string episodes, policy = "oracle", output;
   std::vector<std::string> truth, against;
   std::string shard, realism = "ideal";
-  std::string model, model_url, model_record, model_replay;
+  std::string model, model_url, model_record, model_replay, masks_url, grasps_url;
   int jobs = 0;
   evaluation::AnswerLimits answer{120, 1200};
   bool resume = false, perception = false, worker = false, record_motion = false,
@@ -75,6 +75,22 @@ void print_model(const agent::ModelUse& use, int episodes) {
       use.offline);
 }
 
+// The same of a part in a server.
+void print_part(const char* name, const std::optional<agent::PartUse>& use) {
+  if (!use) return;
+  say("{:<12}{} questions, {} answered; failed: {} refused, {} timed out, {} unreachable, {} bad "
+      "answers, {} not asked; {} times the program's own part stood in\n",
+      name,
+      use->questions,
+      use->answered,
+      use->refused,
+      use->timed_out,
+      use->unreachable,
+      use->bad_answer,
+      use->skipped,
+      use->offline);
+}
+
 void print_summary(const evaluation::EvaluationSummary& summary,
                    episodes::Split split,
                    const std::string& realism) {
@@ -101,6 +117,10 @@ void print_summary(const evaluation::EvaluationSummary& summary,
       summary.mean_simulated_s,
       summary.mean_wall_s);
   if (summary.model) print_model(*summary.model, summary.episodes);
+  if (summary.parts) {
+    print_part("masks", summary.parts->masks);
+    print_part("grasps", summary.parts->grasps);
+  }
   for (const evaluation::FailureCount& failure : summary.failures)
     say("{:<12}{}\n", name_of(failure.failure), failure.episodes);
   for (const evaluation::ErrorCount& count : summary.errors)
@@ -224,22 +244,36 @@ Result<void> print_beside(const EvalFlags& flags, std::vector<evaluation::Finish
   return {};
 }
 
-// The policy's whole name: with its model, and the modules in whose place the truth stands.
-Result<EvalFlags> with_whole_policy(EvalFlags flags) {
-  const bool given = flags.policy.starts_with("vlm(");
-  if (!flags.model.empty() && flags.policy != "vlm")
+// Flags that name parts of a policy whose name, as it was given, has none yet.
+Result<std::string> with_parts(const EvalFlags& flags) {
+  const bool is_hybrid = flags.policy.starts_with("hybrid");
+  const bool given = flags.policy.find('(') != std::string::npos;
+  if (!flags.model.empty() && (given || (flags.policy != "vlm" && !is_hybrid)))
     return Error{"usage.bad_flag",
                  "--model",
-                 given ? "the policy names its model already" : "goes with --policy vlm"};
-  if (!flags.model.empty()) flags.policy += "(" + flags.model + ")";
+                 given ? "the policy names its model already" : "goes with --policy vlm or hybrid"};
+  if (!(flags.masks_url + flags.grasps_url).empty() && (given || !is_hybrid))
+    return Error{"usage.bad_flag",
+                 "--masks-url",
+                 given ? "the policy names its parts already"
+                       : "--masks-url and --grasps-url go with --policy hybrid"};
+  environments::PolicyName whole{flags.policy, flags.model, flags.masks_url, flags.grasps_url};
+  return whole.written();
+}
+
+// The policy's whole name: with its parts, and the modules in whose place the truth stands.
+Result<EvalFlags> with_whole_policy(EvalFlags flags) {
+  MARKETGEN_TRY(flags.policy, with_parts(flags));
   for (const std::string& module : flags.truth)
     flags.policy += "+" + module;
   MARKETGEN_TRY(const environments::PolicyName policy,
                 environments::read_policy_name(flags.policy));
-  if (policy.model.empty() && !(flags.model_url + flags.model_record + flags.model_replay).empty())
+  const bool asks_others = !policy.model.empty() || policy.has_servers();
+  if ((policy.model.empty() && !flags.model_url.empty()) ||
+      (!asks_others && !(flags.model_record + flags.model_replay).empty()))
     return Error{"usage.bad_flag",
                  "--model",
-                 "--model-url, --model-record and --model-replay go with --policy vlm"};
+                 "--model-url, --model-record and --model-replay go with --policy vlm or hybrid"};
   flags.policy = policy.written();
   return flags;
 }
@@ -277,15 +311,16 @@ void add_policy(CLI::App& command, EvalFlags& flags) {
       .add_option("--policy",
                   flags.policy,
                   "who acts: oracle (knows everything), classical (sees pictures), vlm (classical "
-                  "whose targets --model chooses), highest, random or stop (know nothing)")
+                  "whose targets --model chooses), hybrid (classical with parts from elsewhere: "
+                  "--masks-url, --grasps-url, --model), highest, random or stop (know nothing)")
       ->type_name(choice_of(environments::policies))
       ->capture_default_str();
   command
       .add_option(
           "--truth",
           flags.truth,
-          "modules of classical or vlm in whose place the truth stands: masks, target, grasp, "
-          "language")
+          "modules of classical, vlm or hybrid in whose place the truth stands: masks, target, "
+          "grasp, language")
       ->type_name(choice_of(environments::names_of(environments::TrueModule{})))
       ->delimiter(',');
   command
@@ -304,7 +339,8 @@ void add_model(CLI::App& command, EvalFlags& flags) {
       .add_option(
           "--model",
           flags.model,
-          "model that sees pictures and chooses for --policy vlm: openai:MODEL, anthropic:MODEL, "
+          "model that sees pictures and chooses for --policy vlm or hybrid: openai:MODEL, "
+          "anthropic:MODEL, "
           "gemini:MODEL, qwen:MODEL; it is sent pictures of the robot's cameras and product names")
       ->type_name("MODEL");
   command.add_option("--model-url", flags.model_url, "base URL of another server of that kind")
@@ -315,6 +351,23 @@ void add_model(CLI::App& command, EvalFlags& flags) {
       .add_option(
           "--model-replay", flags.model_replay, "such a folder to answer from: nothing is sent")
       ->type_name("FOLDER");
+}
+
+// Those of `hybrid` that run in servers.
+void add_servers(CLI::App& command, EvalFlags& flags) {
+  command
+      .add_option("--masks-url",
+                  flags.masks_url,
+                  "segmentation server for --policy hybrid at the counter (SAM, SAM 2: "
+                  "docs/models.md); it is sent pictures of the robot's cameras")
+      ->type_name("URL");
+  command
+      .add_option(
+          "--grasps-url",
+          flags.grasps_url,
+          "grasp server for --policy hybrid (AnyGrasp: docs/models.md); it is sent pictures "
+          "with depth")
+      ->type_name("URL");
 }
 
 // Of a policy that acts in a process of its own.
@@ -347,6 +400,7 @@ Run add_eval(CLI::App& app) {
       ->required();
   add_policy(*command, *flags);
   add_model(*command, *flags);
+  add_servers(*command, *flags);
   command->add_option("--jobs", flags->jobs, "episodes at a time; 0 = as --threads")
       ->check(whole_number(0, 1024));
   command

@@ -88,7 +88,7 @@ def evaluate(
 ) -> Evaluation:
     """Runs the episodes of a file with a policy; `marketgen eval` from Python.
 
-    policy       "oracle", "classical" (or "classical+target": docs/episodes.md, what each module costs), "vlm(openai:gpt-4o)" (docs/vlm.md), or one that knows
+    policy       "oracle", "classical" (or "classical+target": docs/episodes.md, what each module costs), "vlm(openai:gpt-4o)" (docs/vlm.md), "hybrid(masks=http://…)" (docs/hybrid.md), or one that knows
                  nothing ("highest", "random", "stop"); or an object
                  with act(), a class of such, or a function that acts; or "FILE.py:NAME", "python:MODULE:NAME", one of these that
                  only the policy's own process loads; or a model of others (docs/remote.md): "openpi://HOST:PORT",

@@ -1,5 +1,7 @@
-// `eval --policy vlm` with a server on this machine in the model's place: whatever it says, an
-// episode ends with a result that says so; what was recorded needs neither key nor server.
+// `eval --policy vlm` and `hybrid` with a server on this machine in the place of a model or of a
+// part: whatever it says, an episode ends with a result that says so; what was recorded needs
+// neither key nor server.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -15,6 +17,7 @@ using nlohmann::json;
 
 constexpr const char* model_key = "e2e-test-key-789";
 constexpr double counter_limit_s = 6, aisle_limit_s = 75;  // a look or two
+constexpr double grasp_limit_s = 11;                       // a look and a grasp
 
 json model_saying(const std::string& text) {
   return {{"expect", {{"path", "/chat/completions"}}},
@@ -30,7 +33,7 @@ json model_marking(int number) {
 // One episode of the small store with little time.
 fs::path short_task(const std::string& track, double limit_s) {
   static const ScratchFolder scratch;
-  fs::path file = scratch.path() / (track + ".jsonl");
+  fs::path file = scratch.path() / fmt::format("{}-{:g}-s.jsonl", track, limit_s);
   if (fs::exists(file)) return file;
   const fs::path drawn = scratch.path() / (track + "-drawn.jsonl");
   const Ran made = marketgen_run({"episodes",
@@ -143,6 +146,76 @@ TEST_F(ModelPolicy, AsksInTheAisles) {
   EXPECT_EQ(result["model"]["requests"].get<std::size_t>(), server.requests().size());
 }
 
+TEST_F(ModelPolicy, PartsInServersAreAskedRecordedAndReplayed) {
+  const fs::path task = short_task("checkout", grasp_limit_s);
+  MockServer server(
+      json::array({{{"for", "form-data"}, {"body", {{"masks", json::array()}}}},
+                   {{"for", "\"depths\""}, {"body", {{"grasp_groups", json::array()}}}}}));
+  const std::string url = server.url();
+  const Ran live = eval(task,
+                        "live",
+                        {"--policy",
+                         "hybrid",
+                         "--masks-url",
+                         url,
+                         "--grasps-url",
+                         url + "/grasps",
+                         "--truth",
+                         "target",
+                         "--model-record",
+                         "tape"});
+  ASSERT_EQ(live.status, 0) << live.err;
+  EXPECT_NE(live.out.find("masks       "), std::string::npos) << live.out;
+  const json result = result_in("live");
+  const std::string name = "hybrid(masks=" + url + ",grasps=" + url + "/grasps)+target";
+  EXPECT_EQ(result["policy"], name);
+  std::map<std::string, int> asked;
+  for (const json& request : server.requests())
+    ++asked[request["path"].get<std::string>()];
+  EXPECT_GT(asked["/generate_masks"], 0);
+  EXPECT_GT(asked["/grasps"], 0);
+  EXPECT_EQ(result["parts"]["masks"]["answered"], asked["/generate_masks"]);
+  EXPECT_EQ(result["parts"]["grasps"]["answered"], asked["/grasps"]);
+  EXPECT_EQ(result["parts"]["masks"]["offline"], 0);
+  server.stop();
+  const Ran again = eval(task, "again", {"--policy", name, "--model-replay", "tape"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(result_in("again")["state_hash"], result["state_hash"]);
+  EXPECT_EQ(result_in("again")["parts"], result["parts"]);
+}
+
+TEST_F(ModelPolicy, APartThatIsDownIsNoWorseThanNone) {
+  const fs::path task = short_task("checkout", counter_limit_s);
+  const std::vector<std::string> parts{"--policy",
+                                       "hybrid",
+                                       "--masks-url",
+                                       "http://127.0.0.1:9",
+                                       "--grasps-url",
+                                       "http://127.0.0.1:9"};
+  ASSERT_EQ(eval(task, "down", parts).status, 0);
+  ASSERT_EQ(eval(task, "alone", {"--policy", "classical"}).status, 0);
+  const json result = result_in("down");
+  EXPECT_EQ(result["state_hash"], result_in("alone")["state_hash"]);
+  EXPECT_GT(result["parts"]["masks"]["unreachable"].get<int>(), 0);
+  EXPECT_EQ(result["parts"]["masks"]["answered"], 0);
+}
+
+TEST_F(ModelPolicy, GraspServersAreAskedInTheAisles) {
+  const fs::path task = short_task("aisle", aisle_limit_s);
+  const MockServer server(json::array({{{"body", {{"grasp_groups", json::array()}}}}}));
+  const Ran ran = eval(
+      task,
+      "aisle",
+      {"--policy", "hybrid", "--grasps-url", server.url(), "--truth", "language,target,masks"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const json result = result_in("aisle");
+  EXPECT_EQ(result["parts"]["grasps"]["questions"].get<std::size_t>(), server.requests().size());
+  EXPECT_FALSE(server.requests().empty());
+  EXPECT_EQ(result["parts"]["grasps"]["offline"], 0);
+  const Ran refused = eval(task, "refused", {"--policy", "hybrid", "--masks-url", server.url()});
+  EXPECT_NE(refused.err.find("places on boards"), std::string::npos) << refused.err;
+}
+
 TEST_F(ModelPolicy, ErrorsComeBeforeAnyWork) {
   const fs::path task = short_task("checkout", counter_limit_s);
   unsetenv("OPENAI_API_KEY");
@@ -155,6 +228,12 @@ TEST_F(ModelPolicy, ErrorsComeBeforeAnyWork) {
       {seer, 2, "OPENAI_API_KEY"},
       {{"--policy", "vlm"}, 2, "--model openai:gpt-4o"},
       {{"--policy", "vlm", "--model", "opnai:x"}, 2, "did you mean \"openai\""},
+      {{"--policy", "hybrid"}, 2, "hybrid needs a part"},
+      {{"--policy", "hybrid", "--masks-url", "localhost:5002"}, 2, "error[net.bad_url]"},
+      {{"--policy", "classical", "--masks-url", "http://h"}, 2, "go with --policy hybrid"},
+      {{"--policy", "hybrid(masks=http://h)", "--grasps-url", "http://h"}, 2, "its parts already"},
+      {{"--policy", "hybrid", "--masks-url", "http://h", "--model-url", "http://g"}, 2, "--model"},
+      {{"--policy", "hybrid", "--masks-url", "http://h", "--truth", "masks"}, 2, "a server's"},
       {{"--policy", "classical", "--model", "openai:x"}, 2, "goes with --policy vlm"},
       {{"--policy", "classical", "--model-url", "http://localhost:1"}, 2, "--policy vlm"},
       {{"--policy", "vlm(openai:x)", "--model", "openai:y"}, 2, "names its model already"},

@@ -13,7 +13,7 @@ from ..arguments import a_text
 from ..errors import Error
 from ..policy_process import policy_of_text
 from .adapters import adapter_named
-from .addresses import is_address, server_policy
+from .addresses import OWN, is_address, server_policy
 from .lerobot import LerobotPolicy
 
 
@@ -28,6 +28,6 @@ def policy_named(text: str, adapter: str | None) -> Any:
         return LerobotPolicy.of_text(text, None if adapter is None else adapter_named(adapter))
     if adapter is not None:
         raise Error("usage.bad_flag", "adapter", f"{text!r} sees and acts as environments do: rows of adapters are for openpi://HOST:PORT, lerobot:FOLDER and the like")
-    if ":" in text and not text.startswith("vlm("):
+    if ":" in text and not text.startswith(OWN):
         return policy_of_text(text)
     return text

@@ -68,8 +68,12 @@ class ServerPolicy:
             model.close()
 
 
+# Policies of the program that name in brackets what they ask elsewhere (docs/vlm.md, docs/hybrid.md).
+OWN = ("vlm(", "hybrid(")
+
+
 def is_address(text: str) -> bool:
-    return "://" in text or text.startswith(PREFIX)
+    return not text.startswith(OWN) and ("://" in text or text.startswith(PREFIX))
 
 
 def parts_of(text: str) -> tuple[str, str]:

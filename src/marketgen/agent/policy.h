@@ -10,6 +10,7 @@
 
 #include "agent/decision.h"
 #include "agent/model_use.h"
+#include "agent/part_use.h"
 #include "agent/subtask.h"
 #include "base/result.h"
 #include "robots/wheel_drive.h"
@@ -75,6 +76,8 @@ class Policy {
   virtual std::string failure() const { return "None"; }
   // What it asked of a model outside of the program so far; nothing of one that asks none.
   virtual std::optional<ModelUse> model_use() const { return std::nullopt; }
+  // The same of parts of it that run in servers of their own.
+  virtual std::optional<PartsUse> parts_use() const { return std::nullopt; }
   // What its last action was for.
   virtual Subtask subtask() const { return Subtask::none; }
   // What it decided so far, once it is told to keep that; null of one that tells nothing.

@@ -15,6 +15,13 @@
 #include "policy/floor_policies.h"
 
 namespace marketgen::environments {
+namespace {
+
+constexpr int max_part_attempts = 2;
+// A hundred masks of a picture as rows of booleans.
+constexpr std::size_t max_part_answer_bytes = std::size_t{512} << 20;
+
+}  // namespace
 
 episodes::EpisodeStore store_row(const store::Store& store) {
   const store::Manifest& m = store.manifest;
@@ -79,6 +86,17 @@ Result<std::shared_ptr<const llm::LanguageModel>> Arena::model(const std::string
   });
 }
 
+Result<std::shared_ptr<const net::HttpClient>> Arena::part_client() {
+  using Client = const net::HttpClient;
+  return shared_.get<Client>("parts", [&]() -> Result<std::shared_ptr<Client>> {
+    net::HttpOptions options{access_.limits, access_.record, access_.replay};
+    options.limits.attempts = max_part_attempts;
+    options.limits.answer_bytes = max_part_answer_bytes;
+    MARKETGEN_TRY(net::HttpClient opened, net::HttpClient::open(options));
+    return std::make_shared<Client>(std::move(opened));
+  });
+}
+
 Result<std::unique_ptr<episodes::TrackWorld>> Arena::open(
     const episodes::EpisodeSpec& spec,
     const std::optional<episodes::Perturbation>& perturbation,
@@ -89,8 +107,9 @@ Result<std::unique_ptr<episodes::TrackWorld>> Arena::open(
 Result<std::unique_ptr<agent::Policy>> Arena::policy(const std::string& name,
                                                      const episodes::TrackWorld& world) {
   MARKETGEN_TRY(const PolicyName asked, read_policy_name(name));
-  // vlm moves as classical does: where its model says nothing, the same comes of it.
-  const std::string moves_as = asked.model.empty() ? asked.name : "classical";
+  // vlm and hybrid move as classical does: where others say nothing, the same comes of it.
+  const bool asks_others = !asked.model.empty() || asked.has_servers();
+  const std::string moves_as = asks_others ? "classical" : asked.name;
   const Seed seed = Seed(world.spec().seed).child(moves_as);
   if (asked.name == "random")
     return std::unique_ptr<agent::Policy>(

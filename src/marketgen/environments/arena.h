@@ -42,10 +42,14 @@ class Arena {
       const std::optional<episodes::Perturbation>& perturbation = {},
       const episodes::Realism& realism = {});
 
-  // How the models of policies (`vlm`) are reached; their names are the policies'. Before policy().
+  // How models and servers of policies (`vlm`, `hybrid`) are reached; their names are the
+  // policies'. Before policy().
   void reach_models(const llm::ModelChoice& access) { access_ = access; }
   // One connection for all episodes. Errors: those of llm::open_language_model.
   Result<std::shared_ptr<const llm::LanguageModel>> model(const std::string& name);
+
+  // For all servers of parts, in all episodes. Errors: those of net::HttpClient::open.
+  Result<std::shared_ptr<const net::HttpClient>> part_client();
 
   // `world` must outlive it. Errors: usage.bad_flag, there is no such policy; those of what it is
   // made of.

@@ -5,7 +5,14 @@
 
 namespace marketgen::environments {
 
-inline constexpr std::array<std::string_view, 8> policies{
-    "classical", "highest", "oracle", "oracle-plain", "oracle-thorough", "random", "stop", "vlm"};
+inline constexpr std::array<std::string_view, 9> policies{"classical",
+                                                          "highest",
+                                                          "hybrid",
+                                                          "oracle",
+                                                          "oracle-plain",
+                                                          "oracle-thorough",
+                                                          "random",
+                                                          "stop",
+                                                          "vlm"};
 
 }  // namespace marketgen::environments

@@ -1,5 +1,6 @@
 // A policy by its name, as `--policy` and results have it: "oracle"; "classical+masks+target" when
-// modules of `classical` know the truth; "vlm(openai:gpt-4o)" when a model chooses its targets.
+// modules of `classical` know the truth; "vlm(openai:gpt-4o)" when a model chooses its targets;
+// "hybrid(target=openai:gpt-4o,masks=http://localhost:5002)" when parts of it run elsewhere.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -22,9 +23,12 @@ constexpr std::array<std::string_view, 4> names_of(TrueModule) {
 
 struct PolicyName {
   std::string name;
-  std::string model = {};              // PROVIDER:MODEL; of `vlm` only, which has one
+  std::string model = {};  // PROVIDER:MODEL; of `vlm`, which has one, and `hybrid`, which may
+  // Servers of masks and of grasps, of `hybrid`; empty: the program's own.
+  std::string masks_url = {}, grasps_url = {};
   std::vector<TrueModule> truth = {};  // ascending, each once
 
+  bool has_servers() const { return !masks_url.empty() || !grasps_url.empty(); }
   bool knows(TrueModule module) const { return std::ranges::find(truth, module) != truth.end(); }
   std::string written() const;  // which read_policy_name reads
 };
@@ -33,7 +37,8 @@ struct PolicyName {
 bool is_floor(std::string_view policy);
 
 // Error usage.bad_flag: no such policy, no such module, or a policy that has no modules; `vlm`
-// without its model, or with the truth in the model's place.
+// without its model, `hybrid` without any part; the truth in the place of a part that runs
+// elsewhere. Error net.bad_url: a server's.
 Result<PolicyName> read_policy_name(const std::string& text);
 
 }  // namespace marketgen::environments

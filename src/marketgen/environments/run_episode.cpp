@@ -107,6 +107,7 @@ Result<episodes::EpisodeResult> run_policy(episodes::TrackWorld& world,
   MARKETGEN_CHECK(check_interrupt());  // an episode that was broken off has no result
   episodes::EpisodeEnd end{name, policy.failure()};
   end.model = policy.model_use();
+  end.parts = policy.parts_use();
   if (broken) {
     end.broken = broken->error;
     end.by_policy = broken->by_policy;

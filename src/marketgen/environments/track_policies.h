@@ -20,6 +20,7 @@ class WrappedPolicy : public agent::Policy {
   Result<agent::Action> act(const agent::Observation& now) override { return policy_->act(now); }
   std::string failure() const override { return policy_->failure(); }
   std::optional<agent::ModelUse> model_use() const override { return policy_->model_use(); }
+  std::optional<agent::PartsUse> parts_use() const override { return policy_->parts_use(); }
   agent::Subtask subtask() const override { return policy_->subtask(); }
   agent::DecisionLog* decisions() override { return policy_->decisions(); }
 

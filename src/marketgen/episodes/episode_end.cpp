@@ -32,6 +32,7 @@ EpisodeResult with_end(EpisodeResult judged, const EpisodeEnd& end) {
   if (end.broken) judged.detail = to_string(*end.broken);
   judged.wall_s = end.wall_s;
   judged.model = end.model;
+  judged.parts = end.parts;
   return judged;
 }
 

@@ -19,6 +19,7 @@ struct EpisodeEnd {
   bool in_time = true;
   double wall_s = 0;
   std::optional<agent::ModelUse> model = {};  // that it asked of a model outside of the program
+  std::optional<agent::PartsUse> parts = {};  // that it asked of parts in servers
   PolicyIsolation isolation = PolicyIsolation::own;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agent/model_use.h"
+#include "agent/part_use.h"
 #include "base/fields.h"
 #include "episodes/failure_code.h"
 #include "episodes/goal_judge.h"
@@ -40,6 +41,7 @@ struct EpisodeResult {
   double simulated_s = 0, wall_s = 0;
   std::string state_hash;
   std::optional<agent::ModelUse> model;
+  std::optional<agent::PartsUse> parts;
 
   static constexpr auto fields = field_list(
       field("schema", &EpisodeResult::schema, "schema tag", constant("market-result/1")),
@@ -89,7 +91,10 @@ struct EpisodeResult {
       field("state_hash", &EpisodeResult::state_hash, "of the physics at the end"),
       field("model",
             &EpisodeResult::model,
-            "what a policy asked of a model outside of the program, and what came of it"));
+            "what a policy asked of a model outside of the program, and what came of it"),
+      field("parts",
+            &EpisodeResult::parts,
+            "what a policy asked of parts that run in servers of their own, and what came of it"));
 };
 
 // Sets goals, shares and verdicts; the side effects are there already, without `wrong_items`.

@@ -182,6 +182,7 @@ Result<std::vector<episodes::EpisodeResult>> evaluate(const std::filesystem::pat
   // episode says what is wrong with it.
   const auto policy = environments::read_policy_name(options.policy);
   if (policy.ok() && !policy->model.empty()) MARKETGEN_CHECK(arena.model(policy->model));
+  if (policy.ok() && policy->has_servers()) MARKETGEN_CHECK(arena.part_client());
   const auto make_runner = [&]() -> EpisodeRunner {
     Kept kept = kept_of(options);
     if (options.worker.empty()) return runner_here(arena, options, std::move(kept));

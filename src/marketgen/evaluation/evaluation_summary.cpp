@@ -53,6 +53,14 @@ void add_means(const std::vector<episodes::EpisodeResult>& results, EvaluationSu
   summary.mean_path_success_m /= std::max(succeeded, 1);
 }
 
+// What was asked outside of the program, if anything was.
+template <class Use>
+void add_use(const std::optional<Use>& one, std::optional<Use>& all) {
+  if (!one) return;
+  if (!all) all.emplace();
+  *all += *one;
+}
+
 }  // namespace
 
 bool ends_the_run(const Error& error) {
@@ -131,9 +139,8 @@ EvaluationSummary summarize(const std::vector<episodes::EpisodeResult>& all) {
   add_shares(results, summary);
   add_means(results, summary);
   for (const episodes::EpisodeResult& result : results) {
-    if (!result.model) continue;
-    if (!summary.model) summary.model.emplace();
-    *summary.model += *result.model;
+    add_use(result.model, summary.model);
+    add_use(result.parts, summary.parts);
   }
   return summary;
 }

@@ -59,6 +59,7 @@ struct EvaluationSummary {
   std::vector<ErrorCount> errors;      // of episodes that could not be run
   int unfinished = 0;
   std::optional<agent::ModelUse> model;  // all of them together
+  std::optional<agent::PartsUse> parts;  // likewise
 
   static constexpr auto fields = field_list(
       field("episodes", &EvaluationSummary::episodes, "that were run; all shares are of these"),
@@ -84,7 +85,10 @@ struct EvaluationSummary {
       field("unfinished", &EvaluationSummary::unfinished, "episodes without a result so far"),
       field("model",
             &EvaluationSummary::model,
-            "what the policy asked of a model outside of the program, in all of them"));
+            "what the policy asked of a model outside of the program, in all of them"),
+      field("parts",
+            &EvaluationSummary::parts,
+            "what the policy asked of parts that run in servers of their own, in all of them"));
 };
 // Which store an episode is of: stores may have the same name. Results of earlier versions have
 // nothing else.

@@ -90,6 +90,17 @@ class Search {
     return answer;
   }
 
+  std::vector<CheckedPinch> check(const std::vector<PinchProposal>& proposals) const {
+    std::vector<CheckedPinch> checked;
+    for (std::size_t i = 0; i < proposals.size(); ++i) {
+      const auto& [center, approach, closing] = proposals[i];
+      if (!wanted(approach)) continue;
+      const Tried tried = pinch({strategy_from_above(approach, up_), center, approach, closing});
+      if (tried.candidate) checked.push_back({i, *tried.candidate});
+    }
+    return checked;
+  }
+
  private:
   std::vector<PinchSeed> places_to_pinch() const {
     return query_.from_above ? pinch_seeds_from_above(body_, surface_, up_)
@@ -484,6 +495,17 @@ Result<GraspCandidates> grasp_candidates(const catalog::Product& product,
   MARKETGEN_CHECK(check_query(product, query));
   if (auto refused = beyond_strength(product, tool, query)) return std::move(*refused);
   return Search(product, body, tool, query).find();
+}
+
+Result<std::vector<CheckedPinch>> check_pinches(const catalog::Product& product,
+                                                const assets::ProductBody& body,
+                                                const robots::GraspTool& tool,
+                                                const GraspQuery& query,
+                                                const std::vector<PinchProposal>& proposals) {
+  MARKETGEN_CHECK(check_query(product, query));
+  if (tool.kind != robots::ToolKind::gripper || beyond_strength(product, tool, query))
+    return std::vector<CheckedPinch>{};
+  return Search(product, body, tool, query).check(proposals);
 }
 
 }  // namespace marketgen::motion

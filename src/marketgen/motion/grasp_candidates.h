@@ -110,4 +110,23 @@ Result<GraspCandidates> grasp_candidates(const catalog::Product& product,
                                          const robots::GraspTool& tool,
                                          const GraspQuery& query);
 
+// Where somebody else, a grasp network for one, would close a gripper's pads. Product frame.
+struct PinchProposal {
+  Vec3 center;             // of the pads
+  Vec3 approach, closing;  // unit, at right angles
+};
+struct CheckedPinch {
+  std::size_t proposal = 0;  // its number
+  GraspCandidate candidate;
+};
+
+// Those of the proposals that hold the pack and have room, as the search's own seeds are judged; a
+// hand may stay a little farther back than was proposed. In the order of the proposals. Errors: as
+// grasp_candidates().
+Result<std::vector<CheckedPinch>> check_pinches(const catalog::Product& product,
+                                                const assets::ProductBody& body,
+                                                const robots::GraspTool& tool,
+                                                const GraspQuery& query,
+                                                const std::vector<PinchProposal>& proposals);
+
 }  // namespace marketgen::motion

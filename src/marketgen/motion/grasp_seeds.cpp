@@ -217,8 +217,7 @@ class LyingSeeds {
   // At the centre and nearer to where the approach meets the pack.
   void sweep(Vec3 center, Vec3 closing) {
     for_approaches(closing, [&](Vec3 approach) {
-      const bool down = -dot(approach, up_) > straight_down_cosine;
-      const GraspStrategy strategy = down ? GraspStrategy::top : GraspStrategy::side;
+      const GraspStrategy strategy = strategy_from_above(approach, up_);
       seeds_.push_back({strategy, center, approach, closing});
       const Vec3 start = center - approach * far_off_m;
       const auto hit = surface_.first_hit(start, approach);
@@ -239,6 +238,10 @@ class LyingSeeds {
 };
 
 }  // namespace
+
+GraspStrategy strategy_from_above(Vec3 approach, Vec3 up) {
+  return -dot(approach, up) > straight_down_cosine ? GraspStrategy::top : GraspStrategy::side;
+}
 
 std::vector<PinchSeed> pinch_seeds(const assets::ProductBody& body,
                                    const GraspSurface& surface,

@@ -33,6 +33,8 @@ std::vector<SuctionSeed> suction_seeds(const assets::ProductBody& body,
 std::vector<PinchSeed> pinch_seeds_from_above(const assets::ProductBody& body,
                                               const GraspSurface& surface,
                                               Vec3 up);
+// As those seeds are named.
+GraspStrategy strategy_from_above(Vec3 approach, Vec3 up);
 std::vector<SuctionSeed> suction_seeds_from_above(const assets::ProductBody& body,
                                                   const GraspSurface& surface,
                                                   Vec3 up);

@@ -53,20 +53,32 @@ std::vector<Vec3f> other_points(const std::vector<Vec3f>& points,
   return others;
 }
 
-Result<std::vector<SeenGrasp>> FittedGrasps::grasps(const GraspQuestion& question) const {
+skills::LyingPack lying_pack(const GraspQuestion& question, const agent::Workplace& place) {
   const agent::KnownProduct& known = question.known;
   skills::LyingPack pack{known.product, known.body, known.pad_friction, question.base_from_product};
-  agent::Workplace place = place_;
-  place.base_from_basket = question.base_from_basket;
   if (skills::is_over_basket(place, pack.middle()))
     pack.ground_m = question.base_from_basket.position.z;
+  return pack;
+}
+
+SeenGrasp with_intrusion(SeenGrasp grasp,
+                         const robots::GraspTool& tool,
+                         const std::vector<Vec3f>& others) {
+  grasp.intrusion_m =
+      skills::hand_overlap(skills::open_hand(tool, grasp.opening_m), grasp.base_from_tip, others);
+  return grasp;
+}
+
+Result<std::vector<SeenGrasp>> FittedGrasps::grasps(const GraspQuestion& question) const {
+  agent::Workplace place = place_;
+  place.base_from_basket = question.base_from_basket;
+  const skills::LyingPack pack = lying_pack(question, place);
   MARKETGEN_TRY(const auto candidates,
                 skills::grasps_from_above(pack, tool_, skills::wall_obstacles(place)));
   std::vector<SeenGrasp> grasps;
   for (const motion::GraspCandidate& candidate : candidates) {
-    SeenGrasp grasp{skills::lifting_grasp(pack, candidate)};
-    grasp.intrusion_m = skills::hand_overlap(
-        skills::open_hand(tool_, grasp.opening_m), grasp.base_from_tip, question.others);
+    SeenGrasp grasp =
+        with_intrusion({skills::lifting_grasp(pack, candidate)}, tool_, question.others);
     grasp.score -= skills::overlap_cost(grasp.intrusion_m);
     grasps.push_back(grasp);
   }

@@ -16,11 +16,18 @@ struct SeenGrasp : skills::HandGrasp {
   double intrusion_m = 0;  // how far the open hand reaches into what else is seen, at most
 };
 
+// What a product was found in, for sources that look for themselves.
+struct SeenIn {
+  const std::vector<ViewCloud>* views = nullptr;  // null: no pictures
+  Pose base_from_views = {};                      // their frame
+};
+
 struct GraspQuestion {
   const agent::KnownProduct& known;
   Pose base_from_product;
   Pose base_from_basket;
   const std::vector<Vec3f>& others;  // measured points that are not the product's
+  SeenIn seen_in = {};
 };
 
 class GraspSource {
@@ -29,6 +36,13 @@ class GraspSource {
   // Best first. Errors: of grasp_candidates.
   virtual Result<std::vector<SeenGrasp>> grasps(const GraspQuestion& question) const = 0;
 };
+
+// The product as the question has it, on what it lies on.
+skills::LyingPack lying_pack(const GraspQuestion& question, const agent::Workplace& place);
+// A grasp, with how far the open hand reaches into what else was measured.
+SeenGrasp with_intrusion(SeenGrasp grasp,
+                         const robots::GraspTool& tool,
+                         const std::vector<Vec3f>& others);
 
 // Antipodal grasps on the catalogue's shape where it was found, from above, off the basket's walls;
 // the hand then tested against the measured points there and on its way.

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "perception/picture_part.h"
+
 namespace marketgen::perception {
 namespace {
 
@@ -233,23 +235,15 @@ MarkedPictures marked_pictures(const std::vector<ViewCloud>& views,
 
 Image picture_of_mask(const ViewCloud& view, const Mask& mask) {
   const Image& whole = view.view().color;
-  int left = whole.width, right = -1, top = whole.height, bottom = -1;
-  for (const std::uint32_t pixel : mask.pixels) {
-    if (pixel >= view.size()) continue;
-    const int x = static_cast<int>(pixel) % whole.width, y = static_cast<int>(pixel) / whole.width;
-    left = std::min(left, x), right = std::max(right, x);
-    top = std::min(top, y), bottom = std::max(bottom, y);
-  }
-  if (right < left) return whole;
+  PicturePart part;
+  for (const std::uint32_t pixel : mask.pixels)
+    if (pixel < view.size())
+      part.add(static_cast<int>(pixel) % whole.width, static_cast<int>(pixel) / whole.width);
+  if (part.empty()) return whole;
   constexpr int around_share = 4;  // of its longer side, a quarter
-  const int around = std::max(2, std::max(right - left, bottom - top) / around_share);
-  left = std::max(0, left - around), right = std::min(whole.width - 1, right + around);
-  top = std::max(0, top - around), bottom = std::min(whole.height - 1, bottom + around);
-  Image part(right - left + 1, bottom - top + 1, 3);
-  for (int y = 0; y < part.height; ++y)
-    for (int x = 0; x < part.width; ++x)
-      std::copy_n(whole.at(left + x, top + y), 3, part.at(x, y));
-  return enlarged(part, scale_to(part.width, part.height, crop_px));
+  const int around = std::max(2, (std::max(part.width(), part.height()) - 1) / around_share);
+  const Image alone = part.with_margin(around, whole.width, whole.height).cut(whole);
+  return enlarged(alone, scale_to(alone.width, alone.height, crop_px));
 }
 
 }  // namespace marketgen::perception

@@ -12,10 +12,26 @@ constexpr double borne_m = 0.03;          // of intrusion; what is deeper is no 
 
 }  // namespace
 
-Result<std::vector<SeenGrasp>> FrontGrasps::grasps(const ShelfGraspQuestion& question) const {
+motion::GraspQuery query_from_front(const ShelfGraspQuestion& question) {
   motion::GraspQuery query;
   query.friction = question.known.pad_friction;
   query.from_front = true;
+  return query;
+}
+
+SeenGrasp shelf_grasp(const ShelfGraspQuestion& question,
+                      const motion::GraspCandidate& candidate,
+                      const robots::GraspTool& tool) {
+  SeenGrasp grasp =
+      with_intrusion({skills::carrying_grasp(question.base_from_product, candidate, tool.force_n)},
+                     tool,
+                     question.others);
+  grasp.score -= of_intrusion_per_m * std::min(grasp.intrusion_m, borne_m);
+  return grasp;
+}
+
+Result<std::vector<SeenGrasp>> FrontGrasps::grasps(const ShelfGraspQuestion& question) const {
+  motion::GraspQuery query = query_from_front(question);
   const auto look = [&] {
     return motion::grasp_candidates(question.known.product, question.known.body, tool_, query);
   };
@@ -25,13 +41,8 @@ Result<std::vector<SeenGrasp>> FrontGrasps::grasps(const ShelfGraspQuestion& que
     MARKETGEN_TRY(candidates, look());
   }
   std::vector<SeenGrasp> grasps;
-  for (const motion::GraspCandidate& candidate : candidates.found) {
-    SeenGrasp grasp{skills::carrying_grasp(question.base_from_product, candidate, tool_.force_n)};
-    grasp.intrusion_m = skills::hand_overlap(
-        skills::open_hand(tool_, grasp.opening_m), grasp.base_from_tip, question.others);
-    grasp.score -= of_intrusion_per_m * std::min(grasp.intrusion_m, borne_m);
-    grasps.push_back(grasp);
-  }
+  for (const motion::GraspCandidate& candidate : candidates.found)
+    grasps.push_back(shelf_grasp(question, candidate, tool_));
   std::ranges::stable_sort(grasps, std::greater<>{}, &SeenGrasp::score);
   return grasps;
 }

@@ -10,6 +10,7 @@ struct ShelfGraspQuestion {
   const agent::KnownProduct& known;
   Pose base_from_product;
   const std::vector<Vec3f>& others;  // measured points that are not the product's
+  SeenIn seen_in = {};
 };
 
 class ShelfGraspSource {
@@ -18,6 +19,13 @@ class ShelfGraspSource {
   // Best first. Errors: of grasp_candidates.
   virtual Result<std::vector<SeenGrasp>> grasps(const ShelfGraspQuestion& question) const = 0;
 };
+
+// What such a source asks of grasps: from the front, between neighbours that far apart.
+motion::GraspQuery query_from_front(const ShelfGraspQuestion& question);
+// A grasp with its worth, less what the open hand reaches into.
+SeenGrasp shelf_grasp(const ShelfGraspQuestion& question,
+                      const motion::GraspCandidate& candidate,
+                      const robots::GraspTool& tool);
 
 // Antipodal grasps on the catalogue's shape from the front. Between packs that stand 2 to 8 mm
 // apart a finger must press its way, so that reaching into what is measured beside only puts a

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "perception/grasp_source.h"
 #include "policy/aisle_tour.h"
 #include "skills/own_body.h"
 

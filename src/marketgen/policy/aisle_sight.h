@@ -6,6 +6,7 @@
 #include "agent/aisle_map.h"
 #include "agent/decision.h"
 #include "agent/eyes.h"
+#include "perception/grasp_source.h"
 #include "perception/shelf_choice.h"
 #include "policy/looked_at.h"
 #include "robots/robot.h"
@@ -25,6 +26,9 @@ class ShelfSight {
   explicit ShelfSight(const robots::BasePlace& place) : place_(place) {}
   const robots::BasePlace& place() const { return place_; }
   void add(agent::View view) { views_.emplace_back(std::move(view)); }
+
+  // In the store's frame.
+  perception::SeenIn seen_in() const { return {&views_, agent::store_from_base(place_)}; }
 
   // Where a product stands on the boards nearby; best first.
   std::vector<ShelfFind> find(std::size_t goal,

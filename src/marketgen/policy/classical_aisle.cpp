@@ -273,8 +273,9 @@ class ClassicalAisle : public agent::Policy {
       if (length(to_double(point) - middle) < other_reach_m) near.push_back(point);
     const std::vector<Vec3f> others =
         perception::other_points(near, *goal.look, find.store_from_product);
-    MARKETGEN_TRY(const auto grasps,
-                  modules_.grasps->grasps({*item.known, find.store_from_product, others}));
+    MARKETGEN_TRY(
+        const auto grasps,
+        modules_.grasps->grasps({*item.known, find.store_from_product, others, sight_.seen_in()}));
     for (const perception::SeenGrasp& grasp : grasps)
       item.grasps.push_back(
           {inverse(find.store_from_product) * grasp.base_from_tip, grasp.opening_m, grasp.force_n});

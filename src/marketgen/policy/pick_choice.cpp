@@ -45,10 +45,12 @@ Result<void> find_grasps(PickChoice& choice,
                          const agent::Workplace& place) {
   MARKETGEN_TRY(choice.known, products.product(choice.look->sku()));
   choice.others = perception::other_points(sight.points, *choice.look, choice.base_from_product);
-  MARKETGEN_TRY(
-      choice.grasps,
-      source.grasps(
-          {*choice.known, choice.base_from_product, place.base_from_basket, choice.others}));
+  MARKETGEN_TRY(choice.grasps,
+                source.grasps({*choice.known,
+                               choice.base_from_product,
+                               place.base_from_basket,
+                               choice.others,
+                               {&sight.views}}));
   return {};
 }
 

@@ -25,6 +25,20 @@ constexpr double of_firmness = 30;
 
 constexpr double let_go_wider_m = 0.014;
 
+motion::GraspQuery query_from_above(const LyingPack& pack,
+                                    const std::vector<motion::GraspObstacle>& walls) {
+  motion::GraspQuery query;
+  query.friction = pack.pad_friction;
+  query.most = max_candidates;
+  query.from_above = true;
+  query.world_from_product = pack.base_from_product;
+  query.world_from_product.position.z -= pack.ground_m;
+  query.walls = walls;
+  for (motion::GraspObstacle& wall : query.walls)
+    wall.world_from_box.position.z -= pack.ground_m;
+  return query;
+}
+
 }  // namespace
 
 double open_m(const robots::GraspTool& tool) {
@@ -53,15 +67,7 @@ Result<std::vector<motion::GraspCandidate>> grasps_from_above(
     const LyingPack& pack,
     const robots::GraspTool& tool,
     const std::vector<motion::GraspObstacle>& walls) {
-  motion::GraspQuery query;
-  query.friction = pack.pad_friction;
-  query.most = max_candidates;
-  query.from_above = true;
-  query.world_from_product = pack.base_from_product;
-  query.world_from_product.position.z -= pack.ground_m;
-  query.walls = walls;
-  for (motion::GraspObstacle& wall : query.walls)
-    wall.world_from_box.position.z -= pack.ground_m;
+  motion::GraspQuery query = query_from_above(pack, walls);
   for (const double gap : open_on_each_side_m) {
     query.finger_gap_m = gap;
     MARKETGEN_TRY(motion::GraspCandidates found,
@@ -69,6 +75,16 @@ Result<std::vector<motion::GraspCandidate>> grasps_from_above(
     if (!found.found.empty()) return std::move(found.found);
   }
   return std::vector<motion::GraspCandidate>{};
+}
+
+Result<std::vector<motion::CheckedPinch>> checked_from_above(
+    const LyingPack& pack,
+    const robots::GraspTool& tool,
+    const std::vector<motion::GraspObstacle>& walls,
+    const std::vector<motion::PinchProposal>& proposals) {
+  motion::GraspQuery query = query_from_above(pack, walls);
+  query.finger_gap_m = open_on_each_side_m.back();
+  return motion::check_pinches(pack.product, pack.body, tool, query, proposals);
 }
 
 HandGrasp lifting_grasp(const LyingPack& pack, const motion::GraspCandidate& candidate) {

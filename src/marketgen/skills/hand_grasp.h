@@ -48,6 +48,13 @@ Result<std::vector<motion::GraspCandidate>> grasps_from_above(
     const robots::GraspTool& tool,
     const std::vector<motion::GraspObstacle>& walls);
 
+// Those of the proposals (product frame) that hold it, from above and off the walls, too.
+Result<std::vector<motion::CheckedPinch>> checked_from_above(
+    const LyingPack& pack,
+    const robots::GraspTool& tool,
+    const std::vector<motion::GraspObstacle>& walls,
+    const std::vector<motion::PinchProposal>& proposals);
+
 // One of them, held firmly, with its worth: room, straight down, near the middle of mass.
 HandGrasp lifting_grasp(const LyingPack& pack, const motion::GraspCandidate& candidate);
 

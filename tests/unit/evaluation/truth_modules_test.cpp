@@ -43,6 +43,21 @@ TEST(PolicyName, HasItsModel) {
             "openai:odd+name(2)");
 }
 
+TEST(PolicyName, HasItsParts) {
+  for (const char* name :
+       {"hybrid(masks=http://127.0.0.1:5002)",
+        "hybrid(target=openai:gpt-4o,masks=http://[::1]:5002/a,grasps=https://x.org)+language",
+        "hybrid(grasps=http://127.0.0.1:5001/process)+masks+target"}) {
+    const auto read = environments::read_policy_name(name);
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    EXPECT_EQ(read->name, "hybrid");
+    EXPECT_EQ(read->written(), name);
+  }
+  EXPECT_EQ(environments::read_policy_name("hybrid(grasps=http://h:1/p)")->grasps_url,
+            "http://h:1/p");
+  EXPECT_EQ(environments::read_policy_name("hybrid(masks=ftp://h)").error().code, "net.bad_url");
+}
+
 TEST(PolicyName, WhatIsNotThereIsAnError) {
   for (const char* name : {"orakel",
                            "classical+eyes",
@@ -54,7 +69,16 @@ TEST(PolicyName, WhatIsNotThereIsAnError) {
                            "vlm+masks",
                            "vlm(openai:x)+target",
                            "vlm(openai:x)grasp",
-                           "classical(openai:x)"}) {
+                           "classical(openai:x)",
+                           "hybrid",
+                           "hybrid()",
+                           "hybrid(masks)",
+                           "hybrid(masks=)",
+                           "hybrid(eyes=http://h)",
+                           "hybrid(masks=http://h,masks=http://g)",
+                           "hybrid(masks=http://h)+masks",
+                           "hybrid(grasps=http://h)+grasp",
+                           "hybrid(target=openai:x)+target"}) {
     const auto read = environments::read_policy_name(name);
     ASSERT_FALSE(read.ok()) << name;
     EXPECT_EQ(read.error().code, "usage.bad_flag") << name;

@@ -7,6 +7,7 @@
 #include "collect/collect_plan.h"
 #include "environments/goal_readers.h"
 #include "environments/mark_questioner.h"
+#include "environments/part_servers.h"
 #include "environments/track_policies.h"
 #include "episodes/aisle/aisle_senses.h"
 #include "episodes/episode_origin.h"
@@ -14,6 +15,7 @@
 #include "oracle/aisle_truth.h"
 #include "oracle/oracle_aisle.h"
 #include "perception/model_shelf.h"
+#include "perception/served_grasps.h"
 #include "policy/classical_aisle.h"
 
 namespace marketgen::environments {
@@ -35,6 +37,7 @@ class SensingCollector : public WrappedPolicy {
 
   Result<void> make(Arena& arena, const PolicyName& name, Seed seed) {
     MARKETGEN_TRY(questioner_, mark_questioner(name, arena));
+    MARKETGEN_TRY(servers_, part_servers(name, arena));
     const episodes::AisleStore& store = world_.store();
     MARKETGEN_TRY(const std::string row, collect::gripper_row(store.robot));
     MARKETGEN_TRY(tool_, robots::load_grasp_tool(arena.data(), row));
@@ -56,11 +59,14 @@ class SensingCollector : public WrappedPolicy {
   std::optional<agent::ModelUse> model_use() const override {
     return questioner_ ? std::optional(questioner_->use()) : std::nullopt;
   }
+  std::optional<agent::PartsUse> parts_use() const override { return servers_.use(); }
 
  private:
   policy::ClassicalAisleModules modules_of(const PolicyName& name) const {
     policy::ClassicalAisleModules modules;
     modules.language = goal_reader(name, world_.spec(), *stock_, catalog_);
+    if (servers_.grasps)
+      modules.grasps = std::make_unique<perception::ServedShelfGrasps>(tool_, servers_.grasps);
     if (name.knows(TrueModule::masks)) modules.spots = std::make_unique<oracle::TrueSpots>(world_);
     if (name.knows(TrueModule::target))
       modules.choice = std::make_unique<oracle::TrueShelfChoice>(world_);
@@ -82,6 +88,7 @@ class SensingCollector : public WrappedPolicy {
   perception::LookLibrary& looks_;
   robots::GraspTool tool_;
   std::shared_ptr<perception::MarkQuestioner> questioner_;  // of a policy that has a model
+  PartServers servers_;
 };
 
 }  // namespace
@@ -97,6 +104,12 @@ Result<std::unique_ptr<agent::Policy>> make_classical(Arena& arena,
                                                       const episodes::AisleWorld& world,
                                                       const PolicyName& asked,
                                                       Seed seed) {
+  if (!asked.masks_url.empty())
+    return Error{"usage.bad_flag",
+                 "--masks-url",
+                 fmt::format("{}: in the aisles places on boards stand in the place of masks; "
+                             "hybrid has --grasps-url and --model there",
+                             world.spec().id)};
   auto stock = std::make_shared<const std::vector<catalog::Product>>(
       episodes::store_stock(world.store().scene));
   auto policy =

@@ -5,12 +5,15 @@
 
 #include "environments/goal_readers.h"
 #include "environments/mark_questioner.h"
+#include "environments/part_servers.h"
 #include "environments/track_policies.h"
 #include "episodes/checkout/checkout_senses.h"
 #include "episodes/pictured_products.h"
 #include "oracle/checkout_truth.h"
 #include "oracle/oracle_checkout.h"
 #include "oracle/oracle_scene.h"
+#include "perception/served_grasps.h"
+#include "perception/served_masks.h"
 #include "policy/classical_checkout.h"
 #include "policy/highest_first.h"
 
@@ -33,6 +36,7 @@ class SensingPolicy : public WrappedPolicy {
 
   Result<void> make(Arena& arena, const PolicyName& name, Seed seed) {
     MARKETGEN_TRY(questioner_, mark_questioner(name, arena));
+    MARKETGEN_TRY(servers_, part_servers(name, arena));
     MARKETGEN_TRY(tool_, oracle::load_checkout_tool(world_, arena.data()));
     policy::ClassicalSetup setup;
     setup.eyes = &eyes_;
@@ -40,7 +44,7 @@ class SensingPolicy : public WrappedPolicy {
     setup.looks = &looks_;
     setup.robot = &world_.robot();
     setup.tool = tool_;
-    setup.place = episodes::workplace_of(world_.station());
+    place_ = setup.place = episodes::workplace_of(world_.station());
     setup.modules = modules_of(name);
     MARKETGEN_TRY(policy_, policy::make_classical_checkout(std::move(setup), seed));
     return {};
@@ -49,11 +53,17 @@ class SensingPolicy : public WrappedPolicy {
   std::optional<agent::ModelUse> model_use() const override {
     return questioner_ ? std::optional(questioner_->use()) : std::nullopt;
   }
+  std::optional<agent::PartsUse> parts_use() const override { return servers_.use(); }
 
  private:
   policy::ClassicalModules modules_of(const PolicyName& name) const {
     policy::ClassicalModules modules;
     modules.language = goal_reader(name, world_.spec(), *stock_, catalog_);
+    if (servers_.masks)
+      modules.masks = std::make_unique<perception::ServedMasks>(
+          servers_.masks, std::make_unique<perception::GeometricMasks>());
+    if (servers_.grasps)
+      modules.grasps = std::make_unique<perception::ServedGrasps>(tool_, place_, servers_.grasps);
     if (name.knows(TrueModule::masks)) modules.masks = std::make_unique<oracle::TrueMasks>(eyes_);
     if (name.knows(TrueModule::target))
       modules.targets = std::make_unique<oracle::TrueTargets>(world_);
@@ -77,7 +87,9 @@ class SensingPolicy : public WrappedPolicy {
   episodes::PicturedProducts products_;
   perception::LookLibrary& looks_;
   robots::GraspTool tool_;
+  agent::Workplace place_;
   std::shared_ptr<perception::MarkQuestioner> questioner_;  // of a policy that has a model
+  PartServers servers_;
 };
 
 // The policy that sees heights alone, with its eyes.
