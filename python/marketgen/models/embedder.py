@@ -5,15 +5,16 @@ Pictures are prepared as CLIP's are: the shorter side to the model's, the middle
 
 from __future__ import annotations
 
+import pathlib
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from ..arguments import PathLike, existing
+from ..arguments import PathLike, a_path, existing
 from ..errors import Error
 from . import pictures
-from .sessions import OnnxModel, Port
+from .sessions import OnnxModel, Port, hashed
 
 SIDE, MAX_TOKENS = 224, 77  # of CLIP, where a file leaves them open
 MEAN = np.array([0.48145466, 0.4578275, 0.40821073], np.float32)
@@ -38,6 +39,9 @@ class ImageEmbedder:
         self._side = shape[2] or SIDE
         self.width = self.vectors([np.zeros((8, 8, 3), np.uint8)]).shape[1]
 
+    def files(self) -> list[dict[str, Any]]:
+        return self.model.files()
+
     def vectors(self, shown: Sequence[np.ndarray]) -> np.ndarray:
         """(n, width), of length 1, of colours (height, width, 3), bytes. Raises Stopped."""
         values = np.stack([_prepared(picture, self._side) for picture in shown])
@@ -57,9 +61,12 @@ class TextEmbedder:
         if IDS not in names or names - {IDS, ATTENTION} or len(self.model.inputs[IDS].shape) != 2:
             raise _unknown(self.model, f"{IDS} (N, L), and {ATTENTION} at most")
         self._input = self.model.inputs[IDS]
-        self._words = _tokenizer(tokenizer, self._input.shape[1])
-        self.tokenizer = str(tokenizer)
+        self._tokenizer = pathlib.Path(existing("--tokenizer", a_path("--tokenizer", tokenizer)))
+        self._words = _tokenizer(self._tokenizer, self._input.shape[1])
         self.width = self.vectors(["a"]).shape[1]
+
+    def files(self) -> list[dict[str, Any]]:
+        return [*self.model.files(), hashed(self._tokenizer)]
 
     def vectors(self, texts: Sequence[str]) -> np.ndarray:
         """(n, width), of length 1. Of a text longer than the model takes its beginning. Raises Stopped."""
@@ -111,16 +118,15 @@ def _run(model: OnnxModel, feeds: dict[str, np.ndarray], output: str, first: Por
     return made / np.maximum(np.linalg.norm(made, axis=1, keepdims=True), 1e-12)
 
 
-def _tokenizer(file: PathLike, length: int | None) -> Any:
+def _tokenizer(file: pathlib.Path, length: int | None) -> Any:
     try:
         import tokenizers
     except ImportError:
         raise Error("usage.unavailable", "tokenizers", "--clip-text needs it: pip install 'marketgen[models]'") from None
-    path = existing("--tokenizer", str(file))
     try:
-        made = tokenizers.Tokenizer.from_file(path)
+        made = tokenizers.Tokenizer.from_file(str(file))
     except Exception as fault:  # the package raises Exception itself
-        raise Error("model.bad_file", path, f"no tokenizer.json: {' '.join(str(fault).split())[:200]}") from None
+        raise Error("model.bad_file", str(file), f"no tokenizer.json: {' '.join(str(fault).split())[:200]}") from None
     most = length or MAX_TOKENS
     filled = made.padding or {"pad_token": END, "pad_id": made.token_to_id(END) or 0}
     made.enable_truncation(max_length=most)

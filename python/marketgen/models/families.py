@@ -120,10 +120,11 @@ class Segmenter:
         return logits, quality
 
     def _try(self) -> None:
-        """Once with a grey picture: the two files fit together, and whether the decoder takes several points at a time."""
-        points = np.array([[3.0, 4.0], [9.0, 12.0]])
+        """Once with a picture of two colours: the two files fit together, and whether the decoder takes several points at a time."""
+        picture, points = np.full((16, 16, 3), 32, np.uint8), np.array([[4.0, 8.0], [12.0, 8.0]])
+        picture[:, 8:] = 224
         try:
-            encoded = self.encode(np.full((16, 16, 3), 128, np.uint8))
+            encoded = self.encode(picture)
             alone, quality = self.decode(encoded, points)
         except Stopped:
             raise

@@ -62,6 +62,6 @@ class Loaded:
             masks |= {"rules": vars(self._rules), "runs_on": self._masks.encoder.providers}
         parts = {"image": self._images, "text": self._texts}
         if any(parts.values()):
-            embed = {name: part and {"files": part.model.files(), "runs_on": part.model.providers} for name, part in parts.items()}
+            embed = {name: part and {"files": part.files(), "runs_on": part.model.providers} for name, part in parts.items()}
             embed["width"] = next(part.width for part in parts.values() if part)
         return {"ok": True, "masks": masks, "embed": embed}

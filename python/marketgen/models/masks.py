@@ -13,11 +13,11 @@ import numpy as np
 
 from .families import Encoded, Segmenter
 from .regions import without_small_regions
-from .sampling import EDGE
+from .sampling import EDGE, Part
 
 POINTS_AT_ONCE = 64
 MIN_PREDICTED_IOU = {"sam": 0.88, "mobile_sam": 0.88, "sam2": 0.8}  # what the models' own generators take
-MAX_POINTS_PER_SIDE = 128
+MAX_POINTS_PER_SIDE = 64
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,24 +51,21 @@ class Mask:
 
 @dataclasses.dataclass(frozen=True)
 class _Found:
-    """A mask as it came from the decoder: `part` is what `rows` and `columns` of the picture show."""
+    """A mask as it came from the decoder."""
 
-    rows: slice
-    columns: slice
-    part: np.ndarray
+    part: Part
     predicted_iou: float
-    stability_score: float
 
 
 def masks_of(segmenter: Segmenter, picture: np.ndarray, rules: Rules) -> list[Mask]:
     """Of colours (height, width, 3), bytes: those the decoder is surest of first. Raises Stopped."""
     encoded = segmenter.encode(picture)
     points = grid(rules.points_per_side) * (picture.shape[1], picture.shape[0])
-    found = [one for start in range(0, len(points), POINTS_AT_ONCE) for one in _at(segmenter, encoded, points[start : start + POINTS_AT_ONCE], rules)]
+    found: list[_Found] = []
+    for start in range(0, len(points), POINTS_AT_ONCE):
+        found += _at(segmenter, encoded, points[start : start + POINTS_AT_ONCE], rules)
     found.sort(key=lambda one: -one.predicted_iou)  # a stable order: of equals the earlier point
-    boxes = np.array([_box(one.part, one.rows.start, one.columns.start) for one in found]).reshape(-1, 4)
-    first = [found[i] for i in kept_boxes(boxes, rules.max_box_iou)]
-    return _cleaned(first, picture.shape[:2], rules)
+    return _cleaned(_once_each(found, picture.shape[:2], rules), rules)
 
 
 def grid(per_side: int) -> np.ndarray:
@@ -80,59 +77,83 @@ def grid(per_side: int) -> np.ndarray:
 def _at(segmenter: Segmenter, encoded: Encoded, points: np.ndarray, rules: Rules) -> Iterator[_Found]:
     logits, quality = segmenter.decode(encoded, points)
     for point, mask in zip(*np.nonzero(quality > rules.min_predicted_iou), strict=True):
-        placed = encoded.sampling.part(logits[point, mask])
-        if placed is None:
+        part = encoded.sampling.part(logits[point, mask])
+        if part is not None:
+            yield _Found(part, float(quality[point, mask]))
+
+
+def _once_each(found: list[_Found], size: tuple[int, int], rules: Rules) -> list[Mask]:
+    """Those of `found`, best first, whose edges are sure and that no better one stands for.
+
+    A mask that goes anyway is never brought to the picture's size: that takes longer than all else, and a third of a picture's
+    points may lie on the same wall.
+    """
+    made = []
+    boxes = _Boxes(rules.max_box_iou)
+    for one in found:
+        box = one.part.box()
+        if box is None or boxes.overlap(box):
             continue
-        rows, columns, values = placed
+        values = one.part.values()
         stability = _stability(values)
-        part = values > 0
-        if stability >= rules.min_stability and part.any():
-            yield _Found(rows, columns, part, float(quality[point, mask]), stability)
+        if stability >= rules.min_stability:
+            boxes.add(box)
+            pixels = np.zeros(size, dtype=bool)
+            pixels[one.part.rows, one.part.columns] = values > 0
+            made.append(Mask(pixels, int(np.count_nonzero(pixels)), box, one.predicted_iou, stability))
+    return made
 
 
 def _stability(values: np.ndarray) -> float:
     """The larger mask contains the smaller one, so that their IoU is one count by the other."""
     larger = np.count_nonzero(values > -EDGE)
-    return np.count_nonzero(values > EDGE) / larger if larger else 0.0
+    return float(np.count_nonzero(values > EDGE) / larger) if larger else 0.0
 
 
-def _cleaned(found: list[_Found], size: tuple[int, int], rules: Rules) -> list[Mask]:
-    """Without small regions; what is twice there by that goes, those first that were changed."""
-    made, changed = [], []
-    for one in found:
-        pixels = np.zeros(size, dtype=bool)
-        pixels[one.rows, one.columns] = one.part
-        clean = without_small_regions(pixels, rules.min_region_px)
-        box = _box(clean, 0, 0)
-        made.append(Mask(clean, int(np.count_nonzero(clean)), box, one.predicted_iou, one.stability_score))
-        changed.append(not np.array_equal(clean, pixels))
-    order = sorted(range(len(made)), key=lambda i: changed[i])
-    boxes = np.array([made[i].box for i in order]).reshape(-1, 4)
-    kept = sorted(order[i] for i in kept_boxes(boxes, rules.max_box_iou))
-    return [made[i] for i in kept]
+def _cleaned(masks: list[Mask], rules: Rules) -> list[Mask]:
+    """Without small regions. Where two are the same by that, one goes that was changed."""
+    made = [_without_small_regions(mask, rules.min_region_px) for mask in masks]
+    order = sorted(range(len(made)), key=lambda i: made[i] is not masks[i])
+    boxes = _Boxes(rules.max_box_iou)
+    return [made[i] for i in sorted(i for i in order if boxes.add_new(made[i].box))]
 
 
-def _box(part: np.ndarray, top: int, left: int) -> tuple[int, int, int, int]:
-    """x, y, width and height of what is on in `part`, whose corner lies at (left, top)."""
-    rows, columns = np.flatnonzero(part.any(axis=1)), np.flatnonzero(part.any(axis=0))
+def _without_small_regions(mask: Mask, min_region_px: int) -> Mask:
+    pixels = without_small_regions(mask.pixels, min_region_px)
+    if np.array_equal(pixels, mask.pixels):
+        return mask
+    return dataclasses.replace(mask, pixels=pixels, area=int(np.count_nonzero(pixels)), box=box_of(pixels))
+
+
+def box_of(pixels: np.ndarray) -> tuple[int, int, int, int]:
+    """x, y, width and height of what is on; something must be."""
+    rows, columns = np.flatnonzero(pixels.any(axis=1)), np.flatnonzero(pixels.any(axis=0))
     x, y = int(columns[0]), int(rows[0])
-    return left + x, top + y, int(columns[-1]) - x + 1, int(rows[-1]) - y + 1
+    return x, y, int(columns[-1]) - x + 1, int(rows[-1]) - y + 1
 
 
-def kept_boxes(boxes: np.ndarray, max_iou: float) -> list[int]:
-    """Numbers of those of `boxes` (n, 4: x, y, width, height), best first, that overlap none before them by more than `max_iou`."""
-    kept: list[int] = []
-    lows, highs = boxes[:, :2].astype(float), boxes[:, :2] + boxes[:, 2:].astype(float)
-    areas = np.prod(highs - lows, axis=1)
-    left = np.ones(len(boxes), dtype=bool)
-    for number in range(len(boxes)):
-        if not left[number]:
-            continue
-        kept.append(number)
-        shared = np.minimum(highs, highs[number]) - np.maximum(lows, lows[number])
-        overlap = np.prod(np.maximum(shared, 0), axis=1)
-        left &= ~(overlap > max_iou * (areas + areas[number] - overlap))
-    return kept
+class _Boxes:
+    """Boxes (x, y, width, height) that are kept, none of which overlaps another by more than `max_iou`."""
+
+    def __init__(self, max_iou: float):
+        self._max_iou, self._kept = max_iou, np.zeros((0, 4))
+
+    def overlap(self, box: tuple[int, int, int, int]) -> bool:
+        one, kept = np.array(box, dtype=float), self._kept
+        shared = np.minimum(kept[:, :2] + kept[:, 2:], one[:2] + one[2:]) - np.maximum(kept[:, :2], one[:2])
+        both = np.prod(np.maximum(shared, 0), axis=1)
+        either = np.prod(kept[:, 2:], axis=1) + np.prod(one[2:]) - both
+        return bool((both > self._max_iou * either).any())
+
+    def add(self, box: tuple[int, int, int, int]) -> None:
+        self._kept = np.vstack([self._kept, box])
+
+    def add_new(self, box: tuple[int, int, int, int]) -> bool:
+        """Whether it is kept."""
+        new = not self.overlap(box)
+        if new:
+            self.add(box)
+        return new
 
 
 def as_json(mask: Mask, segmentation: Any) -> dict[str, Any]:

@@ -10,6 +10,7 @@ import dataclasses
 
 import numpy as np
 
+LINES = 4  # at a time: the first few mostly have something
 EDGE = 1.0  # what is below -EDGE is outside, whichever threshold is asked about
 
 
@@ -37,8 +38,8 @@ class Sampling:
         """Height and width of the picture."""
         return self.rows.shape[0], self.columns.shape[0]
 
-    def part(self, logits: np.ndarray) -> tuple[slice, slice, np.ndarray] | None:
-        """Where `logits` may be above -EDGE in the picture, and the logits at the pixels there; None: nowhere."""
+    def part(self, logits: np.ndarray) -> Part | None:
+        """What of the picture `logits` may be above -EDGE in; None: nothing."""
         above = logits > -EDGE
         inner_rows, inner_columns = np.flatnonzero(above.any(axis=1)), np.flatnonzero(above.any(axis=0))
         if inner_rows.size == 0:
@@ -47,12 +48,47 @@ class Sampling:
         of_columns, columns = _reached(self.columns, inner_columns[0], inner_columns[-1])
         if rows.start == rows.stop or columns.start == columns.stop:
             return None  # in the padding alone
-        taken = logits[of_rows, of_columns].astype(np.float32)
-        return rows, columns, self.rows[rows, of_rows] @ taken @ self.columns[columns, of_columns].T
+        taken = logits[of_rows, of_columns].astype(np.float32)  # a copy: the whole is let go
+        return Part(rows, columns, self.rows[rows, of_rows], taken, self.columns[columns, of_columns])
+
+
+@dataclasses.dataclass(frozen=True)
+class Part:
+    """A mask's logits not yet at the picture's pixels `rows` and `columns`; beyond these it is below -EDGE."""
+
+    rows: slice
+    columns: slice
+    row_shares: np.ndarray
+    taken: np.ndarray
+    column_shares: np.ndarray
+
+    def values(self) -> np.ndarray:
+        """At the picture's pixels."""
+        return self.row_shares @ self.taken @ self.column_shares.T
+
+    def box(self) -> tuple[int, int, int, int] | None:
+        """x, y, width and height of what is above 0, without most of the values; None: nothing is."""
+        top = _first_on(self.row_shares, self.taken, self.column_shares)
+        if top is None:
+            return None
+        below = _first_on(self.row_shares[::-1], self.taken, self.column_shares)
+        left = _first_on(self.column_shares, self.taken.T, self.row_shares)
+        right = _first_on(self.column_shares[::-1], self.taken.T, self.row_shares)
+        height, width = len(self.row_shares) - top - below, len(self.column_shares) - left - right
+        return int(self.columns.start) + left, int(self.rows.start) + top, width, height
+
+
+def _first_on(across: np.ndarray, taken: np.ndarray, along: np.ndarray) -> int | None:
+    """The first line across with anything above 0, found a few lines at a time."""
+    for start in range(0, len(across), LINES):
+        on = ((across[start : start + LINES] @ taken @ along.T) > 0).any(axis=1)
+        if on.any():
+            return start + int(on.argmax())
+    return None
 
 
 def _reached(shares: np.ndarray, low: int, high: int) -> tuple[slice, slice]:
-    """The decoder's pixels low..high with a margin, and the picture's pixels that take from low..high."""
+    """The decoder's pixels that count for the picture's pixels that take from low..high, and these."""
     pixels = np.flatnonzero(shares[:, low : high + 1].any(axis=1))
     within = slice(pixels[0], pixels[-1] + 1) if pixels.size else slice(0, 0)
     taken = np.flatnonzero(shares[within].any(axis=0))

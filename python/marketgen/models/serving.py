@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import http.server
 import json
+import socket
+import socketserver
 import sys
 import threading
 import time
@@ -43,7 +45,13 @@ class ModelServer(http.server.ThreadingHTTPServer):
     def __init__(self, host: str, port: int, loaded: Loaded, quiet: bool = False):
         self.loaded, self.quiet = loaded, quiet
         self._answering, self._changed = 0, threading.Condition()
+        self.address_family = socket.AF_INET6 if ":" in host else socket.AF_INET
         super().__init__((host, port), _Asked)
+
+    def server_bind(self) -> None:
+        """As the standard library's, which also asks a name server for the host's whole name: that takes long where none answers."""
+        socketserver.TCPServer.server_bind(self)
+        self.server_name, self.server_port = self.server_address[:2]
 
     def end(self) -> None:
         """Takes no more requests, ends what models are at, and lets answers under way be sent."""

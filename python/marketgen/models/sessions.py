@@ -18,6 +18,7 @@ from ..arguments import PathLike, a_path
 from ..errors import Error
 
 PROVIDERS = ("CUDAExecutionProvider", "CPUExecutionProvider")  # the first that is there; the package onnxruntime-gpu has both
+SILENT = 4  # ONNX Runtime also raises what it would print
 TYPES = {
     "tensor(float)": np.float32,
     "tensor(float16)": np.float16,
@@ -80,6 +81,8 @@ class OnnxModel:
         typed = {name: np.ascontiguousarray(value, dtype=self.inputs[name].dtype) for name, value in feeds.items()}
         with self._alone:
             options = self._run = onnxruntime.RunOptions()
+            options.log_severity_level = SILENT
+            options.only_execute_path_to_fetches = True  # SAM's decoder would also enlarge its masks
             if self._stopping:
                 raise Stopped
             try:
@@ -107,7 +110,7 @@ class OnnxModel:
         """{"file", "bytes", "sha256"} of it and of the weights that lie beside it."""
         home = pathlib.Path(self.file)
         beside = sorted({home.parent / name for name in _weights_beside(home)})
-        return [_hashed(path) for path in [home, *(path for path in beside if path.is_file())]]
+        return [hashed(path) for path in [home, *(path for path in beside if path.is_file())]]
 
     def mentions(self, text: bytes) -> bool:
         """Whether the file's bytes have `text`, as in the names of its nodes."""
@@ -122,7 +125,7 @@ def _session(file: str, threads: int) -> Any:
         raise Error("usage.unavailable", "onnxruntime", "models need it: pip install 'marketgen[models]'") from None
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads  # 0: as many as there are cores
-    options.log_severity_level = 3
+    options.log_severity_level = SILENT
     there = onnxruntime.get_available_providers()
     try:
         return onnxruntime.InferenceSession(file, options, providers=[name for name in PROVIDERS if name in there])
@@ -143,7 +146,8 @@ def _weights_beside(file: pathlib.Path) -> list[str]:
         return [content[at : at + length].decode("utf-8", "replace") for at, length in found]
 
 
-def _hashed(path: pathlib.Path) -> dict[str, Any]:
+def hashed(path: pathlib.Path) -> dict[str, Any]:
+    """{"file": its name, "bytes", "sha256"}."""
     digest = hashlib.sha256()
     with path.open("rb") as opened:
         while piece := opened.read(1 << 20):
