@@ -1,8 +1,13 @@
 """Masks of models of pictures: their families, what a picture becomes, duplicates, regions, COCO's runs."""
 
+import concurrent.futures
+import hashlib
 import pathlib
+import time
+import types
 
 import numpy as np
+import onnx
 import pytest
 from PIL import Image
 from pycocotools import mask as coco
@@ -10,6 +15,7 @@ from pycocotools import mask as coco
 import marketgen
 import model_files
 from marketgen.models import families, sampling, sessions
+from marketgen.models.loaded import Loaded
 from marketgen.models.masks import MIN_PREDICTED_IOU, Rules, _Boxes, box_of, grid, masks_of
 from marketgen.models.regions import without_small_regions
 from marketgen.models.rle import coco_rle
@@ -78,6 +84,16 @@ def test_every_form_of_a_family_finds_what_there_is(files, shelf, family, layout
     segmenter = families.Segmenter(*two)
     assert segmenter.family == family and segmenter.many_points
     assert_found(masks_of(segmenter, shelf[0], Rules(points_per_side=8)), shelf[1])
+
+
+@pytest.mark.parametrize("layout", ["first", "last_open", "last_bytes", "last_batch"])
+def test_what_is_padded_is_nothing_to_the_encoder(files, layout):
+    """0 of the values that the models were trained with, whether the file takes these or colours; the picture lies at the upper left."""
+    segmenter = families.Segmenter(model_files.sam_encoder(files / "e.onnx", layout), model_files.sam_decoder(files / "d.onnx"))
+    seen = segmenter.encode(np.full((50, 100, 3), RED, np.uint8)).features["image_embeddings"][0]
+    colour = (np.array(RED, np.float32) - model_files.MEAN) / model_files.DEVIATION
+    assert np.abs(seen[:, 32:]).max() < 0.01
+    assert np.allclose(seen[:48, :32].reshape(16, 3, 32, 64), colour[None, :, None, None], atol=1e-3)
 
 
 @pytest.mark.parametrize("size", [(800, 200), (300, 1000), (700, 700), (33, 57)])
@@ -160,10 +176,6 @@ def test_files_that_do_not_fit_together(files):
 
 
 def test_hashes_are_of_the_weights_beside_a_file_too(files):
-    import hashlib
-
-    import onnx
-
     file = files / "large.onnx"
     graph = model_files.Graph()
     graph("Add", "x", graph.constant(np.arange(4096)), output="y")
@@ -181,6 +193,47 @@ def test_a_stopped_model_runs_no_more(files):
     segmenter.stop()
     with pytest.raises(sessions.Stopped):
         segmenter.encode(np.zeros((8, 8, 3), np.uint8))
+
+
+def test_a_run_that_takes_long_is_ended(files):
+    """Ten million small steps; stop() comes back soon, and who waits for the run is told."""
+    body = onnx.helper.make_graph(
+        [onnx.helper.make_node("Identity", ["go"], ["on"]), onnx.helper.make_node("MatMul", ["held", "held"], ["made"])],
+        "body",
+        [onnx.helper.make_tensor_value_info(name, kind, shape) for name, kind, shape in (("n", 7, ()), ("go", 9, ()), ("held", 1, (64, 64)))],
+        [onnx.helper.make_tensor_value_info(name, kind, shape) for name, kind, shape in (("on", 9, ()), ("made", 1, (64, 64)))],
+    )
+    graph = model_files.Graph()
+    graph("Loop", graph.constant(10**7, np.int64), graph.constant(True, bool), "x", output="y", body=body)
+    model = sessions.OnnxModel("--sam-encoder", graph.write(files / "long.onnx", {"x": ((64, 64), 1)}, {"y": ((64, 64), 1)}))
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        runs = [pool.submit(model.run, {"x": np.eye(64)}, ["y"]) for _ in range(2)]
+        time.sleep(0.5)
+        assert not any(run.done() for run in runs)
+        began = time.monotonic()
+        model.stop()
+        assert time.monotonic() - began < 5
+        for run in runs:
+            with pytest.raises(sessions.Stopped):
+                run.result(timeout=10)
+
+
+def test_one_request_at_a_time_in_a_model():
+    """The second begins when the first is answered."""
+    inside, most = [], []
+
+    def vectors(_pictures):
+        inside.append(1)
+        most.append(len(inside))
+        time.sleep(0.05)
+        inside.pop()
+        return np.zeros((1, 3))
+
+    model = types.SimpleNamespace(providers=[], stop=lambda: None)
+    loaded = Loaded(None, Rules(), types.SimpleNamespace(files=list, model=model, width=3, vectors=vectors), None)
+    with concurrent.futures.ThreadPoolExecutor(6) as pool:
+        list(pool.map(loaded.picture_vectors, [[]] * 6))
+    assert most == [1] * 6
 
 
 # ---- Rules ----
@@ -201,6 +254,15 @@ def test_every_rule_holds(files, shelf):
     assert len(whole) == 32 and sum(whole) == 16  # each point's mask, and the whole picture
     assert len(found(min_predicted_iou=0.5, max_box_iou=1.0, min_stability=0.9999)) == 16  # whose edges are sure
     assert MIN_PREDICTED_IOU.keys() == {"sam", "mobile_sam", "sam2"}
+
+
+def test_what_is_double_is_not_brought_to_size(files, shelf, monkeypatch):
+    """That would take most of the time: of 128 masks four are looked at in full."""
+    segmenter = families.Segmenter(model_files.sam2_encoder(files / "e.onnx"), model_files.sam2_decoder(files / "d.onnx"))
+    enlarged = []
+    values = sampling.Part.values
+    monkeypatch.setattr(sampling.Part, "values", lambda part: enlarged.append(part) or values(part))
+    assert len(masks_of(segmenter, shelf[0], Rules(points_per_side=8))) == len(enlarged) == 4
 
 
 def test_points_lie_in_the_middles_of_fields():
