@@ -29,7 +29,8 @@ PORT = 5002  # GenManip's
 def main(words: list[str] | None = None) -> int:
     given = _parser().parse_args(words)
     for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.default_int_handler)  # they end it as Ctrl-C does
+        if signal.getsignal(number) != signal.SIG_IGN:  # as under nohup
+            signal.signal(number, signal.default_int_handler)  # they end it as Ctrl-C does
     return ended(lambda: _serve(given))
 
 

@@ -268,7 +268,8 @@ def test_other_places_and_methods(served):
 def test_a_body_that_is_too_large(served):
     """A client that asks first, as curl does, sends nothing of it."""
     head = f"POST /generate_masks HTTP/1.1\r\nHost: x\r\nContent-Type: {FORM['Content-Type']}\r\nContent-Length: {65 << 20}\r\nExpect: 100-continue\r\n\r\n"
-    assert served.raw(head.encode()).startswith(b"HTTP/1.1 413 ")
+    answer = served.raw(head.encode())
+    assert answer.startswith(b"HTTP/1.1 413 ") and b"67,108,864 are the most" in answer
     status, document = served.ask("POST", "/generate_masks", bytes((64 << 20) + 1), FORM)
     assert status == 413 and "67,108,864 are the most" in document["error"]
     status, document = served.ask("POST", "/embed_text", bytes((1 << 20) + 1))
@@ -369,6 +370,16 @@ def test_it_ends_in_the_middle_of_a_picture(files, number):
             assert asked.result(timeout=60) == (503, {"error": "the server is ending"})
         except (ConnectionError, http.client.HTTPException):
             pytest.fail("the client was left without an answer")
+
+
+def test_a_closed_terminal_does_not_end_it_under_nohup(files):
+    process = subprocess.Popen(["nohup", *PROGRAM, *clip_flags(files), "--port", "0"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    assert any("serving at" in line for line in iter(process.stdout.readline, ""))
+    process.send_signal(signal.SIGHUP)
+    with pytest.raises(subprocess.TimeoutExpired):
+        process.wait(timeout=1)
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(timeout=60) == 0
 
 
 def test_it_ends_while_it_loads(files):

@@ -25,6 +25,7 @@ MAX_FORM, MAX_TEXTS_BODY = 64 << 20, 1 << 20  # bytes of a body
 MAX_PICTURES, MAX_TEXTS, MAX_LETTERS = 64, 256, 4096
 SILENCE_S, END_S = 30.0, 5.0  # of a client in the middle of a request; for answers under way when the server ends
 PIECE = 1 << 16
+NO_LENGTH = "say the body's Content-Length; other encodings of it are not read"
 BOOLEANS, COCO_RLE = "booleans", "coco_rle"
 
 
@@ -152,9 +153,9 @@ class _Asked(http.server.BaseHTTPRequestHandler):
 
     def _body(self, most: int) -> bytes:
         if self._left is None:
-            raise Refused(HTTPStatus.LENGTH_REQUIRED, "say the body's Content-Length; other encodings of it are not read")
+            raise Refused(HTTPStatus.LENGTH_REQUIRED, NO_LENGTH)
         if self._left > most:
-            raise Refused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, f"the body has {self._left:,} bytes; {most:,} are the most")
+            raise Refused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, _too_large(self._left, most))
         body = self.rfile.read(self._left)
         whole, self._left = len(body) == self._left, 0
         if not whole:
@@ -166,7 +167,10 @@ class _Asked(http.server.BaseHTTPRequestHandler):
         length = self._length()
         if length is not None and length <= MAX_FORM:
             return super().handle_expect_100()
-        self.send_error(HTTPStatus.EXPECTATION_FAILED if length is None else HTTPStatus.REQUEST_ENTITY_TOO_LARGE)
+        if length is None:
+            self.send_error(HTTPStatus.LENGTH_REQUIRED, NO_LENGTH)
+        else:
+            self.send_error(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, _too_large(length, MAX_FORM))
         return False
 
     def _refuse(self, status: HTTPStatus, why: str) -> None:
@@ -237,6 +241,10 @@ ROUTES = {
     "/embed_text": ("POST", _Asked._embed_text),
     "/health": ("GET", _Asked._health),
 }
+
+
+def _too_large(length: int, most: int) -> str:
+    return f"the body has {length:,} bytes; {most:,} are the most"
 
 
 def _pictures(parts: list[Part], most: int) -> list[Any]:
