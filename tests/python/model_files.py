@@ -184,10 +184,10 @@ def clip_image(file, batch="batch", width=3):
 
 
 def clip_text(file, tokenizer, attention=True, length="length", output="text_embeds"):
-    """And the tokenizer.json for it: a word is a token."""
+    """And the tokenizer.json for it: a word is a token, and "beyond" one that the model does not have."""
     from tokenizers import Tokenizer, models, normalizers, pre_tokenizers, processors
 
-    vocabulary = {"<|startoftext|>": 0, "<|endoftext|>": 1, "<unk>": 2} | {word: 3 + number for number, word in enumerate(WORDS)}
+    vocabulary = {"<|startoftext|>": 0, "<|endoftext|>": 1, "<unk>": 2} | {word: 3 + number for number, word in enumerate(WORDS)} | {"beyond": 99}
     made = Tokenizer(models.WordLevel(vocabulary, unk_token="<unk>"))
     made.normalizer, made.pre_tokenizer = normalizers.Lowercase(), pre_tokenizers.Whitespace()
     ends = [("<|startoftext|>", 0), ("<|endoftext|>", 1)]

@@ -250,6 +250,12 @@ def test_texts_that_are_refused(served, body):
     assert status == 400 and list(document) == ["error"]
 
 
+def test_a_model_that_fails_is_told_and_goes_on(bare):
+    status, document = bare.ask("POST", "/embed_text", b'{"texts": ["red", "beyond"]}')
+    assert status == 500 and "indices element out of data bounds" in document["error"], document
+    assert bare.ask("POST", "/embed_text", b'{"texts": ["green"]}') == (200, {"embeddings": [[0.0, 1.0, 0.0]]})
+
+
 def test_parts_that_are_not_loaded_say_their_flags(bare):
     assert bare.ask("GET", "/health")[1]["masks"] is None and bare.ask("GET", "/health")[1]["embed"]["image"] is None
     assert bare.post("/generate_masks", IMAGE) == (503, {"error": "this server has no model for it: start it with --sam-encoder and --sam-decoder"})

@@ -87,7 +87,7 @@ class _Asked(http.server.BaseHTTPRequestHandler):
 
     def _answer(self) -> None:
         self.server.count(1)
-        self._began, self._left = time.monotonic(), self._length()
+        self._began, self._left, self._begun = time.monotonic(), self._length(), False
         try:
             self._answered()
         except Refused as refused:
@@ -174,6 +174,9 @@ class _Asked(http.server.BaseHTTPRequestHandler):
         return False
 
     def _refuse(self, status: HTTPStatus, why: str) -> None:
+        if self._begun:
+            self.close_connection = True  # in the middle of an answer: its end is missing, which says that it failed
+            return
         self._read_rest()
         try:
             self._send(status, {"error": why})
@@ -216,6 +219,7 @@ class _Asked(http.server.BaseHTTPRequestHandler):
         for name, value in {"Content-Type": "application/json", **headers}.items():
             self.send_header(name, value)
         self.end_headers()
+        self._begun = True
 
     def send_error(self, code: int, message: str | None = None, explain: str | None = None) -> None:
         """Of what is no HTTP, which the standard library finds."""
