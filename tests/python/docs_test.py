@@ -31,7 +31,7 @@ SOURCES = [
     and "node_modules" not in path.parts
 ]
 TUTORIALS = ROOT / "docs/tutorials"
-COMMANDS_IN_PYTHON = [ROOT / "python/marketgen/record.py", ROOT / "python/marketgen/evaluate.py"]
+COMMANDS_IN_PYTHON = [ROOT / "python/marketgen/record.py", ROOT / "python/marketgen/evaluate.py", ROOT / "python/marketgen/model_server.py"]
 
 
 def text_of(path):
@@ -194,8 +194,9 @@ def known_flags():
     return flags
 
 
-# Of other programs: CMake, ctest, GoogleTest, pip, pipx, build, git, Docker, LeRobot, ROS 2.
+# Of other programs: CMake, ctest, GoogleTest, pip, pipx, build, git, Docker, LeRobot, ROS 2, exporters of SAM.
 OTHERS_FLAGS = {"--preset", "--build", "--target", "--gtest", "--no-build-isolation", "--depth", "--python", "--size-prefixed", "--raw-binary"} | {
+    "--checkpoint",
     "--dataset",
     "--env",
     "--eval",
@@ -204,6 +205,7 @@ OTHERS_FLAGS = {"--preset", "--build", "--target", "--gtest", "--no-build-isolat
     "--ros-args",
     "--params-file",
     "--install",
+    "--model-type",
     "--prefix",
     "--rm",
     "--sdist",
