@@ -25,8 +25,6 @@
 namespace marketgen::app {
 namespace {
 
-constexpr double max_model_wait_s = 60;  // for one answer
-
 struct EvalFlags {
   CommonFlags common;
   std::string episodes, policy = "oracle", output;
@@ -34,6 +32,7 @@ struct EvalFlags {
   std::string shard, realism = "ideal";
   std::string model, model_url, model_record, model_replay, masks_url, grasps_url;
   int jobs = 0;
+  double model_limit_s = 60;
   evaluation::AnswerLimits answer{120, 1200};
   bool resume = false, perception = false, worker = false, record_motion = false,
        record_decisions = false;
@@ -178,7 +177,9 @@ std::vector<std::string> worker_command(const EvalFlags& flags, int jobs) {
                                    "--policy",
                                    flags.policy,
                                    "--threads",
-                                   std::to_string(std::max(1, thread_count() / jobs))};
+                                   std::to_string(std::max(1, thread_count() / jobs)),
+                                   "--model-limit-s",
+                                   fmt::format("{}", flags.model_limit_s)};
   const std::pair<const char*, const std::string*> of_model[] = {
       {"--model-url", &flags.model_url},
       {"--model-record", &flags.model_record},
@@ -194,7 +195,7 @@ llm::ModelChoice model_access(const EvalFlags& flags) {
   access.url = flags.model_url;
   access.record = flags.model_record;
   access.replay = flags.model_replay;
-  access.limits.total_s = max_model_wait_s;
+  access.limits.total_s = flags.model_limit_s;
   return access;
 }
 
@@ -351,6 +352,12 @@ void add_model(CLI::App& command, EvalFlags& flags) {
       .add_option(
           "--model-replay", flags.model_replay, "such a folder to answer from: nothing is sent")
       ->type_name("FOLDER");
+  command
+      .add_option("--model-limit-s",
+                  flags.model_limit_s,
+                  "wall time for one answer of the model, or of a server of --policy hybrid")
+      ->check(real_number(0.1, 86400))
+      ->capture_default_str();
 }
 
 // Those of `hybrid` that run in servers.
