@@ -355,11 +355,12 @@ Run add_assets(CLI::App& app) {
                  draw_sheets,
                  Takes::nothing),
             *flags);
-  add_import_flags(*add("import",
-                        "Takes a GLB or OBJ model, or pictures of a pack, into a library of your own",
-                        import_into,
-                        Takes::json),
-                   flags->import);
+  add_import_flags(
+      *add("import",
+           "Takes a GLB or OBJ model, or pictures of a pack, into a library of your own",
+           import_into,
+           Takes::json),
+      flags->import);
   add("build", "Draws every label sheet into the cache", build_all, Takes::json);
   add_heaps(*add("heaps",
                  "Settles heaps of loose goods in MuJoCo: data/heaps.json",

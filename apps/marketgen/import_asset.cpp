@@ -230,8 +230,7 @@ Result<void> import_one(const ImportFlags& flags,
 }
 
 void add_import_flags(CLI::App& sub, ImportFlags& flags) {
-  CLI::Option* model =
-      sub.add_option("model", flags.model, "GLB or OBJ file")->type_name("FILE");
+  CLI::Option* model = sub.add_option("model", flags.model, "GLB or OBJ file")->type_name("FILE");
   add_output(sub, "-o,--output", flags.folder, "new folder; default assets/<sku>");
   sub.add_option("--unit", flags.unit, "length unit of the file")
       ->type_name(choice_of(names_of(catalog::LengthUnit{})))

@@ -1,5 +1,5 @@
-// `marketgen assets import`: an outside model, or pictures of a pack's sides, into a library of one's
-// own.
+// `marketgen assets import`: an outside model, or pictures of a pack's sides, into a library of
+// one's own.
 #pragma once
 #include <array>
 #include <string>

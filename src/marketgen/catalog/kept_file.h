@@ -1,5 +1,5 @@
-// Files of a user's that rows need: kept under $MARKETGEN_CACHE by their content, and carried by the
-// stores whose products show them.
+// Files of a user's that rows need: kept under $MARKETGEN_CACHE by their content, and carried by
+// the stores whose products show them.
 //
 // A kept file is called after its own digest, "<sha256>.glb", so that scenes depend on what it is
 // and not on where it lay, and what was changed is told from what is whole.

@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view face_endings[] = {".png", ".jpg"};
-constexpr KeptKind face_kind{
-    "picture", "faces", face_endings, max_face_bytes, "image.bad_file"};
+constexpr KeptKind face_kind{"picture", "faces", face_endings, max_face_bytes, "image.bad_file"};
 
 constexpr std::uint8_t least_opaque = 128;  // of alpha: below it a pixel is see-through
 
@@ -109,8 +108,7 @@ Result<ReadyFace> ready_face(std::string_view bytes, const std::string& where) {
                              face.picture.height,
                              min_face_px)};
   const bool photo = !bytes.starts_with("\x89PNG");
-  MARKETGEN_TRY(face.bytes,
-                photo ? io::encode_jpeg(face.picture) : io::encode_png(face.picture));
+  MARKETGEN_TRY(face.bytes, photo ? io::encode_jpeg(face.picture) : io::encode_png(face.picture));
   face.ending = face_endings[photo ? 1 : 0];
   return face;
 }

@@ -1,9 +1,10 @@
 // Pictures of a pack's sides: a user's PNG or JPEG files beside his catalogue.
 //
-// A row names files in its own folder (Product::faces). When it is loaded each is made ready: turned
-// as the camera was held, cut to what is not see-through, at most max_face_px a side, without what
-// else its file says (place, date). So it is kept by its content (catalog/kept_file.h), and the row
-// has that name from then on. What a pack shows of its pictures: assets/print/pack_pictures.h.
+// A row names files in its own folder (Product::faces). When it is loaded each is made ready:
+// turned as the camera was held, cut to what is not see-through, at most max_face_px a side,
+// without what else its file says (place, date). So it is kept by its content
+// (catalog/kept_file.h), and the row has that name from then on. What a pack shows of its pictures:
+// assets/print/pack_pictures.h.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -25,7 +26,7 @@ constexpr std::uint64_t max_face_bytes = 64U << 20;
 
 struct FaceSlot {
   std::string_view name;
-  std::string PackFaces::* file;
+  std::string PackFaces::*file;
 };
 constexpr std::array<FaceSlot, 7> face_slots{{{"front", &PackFaces::front},
                                               {"back", &PackFaces::back},

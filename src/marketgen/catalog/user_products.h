@@ -2,7 +2,8 @@
 //
 // JSON: an array of rows (market-product-1), or one market-asset/1 document as `assets import`
 // writes it. CSV: the first line names fields of the row, "label.primary" for a field within the
-// label, "faces.front" and "contents.color" likewise; size_mm is written "66x66x115" and keywords "cola; soft drink".
+// label, "faces.front" and "contents.color" likewise; size_mm is written "66x66x115" and keywords
+// "cola; soft drink".
 #pragma once
 #include <filesystem>
 #include <vector>

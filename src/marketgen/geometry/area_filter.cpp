@@ -27,8 +27,7 @@ Span span_of(double from, double to, int length) {
   // So far out nothing but the border is met, and the pixels' numbers stay small.
   from = std::clamp(from, -1.0, length + 0.0);
   to = std::clamp(to, from + 1, std::max(from + 1, length + 1.0));
-  return {
-      from, to, static_cast<int>(std::floor(from)), static_cast<int>(std::ceil(to)) - 1};
+  return {from, to, static_cast<int>(std::floor(from)), static_cast<int>(std::ceil(to)) - 1};
 }
 
 }  // namespace
@@ -41,8 +40,8 @@ Rgb8 area_mean(const Image& picture, const PixelBox& box) {
   for (int y = down.first; y <= down.last; ++y) {
     for (int x = across.first; x <= across.last; ++x) {
       const double weight = across.weight(x) * down.weight(y);
-      const std::uint8_t* pixel = picture.at(std::clamp(x, 0, picture.width - 1),
-                                             std::clamp(y, 0, picture.height - 1));
+      const std::uint8_t* pixel =
+          picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1));
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += weight * pixel[c];
       all += weight;

@@ -148,10 +148,10 @@ TEST_F(PackPictures, AWrapIsTheWholeLabel) {
 }
 
 TEST_F(PackPictures, AWrappedTubHasItsLidToo) {
-  const auto tub = pack("tub",
-                        {95, 95, 70},
-                        {{"wrap", graded_picture(900, 180, 99)},
-                         {"top", graded_picture(190, 190, top_blue)}});
+  const auto tub =
+      pack("tub",
+           {95, 95, 70},
+           {{"wrap", graded_picture(900, 180, 99)}, {"top", graded_picture(190, 190, top_blue)}});
   ASSERT_TRUE(tub.ok()) << to_string(tub.error());
   const auto sheet = assets::draw_label(*tub, 512);
   ASSERT_TRUE(sheet.ok()) << to_string(sheet.error());
@@ -170,12 +170,12 @@ TEST_F(PackPictures, ABagHasAFrontAndABack) {
     ASSERT_TRUE(bag.ok()) << to_string(bag.error());
     const auto sheet = assets::draw_label(*bag, 512);
     ASSERT_TRUE(sheet.ok()) << to_string(sheet.error());
-    for (const auto& [kind, blue] : {std::pair{assets::PanelKind::front, front_blue},
-                                     {assets::PanelKind::back, back_blue}}) {
+    for (const auto& [kind, blue] :
+         {std::pair{assets::PanelKind::front, front_blue}, {assets::PanelKind::back, back_blue}}) {
       const assets::Panel panel = panel_of(*bag, kind);
       EXPECT_EQ(at(*sheet, panel, 0.5, 0.5).b, blue) << shape;
       EXPECT_NEAR(at(*sheet, panel, 0.5, 0.5).r, 120, 6) << shape;
-      EXPECT_LT(at(*sheet, panel, 0.2, 0.5).r, 90) << shape;   // not mirrored
+      EXPECT_LT(at(*sheet, panel, 0.2, 0.5).r, 90) << shape;  // not mirrored
       EXPECT_GT(at(*sheet, panel, 0.8, 0.5).r, 150) << shape;
       EXPECT_LT(at(*sheet, panel, 0.5, 0.25).g, 100) << shape;  // upright
       EXPECT_GT(at(*sheet, panel, 0.5, 0.75).g, 140) << shape;
@@ -193,9 +193,8 @@ TEST_F(PackPictures, EveryShapeSeenFromTheFrontIsItsPicture) {
     if (*kind == assets::SheetKind::skin) continue;
     SCOPED_TRACE(shape.name);
     ++shapes;
-    const auto product = pack(std::string(shape.name),
-                              {120, 90, 150},
-                              {{"front", graded_picture(240, 300, front_blue)}});
+    const auto product = pack(
+        std::string(shape.name), {120, 90, 150}, {{"front", graded_picture(240, 300, front_blue)}});
     ASSERT_TRUE(product.ok()) << to_string(product.error());
     const auto sheet = assets::draw_label(*product, 1024);
     ASSERT_TRUE(sheet.ok()) << to_string(sheet.error());
@@ -221,8 +220,8 @@ TEST_F(PackPictures, EveryShapeSeenFromTheFrontIsItsPicture) {
           uv.x >= facing->u0 && uv.x <= facing->u1 && uv.y >= facing->v0 && uv.y <= facing->v1;
       if (!on_front || normal.y > -0.9F) continue;
       ++looked;
-      const std::uint8_t* pixel = sheet->at(static_cast<int>(uv.x * sheet->width),
-                                            static_cast<int>(uv.y * sheet->height));
+      const std::uint8_t* pixel =
+          sheet->at(static_cast<int>(uv.x * sheet->width), static_cast<int>(uv.y * sheet->height));
       EXPECT_NEAR(pixel[0], 20 + 200 * (middle.x / 0.12F + 0.5F), 5);
       EXPECT_NEAR(pixel[1], 20 + 200 * (1 - middle.z / 0.15F), 5);
       EXPECT_EQ(pixel[2], front_blue);
@@ -253,8 +252,8 @@ TEST_F(PackPictures, AMissingSideHasTheOppositeOneOrTheGround) {
 
 // A row that names its ground colour keeps it.
 TEST_F(PackPictures, TheRowsOwnGroundColourStays) {
-  catalog::Product product = pack("box", {120, 60, 180}, {{"front", plain_picture(240, 360, {})}})
-                                 .value();
+  catalog::Product product =
+      pack("box", {120, 60, 180}, {{"front", plain_picture(240, 360, {})}}).value();
   EXPECT_EQ(product.label.primary, "#000000");
   product.label.primary = "#0a0b0c";
   const Image sheet = assets::draw_label(product, 256).value();

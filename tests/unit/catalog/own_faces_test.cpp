@@ -56,8 +56,7 @@ TEST_F(OwnFaces, ArePartOfARowByTheirContent) {
   EXPECT_EQ(front_of(*tea)->pixels, picture.pixels);
   write_png_face(scratch_.path() / "other.png", picture);
   EXPECT_EQ(row(R"({"front": "other.png"})")->faces->front, tea->faces->front);
-  EXPECT_EQ(catalog::kept_face_size(catalog::face_names(*tea)[0]).value(),
-            (PictureSize{120, 240}));
+  EXPECT_EQ(catalog::kept_face_size(catalog::face_names(*tea)[0]).value(), (PictureSize{120, 240}));
 }
 
 TEST_F(OwnFaces, ColumnsOfACsvNameThem) {
@@ -88,8 +87,7 @@ TEST_F(OwnFaces, APhotoIsTurnedAndLosesWhatElseItSays) {
   EXPECT_EQ(upright.width, 120);
   EXPECT_EQ(upright.height, 240);
   EXPECT_NEAR(upright.at(60, 10)[0], 20 + 200 * 10.5 / 240, 4);  // turned right: x runs downwards
-  const std::string kept =
-      contents_of(scratch_.path() / "cache/faces" / tea->faces->front);
+  const std::string kept = contents_of(scratch_.path() / "cache/faces" / tea->faces->front);
   EXPECT_EQ(kept.find("Exif"), std::string::npos);
 }
 

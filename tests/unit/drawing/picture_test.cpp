@@ -55,8 +55,10 @@ TEST(Picture, APhotoStandsAsTheCameraWasHeld) {
 }
 
 TEST(Picture, OthersStandAsTheyAre) {
-  EXPECT_EQ(corners_of(io::decoded_picture(io::encode_jpeg(quarters()).value(), "a").value()), "RGBW");
-  EXPECT_EQ(corners_of(io::decoded_picture(io::encode_png(quarters()).value(), "b").value()), "RGBW");
+  EXPECT_EQ(corners_of(io::decoded_picture(io::encode_jpeg(quarters()).value(), "a").value()),
+            "RGBW");
+  EXPECT_EQ(corners_of(io::decoded_picture(io::encode_png(quarters()).value(), "b").value()),
+            "RGBW");
   EXPECT_EQ(io::decoded_picture("", "c").error().code, "image.bad_file");
 }
 

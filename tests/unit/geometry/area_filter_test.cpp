@@ -17,8 +17,8 @@ Image reds(const std::vector<std::uint8_t>& values) {
 TEST(AreaFilter, PixelsCountByTheirCoveredPart) {
   const Image picture = reds({0, 100, 200});
   EXPECT_EQ(area_mean(picture, {0, 0, 3, 1}).r, 100);
-  EXPECT_EQ(area_mean(picture, {0, 0, 1.5, 1}).r, 33);   // (0 + 100 / 2) / 1.5
-  EXPECT_EQ(area_mean(picture, {0.5, 0, 2, 1}).r, 67);   // (0 / 2 + 100) / 1.5
+  EXPECT_EQ(area_mean(picture, {0, 0, 1.5, 1}).r, 33);  // (0 + 100 / 2) / 1.5
+  EXPECT_EQ(area_mean(picture, {0.5, 0, 2, 1}).r, 67);  // (0 / 2 + 100) / 1.5
 }
 
 TEST(AreaFilter, ANarrowBoxIsAPixelWide) {

@@ -51,8 +51,7 @@ Result<void> check_category(const std::string& category,
                  fmt::format("its names do not say what it is; give --category, one of: {}",
                              fmt::join(known, ", "))};
   }
-  return catalog::unknown_name(
-      "catalog.unknown_kind", "--category", "category", category, known);
+  return catalog::unknown_name("catalog.unknown_kind", "--category", "category", category, known);
 }
 
 const std::string& chosen(const std::string& given, const std::string& found) {
@@ -90,8 +89,8 @@ Result<void> name_row(catalog::AssetFile& asset,
     catalog::Product alike = row;
     alike.archetype = like;
     row.material = catalog::usual_material(catalog.products, alike);
-    asset.notes.push_back(fmt::format(
-        "nothing says what it is made of: {}, as most rows like it", row.material));
+    asset.notes.push_back(
+        fmt::format("nothing says what it is made of: {}, as most rows like it", row.material));
   }
   row.rigidity = said.rigidity;
   row.storage = said.storage;

@@ -1,5 +1,5 @@
-// The row of an imported asset, as far as it follows from what a person says, what an annotator says
-// and what the catalogue knows of its like.
+// The row of an imported asset, as far as it follows from what a person says, what an annotator
+// says and what the catalogue knows of its like.
 #pragma once
 #include <optional>
 #include <string>

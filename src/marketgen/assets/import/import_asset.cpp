@@ -133,11 +133,8 @@ class Importer {
   Result<void> make_row() {
     row().archetype = catalog::mesh_archetype;
     row().size_mm = size_in_mm(marketgen::bounds_of(model_.mesh).size());
-    return name_row(asset_.file,
-                    options_.row,
-                    asset_.file.annotation.archetype,
-                    catalog_,
-                    file_.string());
+    return name_row(
+        asset_.file, options_.row, asset_.file.annotation.archetype, catalog_, file_.string());
   }
 
   // Contact pieces into the model, in its frame: by CoACD, else one hull.

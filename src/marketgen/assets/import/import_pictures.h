@@ -34,10 +34,10 @@ struct PicturedAsset {
   std::vector<File> pictures;  // made ready, see catalog/own_faces.h
 };
 
-// The first picture stands for the source. Pictures that are stretched are told of in notes. Errors:
-// those of catalog::ready_face() and check_faces(), with the file as place; catalog.unknown_kind for
-// a shape or category that is none; assets.bad_row, json.*. The same files and options give the
-// same asset.
+// The first picture stands for the source. Pictures that are stretched are told of in notes.
+// Errors: those of catalog::ready_face() and check_faces(), with the file as place;
+// catalog.unknown_kind for a shape or category that is none; assets.bad_row, json.*. The same files
+// and options give the same asset.
 Result<PicturedAsset> import_pictures(const PictureImport& import,
                                       const catalog::Catalog& catalog,
                                       const AssetAnnotator& annotator);

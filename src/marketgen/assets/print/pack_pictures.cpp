@@ -65,16 +65,18 @@ Result<void> check_sides(const catalog::Product& product, const PixelsBySide& pi
   if (sides.empty()) return no_print(product);
   for (const auto& [side, picture] : pictures) {
     if (std::ranges::find(sides, side) == sides.end())
-      return Error{"assets.bad_row",
-                   picture.where,
-                   fmt::format("there is no print on the {} of a pack of archetype \"{}\"; it takes {}",
-                               side,
-                               product.archetype,
-                               fmt::join(sides, ", "))};
+      return Error{
+          "assets.bad_row",
+          picture.where,
+          fmt::format("there is no print on the {} of a pack of archetype \"{}\"; it takes {}",
+                      side,
+                      product.archetype,
+                      fmt::join(sides, ", "))};
   }
   const auto wrap = pictures.find("wrap");
-  const bool round = std::ranges::any_of(
-      std::span(band_sides).first(4), [&](std::string_view side) { return pictures.contains(side); });
+  const bool round =
+      std::ranges::any_of(std::span(band_sides).first(4),
+                          [&](std::string_view side) { return pictures.contains(side); });
   if (wrap == pictures.end() || !round) return {};
   return Error{"assets.bad_row",
                wrap->second.where,
@@ -129,11 +131,8 @@ Result<std::vector<FaceFit>> face_fits(const catalog::Product& product,
     if (found == pictures.end()) continue;
     MARKETGEN_TRY(const auto mm, face_size_mm(product, slot.name));
     const PictureSize px = found->second.size;
-    fits.push_back({found->first,
-                    found->second,
-                    mm[0],
-                    mm[1],
-                    px.width * mm[1] / (px.height * mm[0])});
+    fits.push_back(
+        {found->first, found->second, mm[0], mm[1], px.width * mm[1] / (px.height * mm[0])});
   }
   return fits;
 }
@@ -142,11 +141,11 @@ std::vector<std::string> face_notes(const std::vector<FaceFit>& fits) {
   std::vector<std::string> notes;
   for (const FaceFit& fit : fits) {
     if (is_stretched(fit, told_stretch))
-      notes.push_back(
-          fmt::format("the picture of the {} is {}: it is stretched to fit; crop it to the pack, or "
-                      "correct the size",
-                      fit.side,
-                      stretched(fit)));
+      notes.push_back(fmt::format(
+          "the picture of the {} is {}: it is stretched to fit; crop it to the pack, or "
+          "correct the size",
+          fit.side,
+          stretched(fit)));
   }
   return notes;
 }

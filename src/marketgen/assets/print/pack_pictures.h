@@ -1,9 +1,10 @@
 // Packs that show photographs: pictures of their sides (Product::faces) as a label sheet.
 //
 // A picture of a side shows the whole pack as it is seen from there, cropped to the pack. It is
-// thrown onto the pack straight from that side: a point of the printed surface has the colour of the
-// pixel that it lies behind, so that the pack, looked at from there, is the photograph. What is not
-// print (lid, cap, neck, glass) stays as its shape has it. `wrap` is the label itself, unrolled.
+// thrown onto the pack straight from that side: a point of the printed surface has the colour of
+// the pixel that it lies behind, so that the pack, looked at from there, is the photograph. What is
+// not print (lid, cap, neck, glass) stays as its shape has it. `wrap` is the label itself,
+// unrolled.
 //
 //   SheetKind    pictures that are taken
 //   band         front, back, left, right; or wrap
@@ -14,8 +15,9 @@
 //   skin         none: produce and unwrapped bakery goods have no print
 //
 // On a flat panel lies the picture of its side. On a band a point has the picture of the side that
-// it faces most: of front and back, and of left and right where one of them is given. A side without
-// a picture has the one of the opposite side; where that has none, either, the label's ground colour.
+// it faces most: of front and back, and of left and right where one of them is given. A side
+// without a picture has the one of the opposite side; where that has none, either, the label's
+// ground colour.
 #pragma once
 #include <functional>
 #include <map>
@@ -46,8 +48,9 @@ struct FaceFit {
   double stretch = 1;                  // width of the picture for its height, over the face's
 };
 
-// Of each picture, in the order of catalog::face_slots. Errors: assets.bad_row for a shape that takes
-// no pictures or not this side, and for wrap beside sides that it shows too; catalog.unknown_kind.
+// Of each picture, in the order of catalog::face_slots. Errors: assets.bad_row for a shape that
+// takes no pictures or not this side, and for wrap beside sides that it shows too;
+// catalog.unknown_kind.
 Result<std::vector<FaceFit>> face_fits(const catalog::Product& product,
                                        const PixelsBySide& pictures);
 

@@ -15,8 +15,8 @@
 namespace marketgen::assets {
 namespace {
 
-// A side as a person sees it who stands before it: which way its picture runs to the right and down,
-// and which way the side faces. Product frame.
+// A side as a person sees it who stands before it: which way its picture runs to the right and
+// down, and which way the side faces. Product frame.
 struct SideView {
   PanelKind kind, opposite;
   Vec3 right, down, outward;
@@ -41,9 +41,7 @@ struct SheetTriangle {
   Vec3 position, position_x, position_y;  // at (0, 0), and a pixel to the right and down
   Vec3 normal, normal_x, normal_y;
 
-  Vec3 position_at(double x, double y) const {
-    return position + position_x * x + position_y * y;
-  }
+  Vec3 position_at(double x, double y) const { return position + position_x * x + position_y * y; }
   Vec3 normal_at(double x, double y) const { return normal + normal_x * x + normal_y * y; }
 };
 
@@ -77,8 +75,7 @@ std::optional<SheetTriangle> sheet_triangle(const Mesh& mesh, std::size_t t, con
     normals[i] = to_double(mesh.normals[vertex]);
   }
   constexpr double least_px2 = 1e-9;
-  const double area =
-      cross_of(triangle.px[1] - triangle.px[0], triangle.px[2] - triangle.px[0]);
+  const double area = cross_of(triangle.px[1] - triangle.px[0], triangle.px[2] - triangle.px[0]);
   if (std::abs(area) < least_px2) return std::nullopt;
   const Slopes position = slopes_of(triangle.px, positions, area);
   const Slopes normal = slopes_of(triangle.px, normals, area);
@@ -203,8 +200,8 @@ class PicturedSheet {
     const SideView* flat = view_of(panel->kind);
     if (flat == nullptr && given("wrap") != nullptr) return;
     const auto reach = [&](double Vec2::*axis, int length) {
-      const auto [low, high] = std::minmax(
-          {triangle.px[0].*axis, triangle.px[1].*axis, triangle.px[2].*axis});
+      const auto [low, high] =
+          std::minmax({triangle.px[0].*axis, triangle.px[1].*axis, triangle.px[2].*axis});
       return std::array<int, 2>{std::max(0, static_cast<int>(std::floor(low - 0.5))),
                                 std::min(length, static_cast<int>(std::ceil(high + 0.5)))};
     };
@@ -233,9 +230,9 @@ class PicturedSheet {
     const auto along = [&](Vec3 axis, int length) {
       const double per_m = length / std::abs(dot(size, axis));
       const double at = length * 0.5 + dot(from_centre, axis) * per_m;
-      const double half = (std::abs(dot(triangle.position_x, axis)) +
-                           std::abs(dot(triangle.position_y, axis))) *
-                          per_m / 2;
+      const double half =
+          (std::abs(dot(triangle.position_x, axis)) + std::abs(dot(triangle.position_y, axis))) *
+          per_m / 2;
       return std::array<double, 2>{at - half, at + half};
     };
     const auto [x0, x1] = along(view.right, picture.width);
