@@ -196,7 +196,7 @@ TEST_F(PackPictures, EveryShapeSeenFromTheFrontIsItsPicture) {
     const auto product = pack(
         std::string(shape.name), {120, 90, 150}, {{"front", graded_picture(240, 300, front_blue)}});
     ASSERT_TRUE(product.ok()) << to_string(product.error());
-    const auto sheet = assets::draw_label(*product, 1024);
+    const auto sheet = assets::draw_label(*product, 512);
     ASSERT_TRUE(sheet.ok()) << to_string(sheet.error());
     const assets::ProductModel model = assets::make_product_model(*product).value();
     const assets::Panel* facing = nullptr;

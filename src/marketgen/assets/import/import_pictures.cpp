@@ -11,6 +11,7 @@
 #include "assets/shapes/archetypes/registry.h"
 #include "assets/shapes/pack_shape.h"
 #include "catalog/own_faces.h"
+#include "catalog/usual_pack.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -34,7 +35,10 @@ class PictureImporter {
     MARKETGEN_CHECK(fit());
     MARKETGEN_TRY(const ProductModel model, make_pack_shape(row()));
     MARKETGEN_CHECK(annotate(annotator));
-    MARKETGEN_CHECK(name_row(asset_.file, import_.row, row().archetype, catalog_, source_place()));
+    StatedRow stated = import_.row;  // the shape says more of the material than any name
+    if (stated.material.empty())
+      stated.material = catalog::usual_material(catalog_.products, row());
+    MARKETGEN_CHECK(name_row(asset_.file, stated, row().archetype, catalog_, source_place()));
     row().label.primary = catalog::border_color(pictures_[0]);
     estimate_row(asset_.file, import_.row, marketgen::volume_of(model.mesh), catalog_);
     MARKETGEN_CHECK(check_asset(asset_.file, catalog_));

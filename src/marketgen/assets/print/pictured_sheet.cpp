@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "assets/print/color.h"
 #include "assets/print/label_sheet.h"
@@ -35,28 +36,13 @@ const SideView* view_of(PanelKind kind) {
   return found == std::end(side_views) ? nullptr : found;
 }
 
-// A triangle on the sheet: positions and normals as they follow from a place in sheet pixels.
+// A triangle on the sheet: positions as they follow from a place in sheet pixels.
 struct SheetTriangle {
   std::array<Vec2, 3> px;
   Vec3 position, position_x, position_y;  // at (0, 0), and a pixel to the right and down
-  Vec3 normal, normal_x, normal_y;
 
   Vec3 position_at(double x, double y) const { return position + position_x * x + position_y * y; }
-  Vec3 normal_at(double x, double y) const { return normal + normal_x * x + normal_y * y; }
 };
-
-struct Slopes {
-  Vec3 start, x, y;
-};
-
-// The linear function over the sheet that has `values` at the corners; `area` is twice the
-// triangle's, signed.
-Slopes slopes_of(const std::array<Vec2, 3>& px, const std::array<Vec3, 3>& values, double area) {
-  const Vec2 a = px[1] - px[0], b = px[2] - px[0];
-  const Vec3 p = values[1] - values[0], q = values[2] - values[0];
-  const Vec3 x = (p * b.y - q * a.y) / area, y = (q * a.x - p * b.x) / area;
-  return {values[0] - x * px[0].x - y * px[0].y, x, y};
-}
 
 double cross_of(Vec2 a, Vec2 b) {
   return a.x * b.y - a.y * b.x;
@@ -65,26 +51,23 @@ double cross_of(Vec2 a, Vec2 b) {
 // Nothing for a triangle that has no room on the sheet.
 std::optional<SheetTriangle> sheet_triangle(const Mesh& mesh, std::size_t t, const Image& sheet) {
   SheetTriangle triangle;
-  std::array<Vec3, 3> positions, normals;
+  std::array<Vec3, 3> positions;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t vertex = mesh.triangles[t][i];
     const Vec2f uv = mesh.uvs[vertex];
     triangle.px[i] = {static_cast<double>(uv.x) * sheet.width,
                       static_cast<double>(uv.y) * sheet.height};
     positions[i] = to_double(mesh.positions[vertex]);
-    normals[i] = to_double(mesh.normals[vertex]);
   }
   constexpr double least_px2 = 1e-9;
-  const double area = cross_of(triangle.px[1] - triangle.px[0], triangle.px[2] - triangle.px[0]);
+  const Vec2 a = triangle.px[1] - triangle.px[0], b = triangle.px[2] - triangle.px[0];
+  const double area = cross_of(a, b);  // twice, signed
   if (std::abs(area) < least_px2) return std::nullopt;
-  const Slopes position = slopes_of(triangle.px, positions, area);
-  const Slopes normal = slopes_of(triangle.px, normals, area);
-  triangle.position = position.start;
-  triangle.position_x = position.x;
-  triangle.position_y = position.y;
-  triangle.normal = normal.start;
-  triangle.normal_x = normal.x;
-  triangle.normal_y = normal.y;
+  const Vec3 p = positions[1] - positions[0], q = positions[2] - positions[0];
+  triangle.position_x = (p * b.y - q * a.y) / area;
+  triangle.position_y = (q * a.x - p * b.x) / area;
+  triangle.position = positions[0] - triangle.position_x * triangle.px[0].x -
+                      triangle.position_y * triangle.px[0].y;
   return triangle;
 }
 
@@ -183,12 +166,14 @@ class PicturedSheet {
     return nullptr;
   }
 
-  // The side that a point of a band has its colour from.
-  const SideView& faced(Vec3 normal) const {
+  // The side that a point of a band has its colour from: the one that it lies nearest to, in shares
+  // of the pack's width and depth.
+  const SideView& faced(Vec3 position) const {
     const bool four = given("left") != nullptr || given("right") != nullptr;
+    const Vec3 share{position.x / product_.width_m(), position.y / product_.depth_m(), 0};
     const SideView* best = &side_views[0];
     for (const SideView& view : std::span(side_views).first(four ? 4 : 2)) {
-      if (dot(normal, view.outward) > dot(normal, best->outward)) best = &view;
+      if (dot(share, view.outward) > dot(share, best->outward)) best = &view;
     }
     return *best;
   }
@@ -212,7 +197,7 @@ class PicturedSheet {
         const Vec2 middle{x + 0.5, y + 0.5};
         if (!covers(triangle, middle)) continue;
         const SideView& view =
-            flat != nullptr ? *flat : faced(triangle.normal_at(middle.x, middle.y));
+            flat != nullptr ? *flat : faced(triangle.position_at(middle.x, middle.y));
         if (const Image* picture = seen(view))
           put(image_.at(x, y), area_mean(*picture, footprint(triangle, middle, view, *picture)));
       }
