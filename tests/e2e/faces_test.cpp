@@ -21,7 +21,7 @@ class PhotographedPacks : public testing::Test {
     write_png_face(path("photos/front.png"), graded_picture(120, 240, front_blue));
     write_bytes(path("photos/back.jpg"),
                 io::encode_jpeg(graded_picture(120, 240, back_blue)).value());
-    write_png_face(path("photos/label.png"), graded_picture(415, 210, front_blue));
+    write_png_face(path("photos/label.png"), graded_picture(414, 190, front_blue));
   }
 
   fs::path path(const std::string& name) const { return scratch_.path() / name; }
@@ -152,6 +152,7 @@ TEST_F(PhotographedPacks, StandInStoresThatNeedNothingElse) {
     carried += file["path"].get<std::string>().starts_with("faces/") ? 1 : 0;
   EXPECT_EQ(carried, 3U);
   const auto seen = [&](const std::string& cache, const std::string& store, const std::string& as) {
+    fs::create_directory(path(as));
     out_of(cache,
            {"render",
             store,
@@ -161,9 +162,9 @@ TEST_F(PhotographedPacks, StandInStoresThatNeedNothingElse) {
             "--quality",
             "fast",
             "-o",
-            as + ".png"});
-    out_of(cache, {"export", store, "--format", "mjcf", "-o", as});
-    std::map<std::string, std::string> files{{"picture", contents_of(path(as + ".png"))}};
+            as + "/shop.png"});
+    out_of(cache, {"export", store, "--format", "mjcf", "-o", as + "/shop.xml"});
+    std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(path(as))) {
       if (entry.is_regular_file())
         files[fs::relative(entry.path(), path(as)).string()] = contents_of(entry.path());

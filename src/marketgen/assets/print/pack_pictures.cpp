@@ -94,13 +94,18 @@ Result<std::array<double, 2>> face_size_mm(const catalog::Product& product, std:
                                1e3 * static_cast<double>(panels[0].height_m)};
 }
 
-// "1.3 times as wide for its height as".
+// What it is a picture of.
+std::string shown_by(const FaceFit& fit) {
+  return fit.side == "wrap" ? "unrolled label" : fit.side;
+}
+
+// "1.3 times as wide for its height as the front of 66 x 115 mm".
 std::string stretched(const FaceFit& fit) {
   const bool wide = fit.stretch > 1;
   return fmt::format("{:.2g} times as {} as the {} of {:.0f} x {:.0f} mm",
                      wide ? fit.stretch : 1 / fit.stretch,
                      wide ? "wide for its height" : "high for its width",
-                     fit.side,
+                     shown_by(fit),
                      fit.width_mm,
                      fit.height_mm);
 }
@@ -144,7 +149,7 @@ std::vector<std::string> face_notes(const std::vector<FaceFit>& fits) {
       notes.push_back(fmt::format(
           "the picture of the {} is {}: it is stretched to fit; crop it to the pack, or "
           "correct the size",
-          fit.side,
+          shown_by(fit),
           stretched(fit)));
   }
   return notes;
