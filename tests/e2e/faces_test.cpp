@@ -1,6 +1,7 @@
 // Packs by photographs of their sides: from pictures to an asset, to a store, to pictures of it.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "small_store.h"

@@ -79,6 +79,12 @@ bool is_kept(const KeptName& name) {
   return file.ok() && holds(*file);
 }
 
+bool is_saved(const KeptName& name, const fs::path& store) {
+  const Result<fs::path> file = kept_file(name, store);
+  std::error_code failed;
+  return file.ok() && fs::is_regular_file(*file, failed);
+}
+
 Result<std::string> kept_bytes(const KeptName& name) {
   MARKETGEN_TRY(const fs::path file, kept_file(name, io::cache_folder()));
   Result<std::string> bytes = io::read_file(file, name.kind->max_bytes);

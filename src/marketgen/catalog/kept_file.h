@@ -34,8 +34,9 @@ Result<std::string> keep_bytes(const KeptKind& kind,
                                std::string_view bytes,
                                std::string_view ending);
 
-// Whether the cache has the file, whole.
+// Whether the cache has the file, whole; whether a store's folder has one of its name.
 bool is_kept(const KeptName& name);
+bool is_saved(const KeptName& name, const std::filesystem::path& store);
 
 // Errors: the kind's `fault` for a name that is none; input.not_found, with the remedy, when the
 // cache no longer has it as it was.

@@ -32,4 +32,20 @@ Result<void> restore_own_files(const std::vector<Product>& products,
   return {};
 }
 
+Result<void> save_spare_files(const std::vector<Product>& rows,
+                              const std::filesystem::path& folder) {
+  for (const KeptName& name : own_files_of(rows)) {
+    if (is_kept(name)) MARKETGEN_CHECK(save_kept(name, folder));
+  }
+  return {};
+}
+
+Result<void> restore_spare_files(const std::vector<Product>& rows,
+                                 const std::filesystem::path& folder) {
+  for (const KeptName& name : own_files_of(rows)) {
+    if (is_saved(name, folder)) MARKETGEN_CHECK(restore_kept(name, folder));
+  }
+  return {};
+}
+
 }  // namespace marketgen::catalog

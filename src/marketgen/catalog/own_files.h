@@ -17,4 +17,11 @@ Result<void> save_own_files(const std::vector<Product>& products,
 Result<void> restore_own_files(const std::vector<Product>& products,
                                const std::filesystem::path& folder);
 
+// The same for rows that nothing in the store shows yet, but an edit of it may: what is not there
+// is passed over.
+Result<void> save_spare_files(const std::vector<Product>& rows,
+                              const std::filesystem::path& folder);
+Result<void> restore_spare_files(const std::vector<Product>& rows,
+                                 const std::filesystem::path& folder);
+
 }  // namespace marketgen::catalog

@@ -61,6 +61,7 @@ Result<scene::Scene> scene_of(const fs::path& folder, const Manifest& manifest) 
                 scene::decode_scene(file.bytes(), (folder / "scene.bin").string()));
   // Files of products are called after their own digests, and are read only when those are right.
   MARKETGEN_CHECK(catalog::restore_own_files(scene.catalog, folder));
+  if (manifest.own) MARKETGEN_CHECK(catalog::restore_spare_files(*manifest.own, folder));
   return scene;
 }
 

@@ -149,6 +149,8 @@ Result<Created> save_store(io::FolderDraft& draft,
   MARKETGEN_CHECK(
       stages.run("save", [&] { return write_stages(draft.folder(), plan, scene, catalog); }));
   MARKETGEN_CHECK(catalog::save_own_files(scene.catalog, draft.folder()));
+  if (created.manifest.own)
+    MARKETGEN_CHECK(catalog::save_spare_files(*created.manifest.own, draft.folder()));
   if (previews) {
     MARKETGEN_CHECK(stages.run("previews", [&] {
       return write_previews(draft.folder(), scene, catalog, silent_progress());

@@ -169,5 +169,22 @@ TEST_F(OwnFaces, StoresCarryThem) {
   EXPECT_EQ(catalog::restore_own_files({hostile}, shop).error().code, "image.bad_file");
 }
 
+// What no item shows yet goes along where it is there.
+TEST_F(OwnFaces, StoresCarryWhatAnEditMayNeed) {
+  write_png_face(scratch_.path() / "f.png", graded_picture(120, 240, 30));
+  write_png_face(scratch_.path() / "b.png", graded_picture(120, 240, 60));
+  const catalog::Product tea = row(R"({"front": "f.png", "back": "b.png"})").value();
+  fs::remove(scratch_.path() / "cache/faces" / tea.faces->back);
+  const fs::path shop = scratch_.path() / "shop";
+  EXPECT_FALSE(catalog::save_own_files({tea}, shop).ok());
+  fs::remove_all(shop);
+  ASSERT_TRUE(catalog::save_spare_files({tea}, shop).ok());
+  EXPECT_TRUE(fs::exists(shop / "faces" / tea.faces->front));
+  fs::remove_all(scratch_.path() / "cache");
+  ASSERT_TRUE(catalog::restore_spare_files({tea}, shop).ok());
+  EXPECT_TRUE(front_of(tea).ok());
+  EXPECT_FALSE(catalog::kept_face(catalog::face_names(tea)[1]).ok());
+}
+
 }  // namespace
 }  // namespace marketgen

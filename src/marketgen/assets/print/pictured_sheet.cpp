@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "assets/print/color.h"
 #include "assets/print/label_sheet.h"
 #include "assets/print/pack_pictures.h"
+#include "assets/print/paint_color.h"
 #include "assets/shapes/pack_shape.h"
 #include "catalog/own_faces.h"
 #include "geometry/area_filter.h"
@@ -91,7 +91,7 @@ class PicturedSheet {
     MARKETGEN_TRY(std::vector<Panel> panels, panels_of(product));
     PicturedSheet sheet(product, Image(width, height), std::move(panels));
     for (std::size_t i = 0; i < sheet.image_.pixels.size(); i += 3)
-      sheet.put(&sheet.image_.pixels[i], to_rgb8(ground));
+      put(&sheet.image_.pixels[i], to_rgb8(ground));
     for (const catalog::FaceSlot& slot : catalog::face_slots) {
       const catalog::KeptName name = catalog::face_name(product, slot);
       if (name.name.empty()) continue;
