@@ -84,8 +84,8 @@ struct Contents {
                        at_most_bytes(7)));
 };
 
-// Pictures of a pack's sides that its label shows instead of a drawn one: files beside the row's own
-// while a row is read, from then on names of kept pictures (catalog/own_faces.h). Empty: none.
+// Pictures of a pack's sides that its label shows instead of a drawn one: files beside the row's
+// own while a row is read, from then on names of kept pictures (catalog/own_faces.h). Empty: none.
 struct PackFaces {
   std::string front, back, left, right, top, bottom;  // the whole pack as it is seen from there
   std::string wrap;                                   // the label of a round pack, unrolled
@@ -98,10 +98,7 @@ struct PackFaces {
             "of the side at the left hand of who looks at the front",
             at_most_bytes(400)),
       field("right", &PackFaces::right, "of the side at the right hand", at_most_bytes(400)),
-      field("top",
-            &PackFaces::top,
-            "of the top, its lower edge at the front",
-            at_most_bytes(400)),
+      field("top", &PackFaces::top, "of the top, its lower edge at the front", at_most_bytes(400)),
       field("bottom",
             &PackFaces::bottom,
             "of the bottom, its upper edge at the front",
@@ -144,7 +141,7 @@ struct Product {
   int shelf_life_days = 365;                // from delivery to the date printed on the pack
   std::string family;  // look-alikes share it: same brand, other variant or size
   LabelStyle label;
-  std::optional<Contents> contents;  // absent: nothing is seen
+  std::optional<Contents> contents;     // absent: nothing is seen
   std::optional<PackFaces> faces = {};  // absent: the label is drawn
 
   double width_m() const { return size_mm[0] * 1e-3; }
