@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include "assets/fixtures/fixture_model.h"
-#include "assets/import/import_asset.h"
-#include "assets/import/vlm_annotator.h"
 #include "assets/product_model.h"
 #include "base/parallel.h"
 #include "base/text.h"
@@ -11,11 +9,11 @@
 #include "catalog/asset_database.h"
 #include "catalog/full_name.h"
 #include "command.h"
+#include "import_asset.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/output.h"
 #include "io/png.h"
-#include "llm/language_model.h"
 #include "named_flag.h"
 #include "number_flags.h"
 #include "render/contact_sheet.h"
@@ -36,11 +34,9 @@ struct AssetFlags {
   CommonFlags common;
   catalog::AssetQuery query;
   ShownAsset shown;
-  std::string folder, model, unit = "m", up = "y";
-  double mass_kg = 0;  // 0: estimate it
-  bool coacd = true, resume = false;
-  assets::ImportOptions import;
-  std::string vlm, vlm_url, vlm_record, vlm_replay;  // without --vlm: offline
+  std::string folder;
+  bool resume = false;
+  ImportFlags import;
   std::vector<std::string> catalogs, only;
   int size_px = 400;
 };
@@ -199,84 +195,10 @@ Result<void> search_assets(const AssetFlags& flags) {
   return {};
 }
 
-template <class Value>
-Result<Value> named(const std::string& name, std::string_view flag) {
-  if (const auto value = value_named<Value>(name)) return *value;
-  const auto known = names_of(Value{});
-  return catalog::unknown_name(
-      "usage.bad_flag", std::string(flag), "value", name, {known.begin(), known.end()});
-}
-
-void print_import(const catalog::AssetFile& asset, const fs::path& folder) {
-  const catalog::Product& p = asset.product;
-  say("asset       {}  \"{}\"\n", p.sku, p.name);
-  say("taken for   {} / {}, {} ({:.0f} % sure, {})\n",
-      p.category,
-      p.subcategory,
-      p.material,
-      100 * asset.annotation.confidence,
-      asset.annotation.annotator);
-  say("size        {} x {} x {} mm, {:.3f} kg: {}\n",
-      p.size_mm[0],
-      p.size_mm[1],
-      p.size_mm[2],
-      p.mass_kg,
-      asset.estimates.mass_from);
-  say("mesh        {} triangles, {}; {} contact pieces by {}\n",
-      asset.source.triangles,
-      asset.source.watertight ? "closed" : "not closed",
-      asset.estimates.pieces,
-      asset.estimates.contact_from);
-  for (const std::string& note : asset.notes)
-    say("note        {}\n", note);
-  say("use it      marketgen generate ... --catalog {}\n", (folder / "asset.json").string());
-}
-
-// By the annotator that the flags name.
-Result<assets::ImportedAsset> imported(const AssetFlags& flags,
-                                       const assets::ImportOptions& options,
-                                       const catalog::Catalog& catalog) {
-  if (!flags.vlm.empty()) {
-    const llm::ModelChoice choice{.model = flags.vlm,
-                                  .url = flags.vlm_url,
-                                  .record = flags.vlm_record,
-                                  .replay = flags.vlm_replay};
-    MARKETGEN_TRY(llm::LanguageModel model, llm::open_language_model(choice));
-    return assets::import_asset(
-        flags.model, options, catalog, assets::vlm_annotator(catalog, std::move(model)));
-  }
-  MARKETGEN_TRY(const catalog::AssetDatabase database, catalog::AssetDatabase::open(catalog));
-  return assets::import_asset(
-      flags.model, options, catalog, assets::offline_annotator(catalog, database));
-}
-
-// Before any work: whether the folders that were named have a place.
-Result<void> probe_import(const AssetFlags& flags) {
-  io::Outputs record;
-  if (!flags.vlm_record.empty()) MARKETGEN_CHECK(record.add_folder(flags.vlm_record));
-  if (flags.folder.empty()) return {};
-  const Result<io::FolderDraft> draft = io::FolderDraft::begin(flags.folder);
-  return draft.ok() ? Result<void>{} : draft.error();
-}
-
-Result<void> import_model(const AssetFlags& flags) {
-  MARKETGEN_CHECK(probe_import(flags));
+Result<void> import_into(const AssetFlags& flags) {
+  MARKETGEN_CHECK(probe_import(flags.import));
   MARKETGEN_TRY(const catalog::Catalog catalog, load_rows(flags.catalogs));
-  assets::ImportOptions options = flags.import;
-  MARKETGEN_TRY(options.unit, named<catalog::LengthUnit>(flags.unit, "--unit"));
-  MARKETGEN_TRY(options.up, named<assets::UpAxis>(flags.up, "--up"));
-  if (flags.mass_kg > 0) options.mass_kg = flags.mass_kg;
-  options.coacd = flags.coacd;
-  MARKETGEN_TRY(const assets::ImportedAsset asset, imported(flags, options, catalog));
-  const fs::path folder =
-      flags.folder.empty() ? fs::path("assets") / asset.file.product.sku : fs::path(flags.folder);
-  MARKETGEN_CHECK(assets::write_asset(asset, folder));
-  if (flags.common.json) {
-    fmt::print("{}", io::write_json(asset.file));
-    return {};
-  }
-  print_import(asset.file, folder);
-  return {};
+  return import_one(flags.import, catalog, flags.common);
 }
 
 Result<void> save_sheet(const AssetFlags& flags, const std::string& name, const Image& sheet) {
@@ -401,44 +323,6 @@ void add_sheet(CLI::App& sub, AssetFlags& flags) {
       ->capture_default_str();
 }
 
-void add_vlm(CLI::App& sub, AssetFlags& flags) {
-  CLI::Option* model =
-      sub.add_option("--vlm",
-                     flags.vlm,
-                     "PROVIDER:MODEL that says what it is (" + llm::provider_names() +
-                         "); the key comes from the environment. Default: offline")
-          ->type_name("MODEL");
-  sub.add_option("--vlm-url", flags.vlm_url, "base URL of another server of that kind")
-      ->type_name("URL")
-      ->needs(model);
-  CLI::Option* record =
-      add_output(sub, "--vlm-record", flags.vlm_record, "folder to keep the exchange in")
-          ->needs(model);
-  sub.add_option("--vlm-replay", flags.vlm_replay, "answer from that folder; nothing is sent")
-      ->type_name("FOLDER")
-      ->needs(model)
-      ->excludes(record);
-}
-
-void add_import(CLI::App& sub, AssetFlags& flags) {
-  sub.add_option("model", flags.model, "GLB or OBJ file")->type_name("FILE")->required();
-  add_output(sub, "-o,--output", flags.folder, "new folder; default assets/<sku>");
-  sub.add_option("--unit", flags.unit, "length unit of the file")
-      ->type_name(choice_of(names_of(catalog::LengthUnit{})))
-      ->capture_default_str();
-  sub.add_option("--up", flags.up, "its axis that points up")
-      ->type_name(choice_of(names_of(assets::UpAxis{})))
-      ->capture_default_str();
-  sub.add_option("--name", flags.import.name, "what it is");
-  sub.add_option("--category", flags.import.category, "category id")->type_name("CATEGORY");
-  sub.add_option("--subcategory", flags.import.subcategory, "shelf group");
-  sub.add_option("--material", flags.import.material, "contact material")->type_name("MATERIAL");
-  sub.add_option("--mass-kg", flags.mass_kg, "gross mass; estimated otherwise")
-      ->check(real_number(1e-6, 1e4));
-  sub.add_flag("!--no-coacd", flags.coacd, "one hull as contact shape, without CoACD");
-  add_vlm(sub, flags);
-}
-
 }  // namespace
 
 Run add_assets(CLI::App& app) {
@@ -471,11 +355,12 @@ Run add_assets(CLI::App& app) {
                  draw_sheets,
                  Takes::nothing),
             *flags);
-  add_import(*add("import",
-                  "Takes a GLB or OBJ model into a library of your own",
-                  import_model,
-                  Takes::json),
-             *flags);
+  add_import_flags(
+      *add("import",
+           "Takes a GLB or OBJ model, or pictures of a pack, into a library of your own",
+           import_into,
+           Takes::json),
+      flags->import);
   add("build", "Draws every label sheet into the cache", build_all, Takes::json);
   add_heaps(*add("heaps",
                  "Settles heaps of loose goods in MuJoCo: data/heaps.json",

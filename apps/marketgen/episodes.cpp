@@ -333,7 +333,7 @@ Result<void> add_outputs(const EpisodesFlags& flags, io::Outputs& outputs) {
   return outputs.add_folder(scenes_folder(flags));
 }
 
-// Goods of a user's own have meshes, which do not travel with a scene.
+// Goods of a user's own have meshes and pictures, which do not travel with a scene.
 Result<void> check_can_freeze(const EpisodesFlags& flags,
                               const std::vector<std::shared_ptr<const store::Store>>& stores) {
   if (!flags.frozen) return {};

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "imported_soda.h"
+#include "support/face_pictures.h"
 #include "support/run_program.h"
 
 namespace marketgen {
@@ -33,6 +34,11 @@ class CacheHeals : public testing::Test {
     const Ran imported = cached(soda_import(folder()));
     ASSERT_EQ(imported.status, 0) << imported.err;
     own_ = json::parse(imported.out)["product"]["sku"];
+    write_png_face(folder() / "tea/front.png", graded_picture(60, 120, 30));
+    write_bytes(folder() / "tea/own.json",
+                R"([{"sku": "own-tea", "ean": "2999999999991", "name": "Tea",
+      "category": "dry_goods", "subcategory": "tea", "archetype": "box", "size_mm": [60, 60, 120],
+      "mass_kg": 0.1, "faces": {"front": "front.png"}}])");
     const Ran made = cached({"generate",
                              "a kiosk with snacks and cold drinks",
                              "--size",
@@ -71,6 +77,7 @@ class CacheHeals : public testing::Test {
     };
     ask("search", {"assets", "search", "something to drink", "--json"});
     ask("own mesh", {"assets", "show", own_, "--json", "--catalog", "soda/asset.json"});
+    ask("own faces", {"assets", "show", "own-tea", "--json", "--catalog", "tea/own.json"});
     ask("grasps", {"grasps", can, "--tool", "panda-hand", "--tries", "1", "--json", "--quiet"});
     ask("picture",
         {"render",
@@ -145,9 +152,9 @@ TEST_F(CacheHeals, EveryKindOfFileIsThere) {
   std::map<std::string, int> kinds;
   for (const auto& [file, content] : files_)
     ++kinds[file.parent_path().filename().string()];
-  for (const char* kind : {"assets", "grasps", "labels", "light", "meshes"})
+  for (const char* kind : {"assets", "faces", "grasps", "labels", "light", "made", "meshes"})
     EXPECT_GT(kinds[kind], 0) << kind;
-  EXPECT_EQ(kinds.size(), 5U) << "another kind of cached file belongs into this test";
+  EXPECT_EQ(kinds.size(), 7U) << "another kind of cached file belongs into this test";
   EXPECT_EQ(fresh_.said, "");
 }
 

@@ -20,7 +20,7 @@ def basket(checkout_file, tmp_path_factory):
     def with_limit(limit_s):
         header, first, _ = checkout_file.read_text().splitlines()
         file = tmp_path_factory.mktemp("tasks") / "basket.jsonl"
-        file.write_text(json.dumps({**json.loads(header), "count": 1}) + "\n" + json.dumps({**json.loads(first), "limit_s": limit_s}) + "\n")
+        file.write_text(json.dumps({**json.loads(header), "episodes": 1}) + "\n" + json.dumps({**json.loads(first), "limit_s": limit_s}) + "\n")
         return file
 
     return with_limit

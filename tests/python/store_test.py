@@ -2,12 +2,14 @@
 
 import json
 import pickle
+import shutil
 import warnings
 
 import pytest
 
 import marketgen
 from conftest import PROMPT, run
+from PIL import Image
 
 
 def test_the_program_makes_the_same_store(store, tmp_path):
@@ -71,6 +73,24 @@ def test_own_products_stand_in_the_store_or_a_warning_says_why_not(tmp_path):
         store = marketgen.generate("a kiosk with cold drinks", tmp_path / "shop", seed=2, size="8x7m", catalogs=[rows])
     assert store.query("products", "sku=own-cola")
     assert not store.query("products", "sku=own-giant")
+
+
+def test_packs_by_their_photographs_need_no_photographs_afterwards(tmp_path):
+    rows = tmp_path / "rows" / "own.csv"
+    rows.parent.mkdir()
+    Image.new("RGB", (132, 230), (200, 30, 40)).save(rows.parent / "front.jpg")
+    rows.write_text(
+        "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg,faces.front\n"
+        "own-cola,2999999999991,Lemonade,beverages,soft drinks,can,66x66x115,0.35,front.jpg\n"
+    )
+    marketgen.generate("a kiosk with cold drinks", tmp_path / "shop", seed=2, size="8x7m", catalogs=[rows])
+    shutil.rmtree(rows.parent)
+    store = marketgen.open_store(tmp_path / "shop")
+    (own,) = store.manifest["own"]
+    assert own["label"]["primary"] in ("#c81e28", "#c81e27", "#c71e28")  # JPEG rounds
+    assert (tmp_path / "shop" / "faces" / own["faces"]["front"]).is_file()
+    assert store.query("products", "sku=own-cola")
+    assert store.renderer().render(store.camera("aisle", 64, 48), quality="fast").rgb.any()
 
 
 def test_a_prompt_of_which_nothing_is_understood_is_a_warning(tmp_path):

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "geometry/mesh.h"
-#include "io/cache_entry.h"
-#include "io/file.h"
 #include "io/model_glb.h"
 
 namespace marketgen::catalog {
@@ -58,55 +55,8 @@ std::string remedy(const Sizes& sizes, const std::array<int, 3>& size_mm) {
   return "correct size_mm, or export the mesh at its true size in metres";
 }
 
-bool is_content_name(std::string_view name) {
-  constexpr std::size_t digits = 64;  // SHA-256
-  return name.size() == digits + 4 && name.ends_with(".glb") &&
-         name.substr(0, digits).find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
-Result<fs::path> kept_file(const Product& product, const fs::path& folder) {
-  if (is_content_name(product.mesh)) return folder / "meshes" / product.mesh;
-  return Error{"model.bad_file",
-               product.sku + "/mesh",
-               "is not the name of a kept mesh; load the catalogue that the product comes from"};
-}
-
-Result<void> write_into(const fs::path& file, std::string_view bytes) {
-  std::error_code failed;
-  fs::create_directories(file.parent_path(), failed);
-  if (failed) return Error{"io.cannot_write", file.parent_path().string(), failed.message()};
-  return io::write_file(file, bytes);
-}
-
-// Whether the file is there and is what its name says; one that is not is taken away.
-bool holds_mesh(const fs::path& file) {
-  std::error_code failed;
-  const fs::file_status status = fs::symlink_status(file, failed);
-  if (!fs::exists(status)) return false;
-  if (fs::is_regular_file(status)) {
-    const auto digest = io::sha256_of_file(file);
-    if (digest.ok() && *digest + ".glb" == file.filename()) return true;
-  }
-  io::drop_entry(file, "was changed");
-  return false;
-}
-
-// Copies what `from` has and `to` lacks, of the meshes that the products use.
-Result<void> copy_meshes(const std::vector<Product>& products,
-                         const fs::path& from,
-                         const fs::path& to) {
-  for (const Product& product : products) {
-    if (product.archetype != mesh_archetype) continue;
-    MARKETGEN_TRY(const fs::path source, kept_file(product, from));
-    MARKETGEN_TRY(const fs::path target, kept_file(product, to));
-    if (holds_mesh(target)) continue;
-    MARKETGEN_TRY(const std::string bytes, io::read_file(source, io::max_model_bytes));
-    if (io::sha256_hex(bytes) + ".glb" != product.mesh)
-      return Error{"model.bad_file", source.string(), "was changed after it was made; restore it"};
-    MARKETGEN_CHECK(write_into(target, bytes));
-  }
-  return {};
-}
+constexpr std::string_view mesh_endings[] = {".glb"};
+constexpr KeptKind mesh_kind{"mesh", "meshes", mesh_endings, io::max_model_bytes, "model.bad_file"};
 
 }  // namespace
 
@@ -168,32 +118,17 @@ Result<std::string> keep_mesh(const fs::path& file, const Product& product) {
   MARKETGEN_CHECK(fit_model(model, product.size_mm, file.string()));
   io::merge_pictures(model);
   MARKETGEN_TRY(const std::string bytes, io::encode_glb(model, product.sku));
-  const std::string name = io::sha256_hex(bytes) + ".glb";
-  const fs::path kept = io::cache_folder() / "meshes" / name;
-  if (!holds_mesh(kept)) MARKETGEN_CHECK(write_into(kept, bytes));
-  return name;
+  return keep_bytes(mesh_kind, bytes, mesh_endings[0]);
+}
+
+KeptName mesh_name(const Product& product) {
+  return {&mesh_kind, product.mesh, product.sku + "/mesh"};
 }
 
 Result<io::OutsideModel> kept_mesh(const Product& product) {
-  MARKETGEN_TRY(const fs::path file, kept_file(product, io::cache_folder()));
-  const Result<std::string> bytes = io::read_file(file, io::max_model_bytes);
-  const bool whole = bytes.ok() && io::sha256_hex(*bytes) + ".glb" == product.mesh;
-  if (bytes.ok() && !whole) io::drop_entry(file, "was changed");
-  if (!whole)
-    return Error{bytes.ok() ? "input.not_found" : bytes.error().code,
-                 product.sku + "/mesh",
-                 fmt::format("its mesh {} cannot be read; open its store, or load its catalogue, "
-                             "again",
-                             file.string())};
-  return io::parse_glb(*bytes, file.string());
-}
-
-Result<void> save_meshes(const std::vector<Product>& products, const fs::path& folder) {
-  return copy_meshes(products, io::cache_folder(), folder);
-}
-
-Result<void> restore_meshes(const std::vector<Product>& products, const fs::path& folder) {
-  return copy_meshes(products, folder, io::cache_folder());
+  const KeptName name = mesh_name(product);
+  MARKETGEN_TRY(const std::string bytes, kept_bytes(name));
+  return io::parse_glb(bytes, name.where);
 }
 
 }  // namespace marketgen::catalog

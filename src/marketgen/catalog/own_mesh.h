@@ -1,16 +1,15 @@
 // Meshes of products that are no archetype: a user's GLB or OBJ file beside his catalogue.
 //
 // A catalogue names a file in its own folder. When it is loaded the file is read, brought into the
-// product's frame and size and kept under $MARKETGEN_CACHE/meshes by its content; from then on
-// Product::mesh is "<sha256>.glb", so that scenes depend on what the mesh is and not on where it
-// lay. A store folder holds copies of the meshes that it uses.
+// product's frame and size and kept by its content (catalog/kept_file.h); from then on
+// Product::mesh is "<sha256>.glb".
 #pragma once
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/result.h"
+#include "catalog/kept_file.h"
 #include "catalog/product.h"
 #include "io/model_file.h"
 
@@ -39,14 +38,11 @@ Result<void> fit_model(io::OutsideModel& model,
 // io.*.
 Result<std::string> keep_mesh(const std::filesystem::path& file, const Product& product);
 
-// The kept mesh of a product of archetype mesh, in glTF's frame. Errors: model.bad_file for a name
-// that is none; input.not_found when the cache no longer has it; model.*.
-Result<io::OutsideModel> kept_mesh(const Product& product);
+// The mesh that a product of archetype mesh names.
+KeptName mesh_name(const Product& product);
 
-// Copies the meshes of `products` from the cache to `folder`/meshes, and those that the cache lacks
-// back from there. Without meshes neither does anything.
-Result<void> save_meshes(const std::vector<Product>& products, const std::filesystem::path& folder);
-Result<void> restore_meshes(const std::vector<Product>& products,
-                            const std::filesystem::path& folder);
+// The kept mesh of a product of archetype mesh, in glTF's frame. Errors: those of kept_bytes(),
+// model.*.
+Result<io::OutsideModel> kept_mesh(const Product& product);
 
 }  // namespace marketgen::catalog

@@ -84,6 +84,31 @@ struct Contents {
                        at_most_bytes(7)));
 };
 
+// Pictures of a pack's sides that its label shows instead of a drawn one: files beside the row's
+// own while a row is read, from then on names of kept pictures (catalog/own_faces.h). Empty: none.
+struct PackFaces {
+  std::string front, back, left, right, top, bottom;  // the whole pack as it is seen from there
+  std::string wrap;                                   // the label of a round pack, unrolled
+
+  static constexpr auto fields = field_list(
+      field("front", &PackFaces::front, "PNG or JPEG of the front", at_most_bytes(400)),
+      field("back", &PackFaces::back, "of the back", at_most_bytes(400)),
+      field("left",
+            &PackFaces::left,
+            "of the side at the left hand of who looks at the front",
+            at_most_bytes(400)),
+      field("right", &PackFaces::right, "of the side at the right hand", at_most_bytes(400)),
+      field("top", &PackFaces::top, "of the top, its lower edge at the front", at_most_bytes(400)),
+      field("bottom",
+            &PackFaces::bottom,
+            "of the bottom, its upper edge at the front",
+            at_most_bytes(400)),
+      field("wrap",
+            &PackFaces::wrap,
+            "the unrolled label of a can, bottle or jar, the front in its middle",
+            at_most_bytes(400)));
+};
+
 struct Product {
   std::string sku;      // "beverages-cola-can-330"
   std::string ean;      // EAN-13 from a GS1 restricted-circulation prefix; empty for loose produce
@@ -116,7 +141,8 @@ struct Product {
   int shelf_life_days = 365;                // from delivery to the date printed on the pack
   std::string family;  // look-alikes share it: same brand, other variant or size
   LabelStyle label;
-  std::optional<Contents> contents;  // absent: nothing is seen
+  std::optional<Contents> contents;     // absent: nothing is seen
+  std::optional<PackFaces> faces = {};  // absent: the label is drawn
 
   double width_m() const { return size_mm[0] * 1e-3; }
   double depth_m() const { return size_mm[1] * 1e-3; }
@@ -175,7 +201,10 @@ struct Product {
             &Product::country,
             "country whose money the price is in and whose units the tag has: eu, us, gb, cn, jp, "
             "ch, se, pl, ca or au; absent: eu",
-            reference()));
+            reference()),
+      field("faces",
+            &Product::faces,
+            "pictures of the pack's sides, relative to this file; absent: the label is drawn"));
 };
 
 }  // namespace marketgen::catalog

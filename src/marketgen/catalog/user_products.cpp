@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "catalog/asset_file.h"
 #include "catalog/catalog.h"
+#include "catalog/own_faces.h"
 #include "catalog/own_mesh.h"
 #include "catalog/usual_pack.h"
 #include "io/csv.h"
@@ -46,15 +47,24 @@ const FieldInfo* field_called(const TypeInfo& type, std::string_view name) {
   return nullptr;
 }
 
+// The type of the fields within this one: of "label", and of "contents", which may be absent. Null
+// when it has none.
+const TypeInfo* object_in(const FieldInfo& field) {
+  const TypeInfo& type = field.type();
+  const TypeInfo& held = type.kind == TypeKind::optional ? type.element() : type;
+  return held.kind == TypeKind::object ? &held : nullptr;
+}
+
 // Names that a column may have, as "label.primary".
 std::vector<std::string> column_names() {
   std::vector<std::string> names;
   for (const FieldInfo& field : type_of<Product>().fields) {
-    if (field.type().kind != TypeKind::object) {
+    const TypeInfo* object = object_in(field);
+    if (object == nullptr) {
       names.emplace_back(field.name);
       continue;
     }
-    for (const FieldInfo& inner : field.type().fields)
+    for (const FieldInfo& inner : object->fields)
       names.push_back(std::string(field.name) + "." + std::string(inner.name));
   }
   return names;
@@ -67,11 +77,11 @@ Result<Column> column_called(const std::string& heading, const std::string& wher
   if (dot != std::string::npos) {
     column.parent = heading.substr(0, dot);
     const FieldInfo* parent = field_called(*type, column.parent);
-    type = parent != nullptr && parent->type().kind == TypeKind::object ? &parent->type() : nullptr;
+    type = parent == nullptr ? nullptr : object_in(*parent);
   }
   column.name = dot == std::string::npos ? heading : heading.substr(dot + 1);
   const FieldInfo* field = type == nullptr ? nullptr : field_called(*type, column.name);
-  if (field == nullptr || field->type().kind == TypeKind::object) {
+  if (field == nullptr || object_in(*field) != nullptr) {
     const std::vector<std::string> names = column_names();
     Error error =
         unknown_name("json.unknown_field", where, "column", heading, {names.begin(), names.end()});
@@ -91,6 +101,7 @@ bool is_number(std::string_view text) {
 Result<std::string> json_value(const TypeInfo& type,
                                const std::string& text,
                                const std::string& where) {
+  if (type.kind == TypeKind::optional) return json_value(type.element(), text, where);
   if (type.kind == TypeKind::string || type.kind == TypeKind::enumeration)
     return io::write_json_line(text);
   if (type.kind == TypeKind::array) {
@@ -193,8 +204,10 @@ Result<std::vector<Product>> read_user_products(const fs::path& file) {
   const bool csv = lower_ascii(file.extension().string()) == ".csv";
   MARKETGEN_TRY(std::vector<Product> products,
                 csv ? products_of_csv(text, source) : products_of_json(text, source));
-  for (Product& product : products)
+  for (Product& product : products) {
     MARKETGEN_CHECK(keep_own_mesh(product, file.parent_path(), source));
+    MARKETGEN_CHECK(keep_faces(product, file.parent_path(), source + ":" + product.sku));
+  }
   return products;
 }
 

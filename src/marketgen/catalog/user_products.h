@@ -2,7 +2,8 @@
 //
 // JSON: an array of rows (market-product-1), or one market-asset/1 document as `assets import`
 // writes it. CSV: the first line names fields of the row, "label.primary" for a field within the
-// label; size_mm is written "66x66x115" and keywords "cola; soft drink".
+// label, "faces.front" and "contents.color" likewise; size_mm is written "66x66x115" and keywords
+// "cola; soft drink".
 #pragma once
 #include <filesystem>
 #include <vector>
@@ -14,9 +15,10 @@
 
 namespace marketgen::catalog {
 
-// By the file's ending, .json or .csv. Meshes that rows name are kept (catalog/own_mesh.h). A row
+// By the file's ending, .json or .csv. Meshes and pictures that rows name are kept
+// (catalog/own_mesh.h, catalog/own_faces.h). A row
 // that does not name its contact material, or its friction, has none: fill_in() gives it one.
-// Errors: json.*, csv.*, input.*, model.*, catalog.bad_row.
+// Errors: json.*, csv.*, input.*, model.*, image.*, catalog.bad_row.
 Result<std::vector<Product>> read_user_products(const std::filesystem::path& file);
 
 // The contact material that packs of the row's shape among `rows` usually have, and the friction of

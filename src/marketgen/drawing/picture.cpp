@@ -2,43 +2,8 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
-#include <utility>
-
-#include "io/exif.h"
-#include "io/jpeg.h"
-#include "io/png.h"
 
 namespace marketgen::drawing {
-
-namespace {
-
-// The picture as it was seen, from one that the camera wrote down with that orientation
-// (io/exif.h).
-Image upright(Image image, int orientation) {
-  if (orientation == 1) return image;
-  const bool turned = orientation >= 5;
-  Image seen(
-      turned ? image.height : image.width, turned ? image.width : image.height, image.channels);
-  for (int y = 0; y < seen.height; ++y) {
-    for (int x = 0; x < seen.width; ++x) {
-      int from_x = turned ? y : x, from_y = turned ? x : y;
-      if (orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8)
-        from_x = image.width - 1 - from_x;
-      if (orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7)
-        from_y = image.height - 1 - from_y;
-      std::copy_n(image.at(from_x, from_y), image.channels, seen.at(x, y));
-    }
-  }
-  return seen;
-}
-
-}  // namespace
-
-Result<Image> decoded_picture(std::string_view bytes, const std::string& where) {
-  if (bytes.starts_with("\x89PNG")) return io::decode_png(bytes, where);
-  MARKETGEN_TRY(Image image, io::decode_jpeg(bytes, where));
-  return upright(std::move(image), io::jpeg_orientation(bytes));
-}
 
 cv::Mat bgr_of(const Image& image) {
   cv::Mat bgr(image.height, image.width, CV_8UC3);

@@ -2,17 +2,10 @@
 #pragma once
 #include <array>
 #include <opencv2/core.hpp>
-#include <string>
-#include <string_view>
 
-#include "base/result.h"
 #include "geometry/image.h"
 
 namespace marketgen::drawing {
-
-// A PNG, or else a JPEG, which is turned as the camera was held. Errors: of io::decode_png and
-// io::decode_jpeg.
-Result<Image> decoded_picture(std::string_view bytes, const std::string& where);
 
 // CV_8UC3 of a picture with any channels; what is see-through is white.
 cv::Mat bgr_of(const Image& image);

@@ -10,6 +10,7 @@
 #include "drawing/polygons.h"
 #include "drawing/sketch.h"
 #include "geometry/image.h"
+#include "io/picture_file.h"
 
 namespace marketgen::drawing {
 namespace {
@@ -223,7 +224,7 @@ Sketch sketch_of(const Image& image) {
 }  // namespace
 
 Result<Sketch> read_picture(std::string_view bytes, const std::string& where) {
-  MARKETGEN_TRY(const Image image, decoded_picture(bytes, where));
+  MARKETGEN_TRY(const Image image, io::decoded_picture(bytes, where));
   constexpr int min_px = 60;
   if (std::min(image.width, image.height) < min_px)
     return Error{"drawing.bad_file",

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drawing/picture.h"
+#include "io/picture_file.h"
 #include "io/png.h"
 
 namespace marketgen::drawing {
@@ -10,7 +11,7 @@ namespace marketgen::drawing {
 Result<ShrunkPng> shrunk_png(std::string_view bytes,
                              const std::string& where,
                              int longest_side_px) {
-  MARKETGEN_TRY(const Image picture, decoded_picture(bytes, where));
+  MARKETGEN_TRY(const Image picture, io::decoded_picture(bytes, where));
   cv::Mat bgr = bgr_of(picture);
   shrink(bgr, longest_side_px);
   Image shrunk(bgr.cols, bgr.rows, 3);

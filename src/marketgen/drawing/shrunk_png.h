@@ -13,7 +13,7 @@ struct ShrunkPng {
 };
 
 // Of a PNG or JPEG: as it was seen, on white, its longer side no longer than that; nothing else of
-// the file goes along (camera, place, date). Errors: those of decoded_picture.
+// the file goes along (camera, place, date). Errors: those of io::decoded_picture().
 Result<ShrunkPng> shrunk_png(std::string_view bytes, const std::string& where, int longest_side_px);
 
 }  // namespace marketgen::drawing

@@ -8,6 +8,7 @@
 #include "drawing/picture.h"
 #include "drawing/zone_chart.h"
 #include "geometry/image.h"
+#include "io/picture_file.h"
 
 namespace marketgen::drawing {
 namespace {
@@ -314,7 +315,7 @@ Result<ZonePicture> zone_picture(std::string_view bytes, const std::string& wher
     return Error{"drawing.bad_file",
                  where,
                  "this is no PNG or JPEG; save the drawing of zones as one of these"};
-  MARKETGEN_TRY(const Image image, decoded_picture(bytes, where));
+  MARKETGEN_TRY(const Image image, io::decoded_picture(bytes, where));
   constexpr int min_px = 120;
   if (std::min(image.width, image.height) < min_px)
     return Error{"drawing.bad_file",

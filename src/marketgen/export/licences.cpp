@@ -12,7 +12,7 @@ BesideFile licences_file(const scene::Scene& scene) {
   std::set<std::string> imported;
   for (const scene::SceneProduct& item : scene.products) {
     const catalog::Product& product = scene.catalog[item.sku];
-    if (product.archetype == "mesh") imported.insert(product.sku);
+    if (product.archetype == "mesh" || product.faces) imported.insert(product.sku);
   }
   std::string text = fmt::format(
       "# Licences\n\nThe meshes, pictures and layers of this store were made by MarketGen {}, from "
@@ -20,9 +20,8 @@ BesideFile licences_file(const scene::Scene& scene) {
       program_version);
   if (imported.empty()) return {"LICENCES.md", std::move(text)};
   text +=
-      "\nThese products show models that were imported; each is under the licence of its own "
-      "model, "
-      "which\nMarketGen does not know:\n\n";
+      "\nThese products show models or pictures that were imported; each is under the licence of "
+      "its own, which\nMarketGen does not know:\n\n";
   for (const std::string& sku : imported)
     text += fmt::format("- `{}`\n", sku);
   return {"LICENCES.md", std::move(text)};

@@ -32,5 +32,10 @@ struct Image {
   bool empty() const { return pixels.empty(); }
 };
 
+struct PictureSize {
+  int width = 0, height = 0;  // pixels
+  friend constexpr bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
 }  // namespace geometry
 }  // namespace marketgen

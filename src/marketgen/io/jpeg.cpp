@@ -29,39 +29,54 @@ void refuse_warnings(j_common_ptr jpeg, int level) {
   if (level < 0) leave(jpeg);
 }
 
-enum class Decoded { picture, damaged, too_large };
+void begin_jpeg(jpeg_decompress_struct& jpeg, std::string_view bytes) {
+  jpeg_create_decompress(&jpeg);
+  jpeg_mem_src(&jpeg,
+               reinterpret_cast<const unsigned char*>(bytes.data()),
+               static_cast<unsigned long>(bytes.size()));
+  jpeg_read_header(&jpeg, TRUE);
+}
 
-// libjpeg leaves by longjmp on errors: nothing with a destructor may live in this function.
-Decoded decode(std::string_view bytes, Fault& fault, Image& image) {
+// libjpeg leaves by longjmp on errors: nothing with a destructor may live in the next functions.
+// False: damaged.
+bool read_head(std::string_view bytes, Fault& fault, PictureSize& size) {
   jpeg_decompress_struct jpeg{};
   jpeg.err = jpeg_std_error(&fault.manager);
   fault.manager.error_exit = leave;
   fault.manager.emit_message = refuse_warnings;
   if (setjmp(fault.back) != 0) {
     jpeg_destroy_decompress(&jpeg);
-    return Decoded::damaged;
+    return false;
   }
-  jpeg_create_decompress(&jpeg);
-  jpeg_mem_src(&jpeg,
-               reinterpret_cast<const unsigned char*>(bytes.data()),
-               static_cast<unsigned long>(bytes.size()));
-  jpeg_read_header(&jpeg, TRUE);
-  image.width = static_cast<int>(jpeg.image_width);
-  image.height = static_cast<int>(jpeg.image_height);
-  if (std::uint64_t{jpeg.image_width} * jpeg.image_height > max_pixels) {
+  begin_jpeg(jpeg, bytes);
+  size = {static_cast<int>(jpeg.image_width), static_cast<int>(jpeg.image_height)};
+  jpeg_destroy_decompress(&jpeg);
+  return true;
+}
+
+bool decode(std::string_view bytes, Fault& fault, Image& image) {
+  jpeg_decompress_struct jpeg{};
+  jpeg.err = jpeg_std_error(&fault.manager);
+  fault.manager.error_exit = leave;
+  fault.manager.emit_message = refuse_warnings;
+  if (setjmp(fault.back) != 0) {
     jpeg_destroy_decompress(&jpeg);
-    return Decoded::too_large;
+    return false;
   }
+  begin_jpeg(jpeg, bytes);
   jpeg.out_color_space = JCS_RGB;
   jpeg_start_decompress(&jpeg);
-  image.pixels.resize(std::size_t{3} * jpeg.output_width * jpeg.output_height);
   while (jpeg.output_scanline < jpeg.output_height) {
     JSAMPROW row = image.at(0, static_cast<int>(jpeg.output_scanline));
     jpeg_read_scanlines(&jpeg, &row, 1);
   }
   jpeg_finish_decompress(&jpeg);
   jpeg_destroy_decompress(&jpeg);
-  return Decoded::picture;
+  return true;
+}
+
+Error damaged_jpeg(const std::string& where, const Fault& fault) {
+  return {"image.bad_file", where, fmt::format("is not a readable JPEG file ({})", fault.message)};
 }
 
 // Of 100; above it files grow and pictures look the same.
@@ -116,23 +131,23 @@ Result<std::string> encode_jpeg(const Image& image, JpegUse use) {
                fmt::format("cannot be written as JPEG ({})", fault.message)};
 }
 
-Result<Image> decode_jpeg(std::string_view bytes, const std::string& where) {
+Result<PictureSize> jpeg_size(std::string_view bytes, const std::string& where) {
   Fault fault;
-  Image image;
-  switch (decode(bytes, fault, image)) {
-    case Decoded::picture:
-      return image;
-    case Decoded::too_large:
-      return Error{
-          "input.too_large",
-          where,
-          fmt::format(
-              "has {} x {} pixels; at most 64 megapixels are read", image.width, image.height)};
-    case Decoded::damaged:
-      break;
-  }
+  PictureSize size;
+  if (!read_head(bytes, fault, size)) return damaged_jpeg(where, fault);
+  if (std::uint64_t(size.width) * std::uint64_t(size.height) <= max_pixels) return size;
   return Error{
-      "image.bad_file", where, fmt::format("is not a readable JPEG file ({})", fault.message)};
+      "input.too_large",
+      where,
+      fmt::format("has {} x {} pixels; at most 64 megapixels are read", size.width, size.height)};
+}
+
+Result<Image> decode_jpeg(std::string_view bytes, const std::string& where) {
+  MARKETGEN_TRY(const PictureSize size, jpeg_size(bytes, where));
+  Fault fault;
+  Image image(size.width, size.height);
+  if (!decode(bytes, fault, image)) return damaged_jpeg(where, fault);
+  return image;
 }
 
 }  // namespace marketgen::io

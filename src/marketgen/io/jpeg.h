@@ -12,6 +12,9 @@ namespace marketgen::io {
 // input.too_large (more than 64 megapixels).
 Result<Image> decode_jpeg(std::string_view bytes, const std::string& where);
 
+// What its head says, however the camera was held. Errors: as decode_jpeg.
+Result<PictureSize> jpeg_size(std::string_view bytes, const std::string& where);
+
 enum class JpegUse {
   picture,  // a person sees no loss
   texture   // half the bytes: sharp, colours at half the resolution

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.h"
+#include "io/exif.h"
 #include "io/file.h"
 #include "io/jpeg.h"
 #include "io/png.h"
@@ -16,6 +17,28 @@ namespace {
 std::string ending_of(const std::filesystem::path& path) {
   return lower_ascii(path.extension().string());
 }
+
+// The picture as it was seen, from one that the camera wrote down with that orientation
+// (io/exif.h).
+Image upright(Image image, int orientation) {
+  if (orientation == 1) return image;
+  const bool turned = orientation >= 5;
+  Image seen(
+      turned ? image.height : image.width, turned ? image.width : image.height, image.channels);
+  for (int y = 0; y < seen.height; ++y) {
+    for (int x = 0; x < seen.width; ++x) {
+      int from_x = turned ? y : x, from_y = turned ? x : y;
+      if (orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8)
+        from_x = image.width - 1 - from_x;
+      if (orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7)
+        from_y = image.height - 1 - from_y;
+      std::copy_n(image.at(from_x, from_y), image.channels, seen.at(x, y));
+    }
+  }
+  return seen;
+}
+
+constexpr std::string_view png_start = "\x89PNG";
 
 }  // namespace
 
@@ -42,6 +65,16 @@ Result<void> write_picture(const std::filesystem::path& path, const Image& image
   if (ending != ".jpg" && ending != ".jpeg") return write_png(path, image);
   MARKETGEN_TRY(const std::string bytes, encode_jpeg(image));
   return write_file(path, bytes);
+}
+
+Result<Image> decoded_picture(std::string_view bytes, const std::string& where) {
+  if (bytes.starts_with(png_start)) return decode_png(bytes, where);
+  MARKETGEN_TRY(Image image, decode_jpeg(bytes, where));
+  return upright(std::move(image), jpeg_orientation(bytes));
+}
+
+Result<PictureSize> picture_size(std::string_view bytes, const std::string& where) {
+  return bytes.starts_with(png_start) ? png_size(bytes, where) : jpeg_size(bytes, where);
 }
 
 }  // namespace marketgen::io

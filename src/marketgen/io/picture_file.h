@@ -22,4 +22,11 @@ Result<void> check_ending(const std::filesystem::path& path,
 // The same for what write_picture() can write.
 Result<void> check_picture_ending(const std::filesystem::path& path, const std::string& where);
 
+// A PNG, or else a JPEG, which is turned as the camera was held. Errors: of decode_png() and
+// decode_jpeg().
+Result<Image> decoded_picture(std::string_view bytes, const std::string& where);
+
+// The pixels of such a file as it has them, not turned; only its head is read. Errors: as above.
+Result<PictureSize> picture_size(std::string_view bytes, const std::string& where);
+
 }  // namespace marketgen::io

@@ -104,6 +104,21 @@ Png16Fault decode16(PngBytes* from, Png16* into) {
   return is_grey16 ? Png16Fault::none : Png16Fault::other_kind;
 }
 
+// Reads the head; whoever goes on frees `png`.
+Result<void> begin_png(png_image& png, std::string_view bytes, const std::string& where) {
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
+    return Error{
+        "image.bad_file", where, fmt::format("is not a readable PNG file ({})", png.message)};
+  }
+  if (std::uint64_t{png.width} * png.height <= max_png_pixels) return {};
+  png_image_free(&png);
+  return Error{
+      "input.too_large",
+      where,
+      fmt::format("has {} x {} pixels; at most 64 megapixels are read", png.width, png.height)};
+}
+
 }  // namespace
 
 Result<std::string> encode_png(const Image& image) {
@@ -151,20 +166,17 @@ Result<void> write_png16(const std::filesystem::path& path,
   return write_file(path, bytes);
 }
 
+Result<PictureSize> png_size(std::string_view bytes, const std::string& where) {
+  png_image png{};
+  MARKETGEN_CHECK(begin_png(png, bytes, where));
+  const PictureSize size{static_cast<int>(png.width), static_cast<int>(png.height)};
+  png_image_free(&png);
+  return size;
+}
+
 Result<Image> decode_png(std::string_view bytes, const std::string& where) {
   png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
-    return Error{
-        "image.bad_file", where, fmt::format("is not a readable PNG file ({})", png.message)};
-  }
-  if (std::uint64_t{png.width} * png.height > max_png_pixels) {
-    png_image_free(&png);
-    return Error{
-        "input.too_large",
-        where,
-        fmt::format("has {} x {} pixels; at most 64 megapixels are read", png.width, png.height)};
-  }
+  MARKETGEN_CHECK(begin_png(png, bytes, where));
   const bool alpha = (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   png.format = alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
   Image image(static_cast<int>(png.width), static_cast<int>(png.height), alpha ? 4 : 3);

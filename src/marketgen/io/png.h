@@ -27,6 +27,8 @@ struct Png16 {
 };
 // Of one 16-bit grey value a pixel. Errors: as decode_png; image.bad_file for another kind of PNG.
 Result<Png16> decode_png16(std::string_view bytes, const std::string& where);
+// What its head says. Errors: as decode_png.
+Result<PictureSize> png_size(std::string_view bytes, const std::string& where);
 // As decode_png; also input.not_found.
 Result<Image> read_png(const std::filesystem::path& path);
 

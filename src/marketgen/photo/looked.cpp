@@ -8,6 +8,7 @@
 #include "drawing/picture.h"
 #include "geometry/image.h"
 #include "io/file.h"
+#include "io/picture_file.h"
 
 namespace marketgen::photo {
 namespace {
@@ -24,7 +25,7 @@ void resize_to_bank(cv::Mat& picture) {
 }  // namespace
 
 Result<Looked> looked_at(std::string_view bytes, const std::string& where) {
-  MARKETGEN_TRY(const Image image, drawing::decoded_picture(bytes, where));
+  MARKETGEN_TRY(const Image image, io::decoded_picture(bytes, where));
   if (std::min(image.width, image.height) < min_side_px) {
     return Error{"image.too_small",
                  where,

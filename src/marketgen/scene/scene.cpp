@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.h"
+#include "catalog/own_faces.h"
 #include "scene/placements.h"
 
 namespace marketgen::scene {
@@ -146,6 +147,8 @@ std::string look_hash(const Scene& scene) {
         .add(p.label.motif)
         .add(p.brand)
         .add(p.name);
+    for (const catalog::KeptName& face : catalog::face_names(p))
+      hash.add(face.where).add(face.name);
     if (!p.contents) continue;
     hash.add(p.contents->color)
         .add(static_cast<std::int64_t>(p.contents->opacity))

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "catalog/own_mesh.h"
+#include "catalog/own_files.h"
 #include "io/file.h"
 #include "io/flatbuffer.h"
 #include "scene/placements.h"
@@ -158,7 +158,7 @@ Result<Scene> decode_scene(std::span<const std::byte> bytes, const std::string& 
 Result<Scene> open_scene(const std::filesystem::path& file) {
   MARKETGEN_TRY(const io::MappedFile mapped, io::MappedFile::open(file));
   MARKETGEN_TRY(Scene scene, decode_scene(mapped.bytes(), file.string()));
-  MARKETGEN_CHECK(catalog::restore_meshes(scene.catalog, file.parent_path()));
+  MARKETGEN_CHECK(catalog::restore_own_files(scene.catalog, file.parent_path()));
   return scene;
 }
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "catalog/own_mesh.h"
+#include "catalog/own_files.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "physics/settle/settle.h"
@@ -59,8 +59,9 @@ Result<scene::Scene> scene_of(const fs::path& folder, const Manifest& manifest) 
   MARKETGEN_TRY(const io::MappedFile file, open_unchanged(folder, manifest, "scene.bin"));
   MARKETGEN_TRY(scene::Scene scene,
                 scene::decode_scene(file.bytes(), (folder / "scene.bin").string()));
-  // Meshes are called after their own digests, and are read only when those are right.
-  MARKETGEN_CHECK(catalog::restore_meshes(scene.catalog, folder));
+  // Files of products are called after their own digests, and are read only when those are right.
+  MARKETGEN_CHECK(catalog::restore_own_files(scene.catalog, folder));
+  if (manifest.own) MARKETGEN_CHECK(catalog::restore_spare_files(*manifest.own, folder));
   return scene;
 }
 

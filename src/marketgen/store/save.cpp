@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/build_info.h"
-#include "catalog/own_mesh.h"
+#include "catalog/own_files.h"
 #include "io/field_check.h"
 #include "io/json.h"
 #include "io/png.h"
@@ -148,7 +148,9 @@ Result<Created> save_store(io::FolderDraft& draft,
                            Stages& stages) {
   MARKETGEN_CHECK(
       stages.run("save", [&] { return write_stages(draft.folder(), plan, scene, catalog); }));
-  MARKETGEN_CHECK(catalog::save_meshes(scene.catalog, draft.folder()));
+  MARKETGEN_CHECK(catalog::save_own_files(scene.catalog, draft.folder()));
+  if (created.manifest.own)
+    MARKETGEN_CHECK(catalog::save_spare_files(*created.manifest.own, draft.folder()));
   if (previews) {
     MARKETGEN_CHECK(stages.run("previews", [&] {
       return write_previews(draft.folder(), scene, catalog, silent_progress());

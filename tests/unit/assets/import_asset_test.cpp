@@ -130,7 +130,7 @@ TEST_F(Import, MeasuresNamesAndPixelsBecomeAnAsset) {
 TEST_F(Import, AMassThatNoRowMayHave) {
   for (const double mass_kg : {1e308, 50.001, 1e-7, 0.0, -1.0}) {
     assets::ImportOptions options;
-    options.mass_kg = mass_kg;
+    options.row.mass_kg = mass_kg;
     const auto asset = import("box.glb", painted_box(), options);
     ASSERT_FALSE(asset.ok()) << mass_kg;
     EXPECT_EQ(asset.error().code, "usage.bad_flag");
@@ -138,12 +138,12 @@ TEST_F(Import, AMassThatNoRowMayHave) {
     EXPECT_NE(asset.error().message.find("0.001 to 50 kg"), std::string::npos);
   }
   assets::ImportOptions options;
-  options.mass_kg = 40;  // 0.7 litres
+  options.row.mass_kg = 40;  // 0.7 litres
   const auto heavy = import("box.glb", painted_box(), options);
   ASSERT_FALSE(heavy.ok());
   EXPECT_EQ(heavy.error().code, "catalog.bad_row");
   EXPECT_NE(heavy.error().message.find("is plausible"), std::string::npos);
-  options.mass_kg = 0.5;
+  options.row.mass_kg = 0.5;
   EXPECT_TRUE(import("box.glb", painted_box(), options).ok());
 }
 
@@ -180,8 +180,8 @@ TEST_F(Import, FrontIsTheSideThatFacesPlusZ) {  // glTF: +Z to the viewer; ours:
          "v 0.05 0.1 0.05\nf 1 2 3 4\nf 3 6 5 4\nf 1 5 6 2\nf 1 4 5\nf 2 6 3\n";
   const auto asset = import("wedge.obj", contents_of(scratch_.path() / "wedge.obj"), [] {
     assets::ImportOptions options;
-    options.category = "bakery";
-    options.mass_kg = 0.4;
+    options.row.category = "bakery";
+    options.row.mass_kg = 0.4;
     return options;
   }());
   ASSERT_TRUE(asset.ok()) << to_string(asset.error());
@@ -235,7 +235,7 @@ TEST_F(Import, NamesThatSayNothingNeedACategory) {
   EXPECT_EQ(asset.error().code, "catalog.unknown_kind");
   EXPECT_NE(asset.error().message.find("--category"), std::string::npos);
   assets::ImportOptions options;
-  options.category = "snaks";
+  options.row.category = "snaks";
   EXPECT_NE(import("x.glb", box_glb(0.1F, 0.1F, 0.1F), options).error().message.find("\"snacks\""),
             std::string::npos);
 }

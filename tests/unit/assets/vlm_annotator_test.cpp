@@ -156,7 +156,7 @@ TEST(VlmAnnotator, AnImportTakesItsWord) {
   const MockServer server(json::array({says(verdict().dump())}));
   assets::ImportOptions options;
   options.coacd = false;
-  options.name = "My soup";
+  options.row.name = "My soup";
   const auto asset =
       assets::import_asset(file,
                            options,

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "catalog/catalog.h"
+#include "catalog/own_files.h"
 #include "catalog/own_mesh.h"
 #include "support/glb_bytes.h"
 #include "support/run_program.h"
@@ -142,7 +143,7 @@ TEST_F(UserProducts, AChangedMeshIsPutRight) {
   const catalog::Product tea = read("own.json", mesh_row("tea.glb"))->at(0);
   const std::filesystem::path kept = scratch_.path() / "cache" / "meshes" / tea.mesh;
   const std::string whole = contents_of(kept);
-  ASSERT_TRUE(catalog::save_meshes({tea}, scratch_.path() / "shop").ok());
+  ASSERT_TRUE(catalog::save_own_files({tea}, scratch_.path() / "shop").ok());
   for (const std::string& damaged : {whole.substr(0, 100), std::string(), whole + "x"}) {
     std::ofstream(kept, std::ios::binary) << damaged;
     EXPECT_EQ(catalog::kept_mesh(tea).error().code, "input.not_found") << "it is not used";
@@ -150,7 +151,7 @@ TEST_F(UserProducts, AChangedMeshIsPutRight) {
     ASSERT_TRUE(read("own.json", mesh_row("tea.glb")).ok());
     EXPECT_EQ(contents_of(kept), whole);
     std::ofstream(kept, std::ios::binary) << damaged;
-    ASSERT_TRUE(catalog::restore_meshes({tea}, scratch_.path() / "shop").ok());
+    ASSERT_TRUE(catalog::restore_own_files({tea}, scratch_.path() / "shop").ok());
     EXPECT_EQ(contents_of(kept), whole);
     EXPECT_TRUE(catalog::kept_mesh(tea).ok());
   }
@@ -188,20 +189,20 @@ TEST_F(UserProducts, StoreFoldersCarryTheirMeshes) {
   write("tea.glb", box_glb(0.08F, 0.15F, 0.06F));
   const auto products = read("own.json", mesh_row("tea.glb"));
   ASSERT_TRUE(products.ok());
-  ASSERT_TRUE(catalog::save_meshes(*products, scratch_.path() / "store").ok());
+  ASSERT_TRUE(catalog::save_own_files(*products, scratch_.path() / "store").ok());
   fs::remove_all(scratch_.path() / "cache");
   EXPECT_EQ(catalog::kept_mesh(products->at(0)).error().code, "input.not_found");
-  ASSERT_TRUE(catalog::restore_meshes(*products, scratch_.path() / "store").ok());
+  ASSERT_TRUE(catalog::restore_own_files(*products, scratch_.path() / "store").ok());
   EXPECT_TRUE(catalog::kept_mesh(products->at(0)).ok());
 
   fs::remove_all(scratch_.path() / "cache");
   write("store/meshes/" + products->at(0).mesh, box_glb(1, 1, 1));  // not what the name says
-  EXPECT_EQ(catalog::restore_meshes(*products, scratch_.path() / "store").error().code,
+  EXPECT_EQ(catalog::restore_own_files(*products, scratch_.path() / "store").error().code,
             "model.bad_file");
   catalog::Product hostile = products->at(0);
   hostile.mesh = "../../../etc/passwd";
   EXPECT_EQ(catalog::kept_mesh(hostile).error().code, "model.bad_file");
-  EXPECT_EQ(catalog::restore_meshes({hostile}, scratch_.path()).error().code, "model.bad_file");
+  EXPECT_EQ(catalog::restore_own_files({hostile}, scratch_.path()).error().code, "model.bad_file");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "drawing/shrunk_png.h"
 #include "io/jpeg.h"
+#include "io/picture_file.h"
 #include "io/png.h"
 #include "support/exif_bytes.h"
 
@@ -46,7 +47,7 @@ TEST(Picture, APhotoStandsAsTheCameraWasHeld) {
       "RGBW", "GRWB", "WBGR", "BWRG", "RBGW", "BRWG", "WGBR", "GWRB"};
   const std::string jpeg = io::encode_jpeg(quarters()).value();
   for (int orientation = 1; orientation <= 8; ++orientation) {
-    const auto image = decoded_picture(with_orientation(jpeg, orientation, true), "photo");
+    const auto image = io::decoded_picture(with_orientation(jpeg, orientation, true), "photo");
     ASSERT_TRUE(image.ok()) << to_string(image.error());
     EXPECT_EQ(corners_of(image.value()), seen[orientation - 1]) << orientation;
     EXPECT_EQ(image->width, orientation >= 5 ? height : width);
@@ -54,9 +55,11 @@ TEST(Picture, APhotoStandsAsTheCameraWasHeld) {
 }
 
 TEST(Picture, OthersStandAsTheyAre) {
-  EXPECT_EQ(corners_of(decoded_picture(io::encode_jpeg(quarters()).value(), "a").value()), "RGBW");
-  EXPECT_EQ(corners_of(decoded_picture(io::encode_png(quarters()).value(), "b").value()), "RGBW");
-  EXPECT_EQ(decoded_picture("", "c").error().code, "image.bad_file");
+  EXPECT_EQ(corners_of(io::decoded_picture(io::encode_jpeg(quarters()).value(), "a").value()),
+            "RGBW");
+  EXPECT_EQ(corners_of(io::decoded_picture(io::encode_png(quarters()).value(), "b").value()),
+            "RGBW");
+  EXPECT_EQ(io::decoded_picture("", "c").error().code, "image.bad_file");
 }
 
 TEST(Picture, ShrunkItStandsUprightAndHasNothingElseOfItsFile) {

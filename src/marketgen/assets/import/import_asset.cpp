@@ -5,16 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "assets/import/asset_estimates.h"
+#include "assets/import/asset_row.h"
 #include "assets/import/model_look.h"
 #include "assets/shapes/convex_worker.h"
 #include "assets/shapes/outer_hull.h"
-#include "base/text.h"
-#include "catalog/gtin.h"
-#include "catalog/product_check.h"
-#include "catalog/usual_pack.h"
 #include "geometry/convex_hull.h"
-#include "io/field_check.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "io/model_glb.h"
@@ -24,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double min_m = 0.005, max_m = 1.5;  // of a side, as product rows allow
-constexpr std::string_view model_name = "model.glb", asset_name = "asset.json";
+constexpr std::string_view model_name = "model.glb";
 
 bool plausible(Vec3f size, double factor) {
   for (const float side : {size.x, size.y, size.z}) {
@@ -65,31 +60,6 @@ void turn_up(io::OutsideModel& model) {  // Z up, front -Y: to Y up, front +Z
   }
 }
 
-std::string slug_of(std::string_view name) {
-  std::string slug;
-  for (const char c : lower_ascii(name)) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (plain)
-      slug += c;
-    else if (!slug.empty() && slug.back() != '-')
-      slug += '-';
-  }
-  while (slug.ends_with('-'))
-    slug.pop_back();
-  return slug.empty() ? "model" : slug.substr(0, 80);
-}
-
-// A number from GS1's restricted prefix 299 that the file's content decides.
-std::string own_ean(const std::string& sha256) {
-  constexpr std::uint64_t billion = 1'000'000'000;
-  const std::uint64_t number = std::stoull(sha256.substr(0, 15), nullptr, 16) % billion;
-  const std::string digits = fmt::format("299{:09}", number);
-  for (char check = '0'; check <= '9'; ++check) {
-    if (catalog::is_ean13(digits + check)) return digits + check;
-  }
-  fatal("no digit is a check digit");
-}
-
 // One import on its way.
 class Importer {
  public:
@@ -97,15 +67,15 @@ class Importer {
       : file_(std::move(file)), options_(options), catalog_(catalog) {}
 
   Result<ImportedAsset> run(const AssetAnnotator& annotator) {
-    MARKETGEN_CHECK(check_options());
+    MARKETGEN_CHECK(check_stated(options_.row));
     MARKETGEN_CHECK(read());
     MARKETGEN_CHECK(annotate(annotator));
     MARKETGEN_CHECK(make_row());
     MARKETGEN_CHECK(catalog::fit_model(model_, row().size_mm, file_.string()));
     MARKETGEN_CHECK(make_pieces());
-    MARKETGEN_CHECK(estimate());
+    estimate();
     asset_.file.product.mesh = model_name;
-    MARKETGEN_CHECK(check_asset());
+    MARKETGEN_CHECK(check_asset(asset_.file, catalog_));
     MARKETGEN_TRY(asset_.model, io::encode_glb(model_, row().sku));
     return std::move(asset_);
   }
@@ -113,19 +83,6 @@ class Importer {
  private:
   catalog::Product& row() { return asset_.file.product; }
   void note(std::string text) { asset_.file.notes.push_back(std::move(text)); }
-
-  Result<void> check_options() const {
-    if (!options_.mass_kg) return {};
-    const auto fault = io::fault_of_field<catalog::Product>("mass_kg", *options_.mass_kg);
-    if (!fault) return {};
-    return Error{"usage.bad_flag", "--mass-kg", fault->message + " kg"};
-  }
-
-  // What is written is what --catalog takes.
-  Result<void> check_asset() const {
-    MARKETGEN_CHECK(io::check_fields(asset_.file, std::string(asset_name)));
-    return catalog::check_product(asset_.file.product, catalog_);
-  }
 
   Result<void> read() {
     MARKETGEN_TRY(model_, io::read_model_file(file_));
@@ -174,51 +131,10 @@ class Importer {
 
   // The row, as far as it does not depend on the volume.
   Result<void> make_row() {
-    const catalog::AssetAnnotation& said = asset_.file.annotation;
-    const auto chosen = [](const std::string& given, const std::string& found) {
-      return given.empty() ? found : given;
-    };
-    row().name = chosen(options_.name, said.name);
-    if (row().name.empty()) row().name = "Imported model";
-    row().sku = "own-" + slug_of(row().name) + "-" + asset_.file.source.sha256.substr(0, 8);
-    row().ean = own_ean(asset_.file.source.sha256);
-    row().category = chosen(options_.category, said.category);
-    MARKETGEN_CHECK(check_category());
-    const bool as_said = row().category == said.category;
-    row().subcategory = chosen(options_.subcategory, as_said ? said.subcategory : "");
-    if (row().subcategory.empty()) row().subcategory = row().category;
-    row().keywords = said.keywords;
     row().archetype = catalog::mesh_archetype;
     row().size_mm = size_in_mm(marketgen::bounds_of(model_.mesh).size());
-    row().material = chosen(options_.material, said.material);
-    if (row().material.empty()) {
-      catalog::Product like = row();
-      like.archetype = said.archetype;
-      row().material = catalog::usual_material(catalog_.products, like);
-      note(
-          fmt::format("nothing says what it is made of: {}, as most rows like it", row().material));
-    }
-    row().rigidity = said.rigidity;
-    row().storage = said.storage;
-    row().unit_of_measure = "piece";
-    if (!asset_.file.look.colors.empty()) row().label.primary = asset_.file.look.colors[0].color;
-    note("price, net quantity and shelf life are placeholders: set them in asset.json");
-    return {};
-  }
-
-  Result<void> check_category() {
-    if (catalog_.category(row().category) != nullptr) return {};
-    std::vector<std::string_view> known;
-    for (const catalog::CategoryRow& category : catalog_.categories)
-      known.push_back(category.id);
-    if (row().category.empty()) {
-      return Error{"catalog.unknown_kind",
-                   file_.string(),
-                   fmt::format("its names do not say what it is; give --category, one of: {}",
-                               fmt::join(known, ", "))};
-    }
-    return catalog::unknown_name(
-        "catalog.unknown_kind", "--category", "category", row().category, known);
+    return name_row(
+        asset_.file, options_.row, asset_.file.annotation.archetype, catalog_, file_.string());
   }
 
   // Contact pieces into the model, in its frame: by CoACD, else one hull.
@@ -247,17 +163,10 @@ class Importer {
     return {};
   }
 
-  Result<void> estimate() {
-    catalog::AssetEstimates& estimates = asset_.file.estimates;
-    estimates.volume_m3 = asset_.file.source.watertight ? marketgen::volume_of(model_.mesh)
-                                                        : marketgen::volume_of(hull_);
-    const Estimate mass = estimated_mass(row(), estimates.volume_m3, catalog_);
-    row().mass_kg = options_.mass_kg.value_or(mass.value);
-    estimates.mass_from = options_.mass_kg ? "--mass-kg" : mass.from;
-    const Estimate friction = estimated_friction(row().material, catalog_);
-    row().friction = friction.value;
-    estimates.friction_from = friction.from;
-    return {};
+  void estimate() {
+    const double volume_m3 = asset_.file.source.watertight ? marketgen::volume_of(model_.mesh)
+                                                           : marketgen::volume_of(hull_);
+    estimate_row(asset_.file, options_.row, volume_m3, catalog_);
   }
 
   fs::path file_;
@@ -280,7 +189,7 @@ Result<ImportedAsset> import_asset(const fs::path& file,
 Result<void> write_asset(const ImportedAsset& asset, const fs::path& folder) {
   MARKETGEN_TRY(io::FolderDraft draft, io::FolderDraft::begin(folder));
   MARKETGEN_CHECK(io::write_file(draft.folder() / model_name, asset.model));
-  MARKETGEN_CHECK(io::write_file(draft.folder() / asset_name, io::write_json(asset.file)));
+  MARKETGEN_CHECK(io::write_file(draft.folder() / asset_file_name, io::write_json(asset.file)));
   return draft.commit();
 }
 

@@ -2,10 +2,10 @@
 // contact pieces, estimates mass and friction, and has it annotated.
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "assets/import/asset_annotator.h"
+#include "assets/import/asset_row.h"
 #include "base/result.h"
 #include "catalog/asset_file.h"
 
@@ -17,12 +17,10 @@ constexpr std::array<std::string_view, 2> names_of(UpAxis) {
   return {"y", "z"};
 }
 
-// What a person knows better than the annotator: empty or absent means "find out".
 struct ImportOptions {
   catalog::LengthUnit unit = catalog::LengthUnit::m;
   UpAxis up = UpAxis::y;
-  std::string name, category, subcategory, material;
-  std::optional<double> mass_kg;
+  StatedRow row;
   bool coacd = true;  // false: contact pieces by our own means
 };
 

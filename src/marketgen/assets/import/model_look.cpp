@@ -122,6 +122,15 @@ catalog::AssetLook look_of(const io::OutsideModel& model) {
   return look;
 }
 
+catalog::AssetLook look_of(const std::vector<Image>& pictures) {
+  ColorCount colors;
+  for (const Image& picture : pictures)
+    add_picture(colors, picture, 1);
+  catalog::AssetLook look;
+  look.colors = colors.shares();
+  return look;
+}
+
 Result<int> open_edges_of(const Mesh& mesh, const std::string& where) {
   MARKETGEN_CHECK(check_crowding(mesh, where));
   const std::vector<std::uint32_t> welded = weld_positions(mesh.positions, weld_m);

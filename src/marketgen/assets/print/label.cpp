@@ -15,6 +15,7 @@
 #include "assets/print/pack_back.h"
 #include "assets/print/pack_design.h"
 #include "assets/print/pack_front.h"
+#include "assets/print/pack_pictures.h"
 
 namespace marketgen::assets {
 namespace {
@@ -279,9 +280,11 @@ Result<Image> draw_label(const catalog::Product& product, int size_px) {
         "a label cannot be " + std::to_string(size_px) + " pixels high; choose 16 to 8192"};
   }
   if (has_own_mesh(product)) return own_pack_picture(product, size_px);
-  MARKETGEN_TRY(const PackArt art, pack_art(product));
   MARKETGEN_TRY(const SheetSize size, sheet_size_of(product));
-  MARKETGEN_TRY(PrintedPicture sheet, drawn_sheet(art, sheet_pixels(size, size_px)));
+  const SheetPixels pixels = sheet_pixels(size, size_px);
+  if (product.faces) return pictured_sheet(product, pixels.width, pixels.height);
+  MARKETGEN_TRY(const PackArt art, pack_art(product));
+  MARKETGEN_TRY(PrintedPicture sheet, drawn_sheet(art, pixels));
   return std::move(sheet.picture);
 }
 
@@ -301,11 +304,16 @@ Result<PrintedPicture> print_label(const catalog::Product& product, double px_pe
     MARKETGEN_TRY(Image picture, own_pack_picture(product, pixels(product.height_m())));
     return PrintedPicture{std::move(picture), std::nullopt};
   }
+  MARKETGEN_TRY(const SheetSize size, sheet_size_of(product));
+  const SheetPixels sheet{pixels(static_cast<double>(size.width_m)),
+                          pixels(static_cast<double>(size.height_m))};
+  if (product.faces) {
+    MARKETGEN_TRY(Image picture, pictured_sheet(product, sheet.width, sheet.height));
+    return PrintedPicture{std::move(picture), std::nullopt};
+  }
   MARKETGEN_TRY(PackArt art, pack_art(product));
   art.bars_apart = true;
-  MARKETGEN_TRY(const SheetSize size, sheet_size_of(product));
-  return drawn_sheet(
-      art, {pixels(static_cast<double>(size.width_m)), pixels(static_cast<double>(size.height_m))});
+  return drawn_sheet(art, sheet);
 }
 
 }  // namespace marketgen::assets

@@ -63,9 +63,9 @@ namespace marketgen::assets {
 // `size_px` (16 to 8192) is the height, the width follows from `sheet_size_of`; a sheet more than
 // twice as wide as high gets the pixels of a 2:1 sheet and is lower. Brand mark, name, variant,
 // motif, net quantity; nutrition table and EAN-13 on the back or side, at 2 px a module for 512.
-// A product with a mesh of its own gives that mesh's picture. Deterministic: same row, same pixels.
-// Thread-safe. Loose produce has a skin instead of print.
-// Errors: assets.bad_row, catalog.unknown_kind.
+// A product with a mesh of its own gives that mesh's picture, one with pictures of its sides a
+// sheet of these (assets/print/pack_pictures.h). Deterministic: same row, same pixels. Thread-safe.
+// Loose produce has a skin instead of print. Errors: assets.bad_row, catalog.unknown_kind.
 Result<Image> draw_label(const catalog::Product& product, int size_px = 512);
 
 // The bars of a code, for a renderer that draws them as fine as the eye comes near.

@@ -25,7 +25,7 @@ constexpr HerbForm herb_forms[] = {
     {"parsley|coriander|cilantro", 12, 8, 0.17F, 0.055F, LeafOutline::spoon, 0.45F, 0.5},
     {"", 11, 7, 0.20F, 0.06F, LeafOutline::oval, 0.12F, 0.42}};
 
-const HerbForm& form_of(const catalog::Product& product) {
+const HerbForm& herb_form_of(const catalog::Product& product) {
   return *std::find_if(std::begin(herb_forms), std::end(herb_forms), [&](const HerbForm& form) {
     return has_word(product, form.words);
   });
@@ -86,7 +86,7 @@ Result<ProductModel> make_herb_bunch(const catalog::Product& product) {
   Stream draw = seed.stream();
   const PlantFrame frame = plant_frame(pack, lies_along_x(product));
   const std::uint16_t skin = pack.add_print(0.7F);
-  const HerbForm& form = form_of(product);
+  const HerbForm& form = herb_form_of(product);
   for (int i = 0; i < form.sprigs; ++i) {
     const float spread = 2 * (static_cast<float>(i) + 0.5F) / static_cast<float>(form.sprigs) - 1;
     add_sprig(pack,
