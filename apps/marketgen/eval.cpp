@@ -143,6 +143,12 @@ Result<void> check_all_run(const std::vector<Row>& rows, const std::filesystem::
 
 // The eyes of `classical` by themselves, against the truth.
 Result<void> eval_perception(const EvalFlags& flags) {
+  if (!(flags.model + flags.masks_url + flags.grasps_url).empty() || !flags.truth.empty())
+    return Error{
+        "usage.bad_flag",
+        "--perception",
+        "measures the eyes of classical as they are: without --truth, --model, --masks-url "
+        "and --grasps-url"};
   const ThreadLimit limit(flags.jobs > 0 ? flags.jobs : flags.common.threads);
   if (flags.output.empty())
     return Error{"usage.bad_flag", "--output", "name a folder for the results"};
@@ -245,20 +251,23 @@ Result<void> print_beside(const EvalFlags& flags, std::vector<evaluation::Finish
   return {};
 }
 
-// Flags that name parts of a policy whose name, as it was given, has none yet.
+// Flags that name parts of a policy, put into its name, which has none yet.
 Result<std::string> with_parts(const EvalFlags& flags) {
-  const bool is_hybrid = flags.policy.starts_with("hybrid");
-  const bool given = flags.policy.find('(') != std::string::npos;
-  if (!flags.model.empty() && (given || (flags.policy != "vlm" && !is_hybrid)))
+  const std::string& policy = flags.policy;
+  const bool given = policy.find('(') != std::string::npos;
+  const std::string servers = flags.masks_url + flags.grasps_url;
+  if (!flags.model.empty() && (given || (policy != "vlm" && policy != "hybrid")))
     return Error{"usage.bad_flag",
                  "--model",
                  given ? "the policy names its model already" : "goes with --policy vlm or hybrid"};
-  if (!(flags.masks_url + flags.grasps_url).empty() && (given || !is_hybrid))
+  const char* const flag = flags.masks_url.empty() ? "--grasps-url" : "--masks-url";
+  if (!servers.empty() && (given || policy != "hybrid"))
     return Error{"usage.bad_flag",
-                 "--masks-url",
-                 given ? "the policy names its parts already"
-                       : "--masks-url and --grasps-url go with --policy hybrid"};
-  environments::PolicyName whole{flags.policy, flags.model, flags.masks_url, flags.grasps_url};
+                 flag,
+                 given ? "the policy names its parts already" : "goes with --policy hybrid"};
+  if (servers.find(',') != std::string::npos)
+    return Error{"usage.bad_flag", flag, "an address with a comma cannot stand in a policy's name"};
+  environments::PolicyName whole{policy, flags.model, flags.masks_url, flags.grasps_url};
   return whole.written();
 }
 
@@ -270,11 +279,12 @@ Result<EvalFlags> with_whole_policy(EvalFlags flags) {
   MARKETGEN_TRY(const environments::PolicyName policy,
                 environments::read_policy_name(flags.policy));
   const bool asks_others = !policy.model.empty() || policy.has_servers();
-  if ((policy.model.empty() && !flags.model_url.empty()) ||
-      (!asks_others && !(flags.model_record + flags.model_replay).empty()))
+  if (!asks_others && !(flags.model_url + flags.model_record + flags.model_replay).empty())
     return Error{"usage.bad_flag",
                  "--model",
                  "--model-url, --model-record and --model-replay go with --policy vlm or hybrid"};
+  if (policy.model.empty() && !flags.model_url.empty())
+    return Error{"usage.bad_flag", "--model-url", "there is no --model whose server it would be"};
   flags.policy = policy.written();
   return flags;
 }
@@ -372,7 +382,7 @@ void add_servers(CLI::App& command, EvalFlags& flags) {
       .add_option(
           "--grasps-url",
           flags.grasps_url,
-          "grasp server for --policy hybrid (AnyGrasp: docs/models.md); it is sent pictures "
+          "grasp server for --policy hybrid (AnyGrasp: docs/hybrid.md); it is sent pictures "
           "with depth")
       ->type_name("URL");
 }
@@ -430,10 +440,11 @@ Run add_eval(CLI::App& app) {
   command->add_flag("--record-motion",
                     flags->record_motion,
                     "also keep what moved in each episode, in motion/ID.bin.gz of the results");
-  command->add_flag("--record-decisions",
-                    flags->record_decisions,
-                    "also keep what classical or vlm decided in each episode and which module was "
-                    "first wrong, in decisions/ID.json.gz and ID.html of the results");
+  command->add_flag(
+      "--record-decisions",
+      flags->record_decisions,
+      "also keep what classical, vlm or hybrid decided in each episode and which module was "
+      "first wrong, in decisions/ID.json.gz and ID.html of the results");
   command->add_flag("--resume", flags->resume, "go on with a run that was broken off");
   add_common_flags(*command, flags->common, Takes::json);
   command->footer("Example:  marketgen eval --episodes tasks.jsonl --policy oracle -o results");

@@ -304,6 +304,7 @@ void add_room(CLI::App& command, GenerateFlags& flags) {
                   "--seed is: " +
                       fmt::format("{}", fmt::join(plan::vary_axes(), ", ")))
       ->type_name("AXIS=SEED")
+      ->allow_extra_args(false)
       ->delimiter(',');
   command
       .add_option(

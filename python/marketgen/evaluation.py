@@ -109,7 +109,7 @@ def evaluate(
     realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard" or "hard", or a
                  file of your own that ends with .json. Rankings are meant to use "standard"
     record_motion  also keep what moved, in motion/ID.bin.gz of the folder (read_motion()); of the program's own policies
-    record_decisions  also keep what "classical" or "vlm" decided and which of its modules was first wrong, in decisions/ID.json.gz
+    record_decisions  also keep what "classical", "vlm" or "hybrid" decided and which of its modules was first wrong, in decisions/ID.json.gz
                  and ID.html of the folder (docs/episodes.md)
     policy_files  files and folders that a policy written in Python reads and writes, as weights and logs. Its process opens
                  these, Python's own files and the folders of its code (sys.path), but no episodes and no stores, and looks
@@ -254,7 +254,7 @@ def _complete(options: dict[str, Any], policy: Any, run: _Run) -> None:
     if run.record_motion:
         raise Error("usage.bad_flag", "record_motion", "motion is recorded of the program's own policies alone: leave it out")
     if run.record_decisions:
-        raise Error("usage.bad_flag", "record_decisions", "decisions are told by classical and vlm alone: leave it out")
+        raise Error("usage.bad_flag", "record_decisions", "decisions are told by classical, vlm and hybrid alone: leave it out")
     wanted = policy.adapter.options() if hasattr(policy, "adapter") else {}
     for option in options.keys() & wanted.keys():
         raise Error("usage.bad_flag", option, f"the adapter {policy.adapter.name} says it: {wanted[option]!r}; leave it out")

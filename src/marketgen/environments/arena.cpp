@@ -18,8 +18,8 @@ namespace marketgen::environments {
 namespace {
 
 constexpr int max_part_attempts = 2;
-// A hundred masks of a picture as rows of booleans.
-constexpr std::size_t max_part_answer_bytes = std::size_t{512} << 20;
+// Forty masks of a whole picture as rows of booleans; what is recorded can be read again.
+constexpr std::size_t max_part_answer_bytes = std::size_t{240} << 20;
 
 }  // namespace
 

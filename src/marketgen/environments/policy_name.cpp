@@ -70,6 +70,8 @@ Result<PolicyName> without_truth(const std::string& text) {
         fmt::format(
             "there is no policy \"{}\"; there are: {}", policy.name, fmt::join(policies, ", ")));
   const bool closed = open != std::string::npos && text.ends_with(')');
+  if (open != std::string::npos && !closed)
+    return bad("--policy", fmt::format("\"{}\" has no closing bracket at its end", text));
   const std::string inside = closed ? text.substr(open + 1, text.size() - open - 2) : "";
   if (policy.name == with_model) {
     policy.model = inside;

@@ -13,6 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t row_numbers = 17, rotation_at = 4, translation_at = 13;
+constexpr std::size_t max_answer_bytes = std::size_t{16} << 20;  // some 50,000 grasps
 constexpr double max_off_unit = 0.02;                   // of axes, and of their right angle
 constexpr double max_depth_m = 0.2, max_width_m = 0.5;  // of any hand
 
@@ -82,6 +83,7 @@ std::optional<NetworkGrasp> grasp_of(const std::vector<double>& row) {
 }  // namespace
 
 Result<std::vector<NetworkGrasp>> read_grasps(const std::string& answer) {
+  if (answer.size() > max_answer_bytes) return bad_grasps("too large");
   const Json json = Json::parse(answer, nullptr, false);
   if (json.is_discarded()) return bad_grasps("no JSON");
   if (!json.is_object() || !json.contains("grasp_groups") || !json["grasp_groups"].is_array())

@@ -14,6 +14,7 @@ namespace marketgen::perception {
 
 struct SeenGrasp : skills::HandGrasp {
   double intrusion_m = 0;  // how far the open hand reaches into what else is seen, at most
+  bool proposed = false;   // by a server, before the program's own
 };
 
 // What a product was found in, for sources that look for themselves.

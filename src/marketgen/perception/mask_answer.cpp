@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,20 +20,22 @@ Error bad_masks(std::string why) {
 
 // COCO's packing of counts (pycocotools, rleFrString): five bits a letter, the least first, a sixth
 // says that more follow; from the third on the difference to the last but one.
-std::vector<std::int64_t> unpacked_counts(std::string_view text) {
+// Nothing when they are more than `max`, or one is larger.
+std::optional<std::vector<std::int64_t>> unpacked_counts(std::string_view text, std::int64_t max) {
+  constexpr int max_shift = 40;  // of counts of pixels and of their differences
   std::vector<std::int64_t> counts;
   for (std::size_t at = 0; at < text.size();) {
     std::int64_t value = 0;
-    int shift = 0;
     bool more = true;
-    while (more && at < text.size()) {
+    for (int shift = 0; more && at < text.size(); shift += 5) {
+      if (shift > max_shift) return std::nullopt;
       const int bits = text[at++] - 48;
-      value |= static_cast<std::int64_t>(bits & 0x1f) << std::min(shift, 55);
-      shift += 5;
+      value |= static_cast<std::int64_t>(bits & 0x1f) << shift;
       more = (bits & 0x20) != 0;
-      if (!more && (bits & 0x10) != 0 && shift < 60) value |= -(std::int64_t{1} << shift);
+      if (!more && (bits & 0x10) != 0) value |= -(std::int64_t{1} << (shift + 5));
     }
     if (counts.size() > 2) value += counts[counts.size() - 2];
+    if (value < 0 || value > max || std::cmp_greater(counts.size(), max)) return std::nullopt;
     counts.push_back(value);
   }
   return counts;
@@ -58,7 +62,9 @@ class MaskReader : public nlohmann::json_sax<Json> {
   }
   bool string(string_t& text) override {
     if (!in_packed_counts()) return value();
-    counts_ = unpacked_counts(text);
+    auto counts = unpacked_counts(text, width_ * height_);
+    if (!counts) return fail("run lengths beyond the picture");
+    counts_ = *std::move(counts);
     return true;
   }
   bool binary(binary_t&) override { return value(); }
@@ -86,7 +92,9 @@ class MaskReader : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t at,
                    const std::string&,
                    const nlohmann::detail::exception& what) override {
-    return fail(fmt::format("no JSON at byte {}: {}", at, what.what()));
+    constexpr std::size_t max_said = 200;  // it repeats what it read
+    return fail(fmt::format(
+        "no JSON at byte {}: {}", at, std::string_view(what.what()).substr(0, max_said)));
   }
 
  private:
@@ -99,11 +107,17 @@ class MaskReader : public nlohmann::json_sax<Json> {
     fault = std::move(why);
     return false;
   }
-  bool value() { return in_cells() ? fail("a pixel that is neither true nor false") : true; }
+  bool value() {
+    if (in_cells()) return fail("a pixel that is neither true nor false");
+    if (in_list_of("counts") || in_list_of("size")) return fail("a count that is no whole number");
+    return true;
+  }
   bool whole(number_integer_t number) {
     if (in_cells()) return cell(number != 0);
-    if (in_list_of("counts")) counts_.push_back(number);
     if (in_list_of("size")) size_.push_back(number);
+    if (in_list_of("counts")) counts_.push_back(number);
+    if (size_.size() > 2 || std::cmp_greater(counts_.size(), width_ * height_ + 1))
+      return fail("run lengths beyond the picture");
     return true;
   }
 
@@ -146,6 +160,7 @@ class MaskReader : public nlohmann::json_sax<Json> {
   }
 
   bool finish_mask() {
+    if (!counts_.empty() && row_ > 0) return fail("a mask in two forms");
     if (!counts_.empty() && !add_runs()) return false;
     if (counts_.empty() && row_ != 0 && row_ != height_)
       return fail(fmt::format("a mask of {} rows of a picture {} high", row_, height_));

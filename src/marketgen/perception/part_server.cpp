@@ -9,12 +9,11 @@ namespace marketgen::perception {
 namespace {
 
 // Where an URL is a host alone, the path that such servers are published with.
-std::string with_path(std::string url, const std::string& path) {
-  while (url.ends_with('/'))
-    url.pop_back();
+std::string with_path(const std::string& url, const std::string& path) {
   const std::size_t host = url.find("://");
-  const bool bare = host != std::string::npos && url.find('/', host + 3) == std::string::npos;
-  return bare ? url + path : url;
+  const std::size_t end = url.find_first_of("/?#", host == std::string::npos ? 0 : host + 3);
+  const bool bare = end == std::string::npos || url.substr(end) == "/";
+  return bare ? url.substr(0, end) + path : url;
 }
 
 }  // namespace
@@ -53,6 +52,8 @@ Result<void> PartServer::put(Question question,
   request.body = std::move(question.body);
   const auto answer = client_->send(request);
   if (!answer.ok()) {
+    // Of this machine, not of the server: a record that cannot be written.
+    if (answer.error().code.starts_with("io.")) log_warning(to_string(answer.error()));
     ++(answer.error().code == "net.timeout"     ? use_.timed_out
        : answer.error().code == "net.too_large" ? use_.bad_answer
                                                 : use_.unreachable);

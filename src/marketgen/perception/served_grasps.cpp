@@ -109,7 +109,7 @@ std::vector<motion::PinchProposal> proposals_of(PartServer& server,
     const Vec3 pads = grasp.center + grasp.approach * (grasp.depth_m - tool.pad_z_m);
     const Vec3 center = product_from_camera * pads;
     const double off = length(views_from_product * center - ball.middle);
-    if (off > ball.radius_m + near_product_m || proposals.size() >= max_proposals) continue;
+    if (!(off <= ball.radius_m + near_product_m) || proposals.size() >= max_proposals) continue;
     proposals.push_back({center,
                          rotate(product_from_camera.rotation, grasp.approach),
                          rotate(product_from_camera.rotation, grasp.closing)});
@@ -125,8 +125,11 @@ Result<std::vector<SeenGrasp>> before_own(Result<std::vector<motion::CheckedPinc
   MARKETGEN_CHECK(own);
   MARKETGEN_CHECK(checked);
   std::vector<SeenGrasp> grasps;
-  for (const motion::CheckedPinch& pinch : *checked)
-    if (grasps.size() < max_served) grasps.push_back(worth(pinch.candidate));
+  for (const motion::CheckedPinch& pinch : *checked) {
+    if (grasps.size() >= max_served) break;
+    grasps.push_back(worth(pinch.candidate));
+    grasps.back().proposed = true;
+  }
   grasps.insert(grasps.end(), own->begin(), own->end());
   return grasps;
 }

@@ -292,10 +292,13 @@ class ClassicalCheckout : public agent::Policy {
                                           std::vector<agent::TriedGrasp>& tries) {
     const skills::Surroundings seen = around(sight_.points, skills::HandAt::basket);
     const std::vector<skills::PlacedBody> walls = walls_.at(setup_.place.base_from_basket);
-    std::size_t plans = 0, tried = 0;
+    struct {
+      std::size_t tried = 0, plans = 0;
+    } spent[2];  // on its own, and on a server's proposals, which take nothing from these
     for (const perception::SeenGrasp& grasp : choice.grasps) {
-      if (grasp.intrusion_m > borne_m) continue;
-      if (tried++ >= grasps_tried) break;
+      auto& [tried, plans] = spent[grasp.proposed ? 1 : 0];
+      if (grasp.intrusion_m > borne_m || plans > plans_tried) continue;
+      if (tried++ >= grasps_tried) continue;
       const std::vector<robots::ToolSolid> hand = skills::open_hand(setup_.tool, grasp.opening_m);
       for (const Pose& tip : skills::either_way_round(arm_, grasp.base_from_tip)) {
         skills::ReachRequest request = skills::reach_over_rim(tip, rim_z_m(), grasp.opening_m);
@@ -312,7 +315,7 @@ class ClassicalCheckout : public agent::Policy {
         }
         if (plans++ >= plans_tried) {
           tries.pop_back();
-          return nullptr;
+          break;
         }
         const auto way = arm_.reach(seen, request, next_seed());
         if (way.ok()) return &grasp;

@@ -222,7 +222,8 @@ TEST_F(PackPictures, EveryShapeSeenFromTheFrontIsItsPicture) {
       if (!on_front || normal.y > -0.9F) continue;
       ++looked;
       const std::uint8_t* pixel =
-          sheet->at(static_cast<int>(uv.x * sheet->width), static_cast<int>(uv.y * sheet->height));
+          sheet->at(static_cast<int>(uv.x * static_cast<float>(sheet->width)),
+                    static_cast<int>(uv.y * static_cast<float>(sheet->height)));
       EXPECT_NEAR(pixel[0], 20 + 200 * (middle.x / 0.12F + 0.5F), 5);
       EXPECT_NEAR(pixel[1], 20 + 200 * (1 - middle.z / 0.15F), 5);
       EXPECT_EQ(pixel[2], front_blue);

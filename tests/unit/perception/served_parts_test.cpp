@@ -64,6 +64,15 @@ TEST(MaskAnswer, WhatIsNoneSaysWhy) {
       {R"({"masks": [{"segmentation": {"size": [2, 2], "counts": [1, 9]}}]})", "beyond"},
       {R"({"masks": [{"segmentation": {"size": [2, 2], "counts": [-1, 2]}}]})", "beyond"},
       {R"({"masks": [{"segmentation": {"size": [2, 2], "counts": "~~~~~~~~~~~~~~"}}]})", "beyond"},
+      {R"({"masks": [{"segmentation": {"size": [2, 2], "counts": [1, 1.0, 2]}}]})", "whole number"},
+      {R"({"masks": [{"segmentation": {"size": [2, 2], "counts": [1, null]}}]})", "whole number"},
+      {R"({"masks": [{"segmentation": {"size": [2, 2], "counts": [0,0,0,0,0,0,0]}}]})", "beyond"},
+      {R"({"masks": [{"segmentation": {"size": [2, 2], "counts": "00000000"}}]})", "beyond"},
+      {R"({"masks": [{"segmentation": {"size": [2, 2], "counts": "pppppppppppppppppppppp0"}}]})",
+       "beyond"},
+      {R"({"masks": [{"segmentation": [[1, 0]],
+          "segmentation": {"size": [2, 2], "counts": [0, 4]}}]})",
+       "two forms"},
       {std::string(100, '['), "nested"}};
   for (const auto& [text, why] : cases) {
     const auto read = perception::read_masks(text, 2, 2);
@@ -109,6 +118,8 @@ TEST(GraspAnswer, WhatIsNoGraspIsLeftOut) {
     ASSERT_FALSE(read.ok()) << text;
     EXPECT_EQ(read.error().code, "perception.bad_answer");
   }
+  EXPECT_FALSE(
+      perception::read_grasps("{\"grasp_groups\": [" + std::string(17 << 20, ' ') + "]}").ok());
   EXPECT_TRUE(perception::read_grasps("{\"grasp_groups\": []}")->empty());
 }
 
@@ -331,6 +342,8 @@ TEST(ServedGrasps, ThoseThatHoldTheProductComeFirstInTheServersOrder) {
   EXPECT_LT(length(ends_at((*served)[1]) - good), 0.002);
   EXPECT_NEAR((*served)[0].width_m, 0.04, 0.001) << "as the product is, not as the server says";
   EXPECT_EQ((*served)[2].base_from_tip.position, (*own)[0].base_from_tip.position);
+  EXPECT_TRUE((*served)[1].proposed);
+  EXPECT_FALSE((*served)[2].proposed);
   // What was sent is a part of the picture, with the lens to go with it.
   const json sent = json::parse(mock.requests().at(0)["body"].get<std::string>());
   ASSERT_EQ(sent["colors"].size(), sent["depths"].size());
