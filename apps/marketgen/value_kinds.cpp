@@ -19,8 +19,9 @@ namespace {
 
 // Values of no known list: what CLI11 calls by the variable's type, and ours.
 constexpr std::string_view free_kinds[] = {
-    "ADDRESS", "ASSET", "EPISODE", "FILTER", "FLOAT", "INT",  "JOINT", "PART", "POINT", "PRODUCT",
-    "REGION",  "SCALE", "SECRET",  "SIZE",   "SKU",   "TEXT", "TIME",  "UINT", "URL",   "WORDS"};
+    "ADDRESS", "ASSET", "AXIS=SEED", "EPISODE", "FILTER", "FLOAT", "INT",
+    "JOINT",   "PART",  "POINT",     "PRODUCT", "REGION", "SCALE", "SECRET",
+    "SIZE",    "SKU",   "TEXT",      "TIME",    "UINT",   "URL",   "WORDS"};
 
 template <class Rows, class Id>
 std::vector<std::string> ids_in(const Rows& rows, Id id) {
