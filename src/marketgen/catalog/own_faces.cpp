@@ -107,7 +107,7 @@ Result<ReadyFace> ready_face(std::string_view bytes, const std::string& where) {
                              face.picture.width,
                              face.picture.height,
                              min_face_px)};
-  const bool photo = !bytes.starts_with("\x89PNG");
+  const bool photo = !io::is_png(bytes);
   MARKETGEN_TRY(face.bytes, photo ? io::encode_jpeg(face.picture) : io::encode_png(face.picture));
   face.ending = face_endings[photo ? 1 : 0];
   return face;

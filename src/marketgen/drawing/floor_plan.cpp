@@ -11,6 +11,7 @@
 #include "drawing/shell_of.h"
 #include "drawing/svg_path.h"
 #include "io/file.h"
+#include "io/png.h"
 
 namespace marketgen::drawing {
 namespace {
@@ -30,8 +31,7 @@ std::string_view head_of(std::string_view bytes) {
 Result<Sketch> read_sketch(std::string_view bytes, const std::string& where) {
   const std::string_view head = head_of(bytes);
   if (head.empty()) return Error{"drawing.bad_file", where, "the file is empty"};
-  if (head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF"))
-    return read_picture(bytes, where);
+  if (io::is_png(head) || head.starts_with("\xFF\xD8\xFF")) return read_picture(bytes, where);
   if (head.starts_with('<')) return read_svg(bytes, where);
   const bool dxf = head.starts_with("AutoCAD Binary DXF") || head.starts_with("AC10") ||
                    head.starts_with('0') || head.starts_with("999");

@@ -9,6 +9,7 @@
 #include "drawing/zone_chart.h"
 #include "geometry/image.h"
 #include "io/picture_file.h"
+#include "io/png.h"
 
 namespace marketgen::drawing {
 namespace {
@@ -311,7 +312,7 @@ double aspect_of(const std::array<cv::Point2d, 4>& corners, cv::Size picture) {
 }
 
 Result<ZonePicture> zone_picture(std::string_view bytes, const std::string& where, double aspect) {
-  if (!bytes.starts_with("\x89PNG") && !bytes.starts_with("\xFF\xD8\xFF"))
+  if (!io::is_png(bytes) && !bytes.starts_with("\xFF\xD8\xFF"))
     return Error{"drawing.bad_file",
                  where,
                  "this is no PNG or JPEG; save the drawing of zones as one of these"};

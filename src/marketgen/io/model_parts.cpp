@@ -56,7 +56,7 @@ std::string quoted_name(const std::string& name) {
 }
 
 Result<Image> decode_picture(std::string_view bytes, const std::string& where) {
-  if (bytes.starts_with("\x89PNG")) return decode_png(bytes, where);
+  if (is_png(bytes)) return decode_png(bytes, where);
   if (bytes.starts_with("\xFF\xD8\xFF")) return decode_jpeg(bytes, where);
   return Error{"image.bad_file", where, "is neither a PNG nor a JPEG picture"};
 }

@@ -38,8 +38,6 @@ Image upright(Image image, int orientation) {
   return seen;
 }
 
-constexpr std::string_view png_start = "\x89PNG";
-
 }  // namespace
 
 Result<void> check_ending(const std::filesystem::path& path,
@@ -68,13 +66,13 @@ Result<void> write_picture(const std::filesystem::path& path, const Image& image
 }
 
 Result<Image> decoded_picture(std::string_view bytes, const std::string& where) {
-  if (bytes.starts_with(png_start)) return decode_png(bytes, where);
+  if (is_png(bytes)) return decode_png(bytes, where);
   MARKETGEN_TRY(Image image, decode_jpeg(bytes, where));
   return upright(std::move(image), jpeg_orientation(bytes));
 }
 
 Result<PictureSize> picture_size(std::string_view bytes, const std::string& where) {
-  return bytes.starts_with(png_start) ? png_size(bytes, where) : jpeg_size(bytes, where);
+  return is_png(bytes) ? png_size(bytes, where) : jpeg_size(bytes, where);
 }
 
 }  // namespace marketgen::io

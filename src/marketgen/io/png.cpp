@@ -121,6 +121,10 @@ Result<void> begin_png(png_image& png, std::string_view bytes, const std::string
 
 }  // namespace
 
+bool is_png(std::string_view bytes) {
+  return bytes.starts_with("\x89PNG");
+}
+
 Result<std::string> encode_png(const Image& image) {
   const int type = image.channels == 4
                        ? PNG_COLOR_TYPE_RGB_ALPHA

@@ -11,6 +11,9 @@
 
 namespace marketgen::io {
 
+// By how it begins.
+bool is_png(std::string_view bytes);
+
 Result<std::string> encode_png(const Image& image);
 Result<void> write_png(const std::filesystem::path& path, const Image& image);
 // One 16-bit grey value a pixel, row-major from the top left.

@@ -36,6 +36,11 @@ float area_of(const ViewCloud& cloud, const Mask& mask) {
 
 }  // namespace
 
+void sort_by_size(std::vector<Mask>& masks) {
+  std::ranges::stable_sort(
+      masks, std::greater<>{}, [](const Mask& mask) { return mask.pixels.size(); });
+}
+
 std::vector<Mask> GeometricMasks::masks(const ViewCloud& cloud,
                                         const std::vector<std::uint8_t>& wanted) const {
   std::vector<std::uint8_t> open(cloud.size());
@@ -60,8 +65,7 @@ std::vector<Mask> GeometricMasks::masks(const ViewCloud& cloud,
     std::ranges::sort(mask.pixels);
     masks.push_back(std::move(mask));
   }
-  std::ranges::stable_sort(
-      masks, std::greater<>{}, [](const Mask& mask) { return mask.pixels.size(); });
+  sort_by_size(masks);
   return masks;
 }
 

@@ -15,6 +15,9 @@ struct Mask {
   std::vector<std::uint32_t> pixels;  // ascending
 };
 
+// As sources have them: the largest mask first.
+void sort_by_size(std::vector<Mask>& masks);
+
 class MaskSource {
  public:
   virtual ~MaskSource() = default;

@@ -1,7 +1,6 @@
 #include "perception/served_masks.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "io/png.h"
 #include "perception/mask_answer.h"
@@ -35,11 +34,6 @@ Mask of_picture(const Mask& mask,
   }
   if (whole.pixels.size() < min_mask_pixels) whole.pixels.clear();
   return whole;
-}
-
-void sort_by_size(std::vector<Mask>& masks) {
-  std::ranges::stable_sort(
-      masks, std::greater<>{}, [](const Mask& mask) { return mask.pixels.size(); });
 }
 
 }  // namespace

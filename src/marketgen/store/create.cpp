@@ -44,8 +44,6 @@ Result<void> put_on_skin(plan::Plan& plan,
   return {};
 }
 
-constexpr std::string_view plan_stream = "plan", layout_stream = "layout";
-
 // The time that was asked for takes the place of the plan's own.
 Result<void> set_time(plan::Plan& plan, const intake::Brief& brief) {
   if (!brief.time) return {};
@@ -81,8 +79,7 @@ Result<intake::Planned> plan_of(const CreateOptions& options,
   if (options.plan_file) {
     MARKETGEN_TRY(planned, read_planned(*options.plan_file, catalog));
   } else {
-    const Seed seed = plan::axis_seed(
-        brief.vary, &plan::Vary::layout, Seed(options.seed).child(plan_stream), plan_stream);
+    const Seed seed = plan_seed(brief.vary, Seed(options.seed));
     MARKETGEN_TRY(planned, intake::plan_from_brief(brief, catalog, *planner, seed, concessions));
   }
   MARKETGEN_CHECK(put_on_skin(planned.plan, brief, catalog));
@@ -115,10 +112,10 @@ Result<Designed> design(const CreateOptions& options,
                         Stages& stages) {
   std::unique_ptr<intake::Planner> planner;  // for words only
   if (!options.plan_file) {
-    MARKETGEN_TRY(
-        planner,
-        planners::make_planner(
-            options.brief.planner, options.planner, layout_seed(options.brief.vary, options.seed)));
+    MARKETGEN_TRY(planner,
+                  planners::make_planner(options.brief.planner,
+                                         options.planner,
+                                         layout_seed(options.brief.vary, Seed(options.seed))));
   }
   intake::Brief brief = options.brief;
   const PlanAgain plan = [&](const intake::Concessions& concessions) {
@@ -127,7 +124,7 @@ Result<Designed> design(const CreateOptions& options,
   Designed designed;
   MARKETGEN_TRY(designed.planned, stages.run("plan", [&] { return plan({}); }));
   brief.seen = designed.planned.seen;
-  const Seed seed = layout_seed(designed.planned.plan.vary, options.seed);
+  const Seed seed = layout_seed(designed.planned.plan.vary, Seed(options.seed));
   if (options.strict) {
     MARKETGEN_CHECK(require_understood(designed.planned));
     MARKETGEN_CHECK(require_no_contradiction(designed.planned));
@@ -248,16 +245,11 @@ Result<Created> saved_in(io::FolderDraft& draft,
 
 }  // namespace
 
-Seed layout_seed(const std::optional<plan::Vary>& vary, std::uint64_t store_seed) {
-  return plan::axis_seed(
-      vary, &plan::Vary::layout, Seed(store_seed).child(layout_stream), layout_stream);
-}
-
 Result<scene::Scene> scene_of_plan(const plan::Plan& plan,
                                    const catalog::Catalog& catalog,
                                    std::uint64_t seed) {
   MARKETGEN_TRY(const layout::Layout layout,
-                layout::make_layout(plan, catalog, layout_seed(plan.vary, seed)));
+                layout::make_layout(plan, catalog, layout_seed(plan.vary, Seed(seed))));
   return scene::build_scene(layout, plan, catalog, Seed(seed).child(scene::scene_stream));
 }
 

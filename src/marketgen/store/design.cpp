@@ -12,6 +12,8 @@
 namespace marketgen::store {
 namespace {
 
+constexpr std::string_view plan_stream = "plan", layout_stream = "layout";
+
 constexpr int max_rounds = 10;
 constexpr int max_other_floors = 2;   // before a zone is left out
 constexpr int max_lax_rounds = 4;     // then the plainest floor there is
@@ -285,20 +287,29 @@ Result<Designed> concede(Designed first,
   return best;
 }
 
+Seed plan_seed(const std::optional<plan::Vary>& vary, Seed store) {
+  return plan::axis_seed(vary, &plan::Vary::layout, store.child(plan_stream), plan_stream);
+}
+
+Seed layout_seed(const std::optional<plan::Vary>& vary, Seed store) {
+  return plan::axis_seed(vary, &plan::Vary::layout, store.child(layout_stream), layout_stream);
+}
+
 Result<Designed> design_store(const intake::Brief& brief,
                               const catalog::Catalog& catalog,
                               Seed seed) {
-  const Seed layout_seed = seed.child("layout");
+  const Seed of_layout = layout_seed(brief.vary, seed);
   MARKETGEN_TRY(const std::unique_ptr<intake::Planner> planner,
-                planners::make_planner(brief.planner, {}, layout_seed));
+                planners::make_planner(brief.planner, {}, of_layout));
   intake::Brief asked = brief;
   const PlanAgain plan = [&](const intake::Concessions& concessions) {
-    return intake::plan_from_brief(asked, catalog, *planner, seed.child("plan"), concessions);
+    return intake::plan_from_brief(
+        asked, catalog, *planner, plan_seed(brief.vary, seed), concessions);
   };
   MARKETGEN_TRY(intake::Planned planned, plan({}));
   asked.seen = planned.seen;
-  MARKETGEN_TRY(Designed first, lay_out(std::move(planned), catalog, layout_seed));
-  return concede(std::move(first), plan, catalog, layout_seed);
+  MARKETGEN_TRY(Designed first, lay_out(std::move(planned), catalog, of_layout));
+  return concede(std::move(first), plan, catalog, of_layout);
 }
 
 }  // namespace marketgen::store

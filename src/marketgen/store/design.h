@@ -2,6 +2,7 @@
 // not, planned again with less.
 #pragma once
 #include <functional>
+#include <optional>
 
 #include "base/result.h"
 #include "base/seed.h"
@@ -16,6 +17,10 @@ struct Designed {
   layout::Repaired repaired;
   layout::Layout layout;
 };
+
+// The seeds of a store's planner and of its layout: its own, or those of the axis `layout`.
+Seed plan_seed(const std::optional<plan::Vary>& vary, Seed store);
+Seed layout_seed(const std::optional<plan::Vary>& vary, Seed store);
 
 bool keeps_hard_rules(const std::vector<layout::Violation>& rules);
 

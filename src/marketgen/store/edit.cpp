@@ -16,6 +16,7 @@
 #include "scene/block_swap.h"
 #include "scene/own_goods.h"
 #include "scene/restock.h"
+#include "store/design.h"
 #include "store/save.h"
 #include "store/stages.h"
 
@@ -97,7 +98,7 @@ Result<layout::Layout> layout_after(const Store& store,
                                     const plan::Plan& plan,
                                     const std::set<std::string>& furnish,
                                     const catalog::Catalog& catalog) {
-  const Seed seed = layout_seed(plan.vary, store.manifest.seed);
+  const Seed seed = layout_seed(plan.vary, Seed(store.manifest.seed));
   Result<layout::Layout> plain = layout::make_layout(plan, catalog, seed);
   if (!plain.ok() && plain.error().code != "layout.impossible") return plain;
   const layout::Layout& before = store.scene.layout;
@@ -289,7 +290,7 @@ Result<Created> save_edited(const EditedStore& edited,
 }
 
 Result<bool> follows_from_plan(const Store& store, const catalog::Catalog& catalog) {
-  const Seed seed = layout_seed(store.plan.vary, store.manifest.seed);
+  const Seed seed = layout_seed(store.plan.vary, Seed(store.manifest.seed));
   MARKETGEN_TRY(const layout::Repaired repaired, layout::repair_plan(store.plan, catalog, seed));
   if (io::write_json_line(repaired.plan) != io::write_json_line(store.plan)) return false;
   const Result<layout::Layout> plain = layout::make_layout(store.plan, catalog, seed);

@@ -10,9 +10,6 @@
 
 namespace marketgen::store {
 
-// The seed of the layout of a store: its own, or its plan's for that axis.
-Seed layout_seed(const std::optional<plan::Vary>& vary, std::uint64_t store_seed);
-
 // Whether opening would take the stages' files: for those who only try a store.
 Result<void> check_stages(const plan::Plan& plan,
                           const scene::Scene& scene,
