@@ -1,9 +1,11 @@
-// The pages at one drive: one of them drives, the others look on. Thread-safe.
+// The pages at one drive: one of them drives, the others look on. Thread-safe. A page may go while
+// it is sent something: what ends then may leave() in the same thread.
 #pragma once
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "server/drive_documents.h"
 #include "server/web_socket.h"
@@ -30,8 +32,13 @@ class DrivePages {
   void end();  // nothing is sent any more
 
  private:
-  void say_who_drives() const;
-  void send(int page, const std::string& text) const;
+  // Pages that are being sent something. Made before the lock is taken and so let go after it:
+  // whoever holds a page last ends it, and its end leaves.
+  using Held = std::vector<std::shared_ptr<SocketSender>>;
+
+  SocketSender* hold(int page, Held& held) const;  // null: it has gone
+  void say_who_drives(Held& held) const;
+  void send(int page, const std::string& text, Held& held) const;
 
   const bool watched_;
   mutable std::mutex mutex_;
