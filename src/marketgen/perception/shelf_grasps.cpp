@@ -16,6 +16,7 @@ motion::GraspQuery query_from_front(const ShelfGraspQuestion& question) {
   motion::GraspQuery query;
   query.friction = question.known.pad_friction;
   query.from_front = true;
+  query.walls = question.walls;
   return query;
 }
 

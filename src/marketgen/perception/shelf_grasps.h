@@ -11,6 +11,7 @@ struct ShelfGraspQuestion {
   Pose base_from_product;
   const std::vector<Vec3f>& others;  // measured points that are not the product's
   SeenIn seen_in = {};
+  std::vector<motion::GraspObstacle> walls = {};  // boards and panels about it, product frame
 };
 
 class ShelfGraspSource {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace marketgen::policy {
 namespace {
 
 constexpr double around_m = 1.4;  // what is farther from the robot does not count
+constexpr double walls_m = 0.35;  // of a product, what its grasps keep off
 constexpr double shoulder_height_m = 0.9;
 constexpr double let_go_wider_by_m = 0.02;  // than what was held
 constexpr double pressed_aside_m = 0.2;     // what is so near to a product gives way to fingers
@@ -15,6 +17,7 @@ constexpr double min_held_m = 0.004;        // between fingers that hold somethi
 // A base that believes to be where it is not comes to stand some centimetres and a degree off; the
 // arm then reaches by another height of its lift.
 constexpr std::array standing_lifts_m{0.0, -0.05, 0.05, -0.10, 0.10, -0.15, 0.15, -0.20, 0.20};
+constexpr int way_back_points = 16;
 constexpr double max_leave_m = 0.30, leave_step_m = 0.04;
 
 std::vector<Vec3f> near(const std::vector<Vec3f>& points, Vec3 middle, double within_m) {
@@ -82,6 +85,15 @@ motion::Obstacles AisleBody::around(const std::vector<Vec3f>& points) const {
   motion::Obstacles obstacles = setup_.map->fixtures(middle, around_m);
   add_cloud(near(points, middle, around_m), obstacles);
   return obstacles;
+}
+
+std::vector<motion::GraspObstacle> AisleBody::walls_about(const Pose& store_from_product) const {
+  std::vector<motion::GraspObstacle> walls;
+  const Pose product_from_store = inverse(store_from_product);
+  for (const motion::BoxObstacle& box :
+       setup_.map->fixtures(store_from_product.position, walls_m).boxes)
+    walls.push_back({product_from_store * box.pose, box.half_size});
+  return walls;
 }
 
 Result<void> AisleBody::drive_to(const robots::BasePlace& place) {
@@ -154,6 +166,7 @@ Result<skills::ShelfPick> AisleBody::plan_pick(const PickTarget& item,
 
 Result<void> AisleBody::take(const PickTarget& item, skills::ShelfPick pick) {
   MARKETGEN_TRY(carried_, skills::make_store_body(item.known->product));
+  put_n_ = skills::putting_force_n(item.known->product);
   lets_down_ = false;
   pick_ = std::move(pick);
   return executor_.take(
@@ -205,20 +218,67 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   question.tool = pick_.tool;
   question.held = &carried_;
   question.tip_from_product = inverse(pick_.grasp.product_from_tool);
-  auto plan = skills::plan_drop(*setup_.robot, setup_.basket, question, next_seed());
-  if (!plan.ok()) {
+  const auto let_go = let_down(question);
+  if (!let_go.ok()) {
     const bool last = ++lift_tried_ >= skills::drop_lifts_m.size();
     if (last) lift_tried_ = 0;
     MARKETGEN_CHECK(executor_.raise(skills::drop_lifts_m[lift_tried_], agent::Subtask::place));
-    if (last) return plan.error();
+    if (last) return let_go.error();
     return false;
   }
-  const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
   lets_down_ = true;
-  inside_.push_back(skills::carried_box(
-      skills::turned_box(carried_, plan->base_from_tip * question.tip_from_product)));
-  executor_.let_down(std::move(*plan), {held + let_go_wider_by_m, pick_.grasp.force_n});
+  inside_.push_back(
+      skills::carried_box(skills::turned_box(carried_, *let_go * question.tip_from_product)));
   return true;
+}
+
+// Where the tip is to let go.
+Result<Pose> AisleBody::let_down(const skills::DropQuestion& question) {
+  const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
+  const agent::ToolCommand let_go{held + let_go_wider_by_m, pick_.grasp.force_n};
+  down_ = {};
+  if (now_.external_force_n.empty()) {
+    MARKETGEN_TRY(skills::DropPlan plan,
+                  skills::plan_drop(*setup_.robot, setup_.basket, question, next_seed()));
+    const Pose tip = plan.base_from_tip;
+    executor_.let_down(std::move(plan), let_go);
+    return tip;
+  }
+  MARKETGEN_TRY(skills::FeltDrop plan,
+                skills::plan_felt_drop(*setup_.robot, setup_.basket, question, next_seed()));
+  const Pose tip = plan.base_from_tip;
+  down_ = plan.down;
+  down_m_ = plan.down_m;
+  executor_.let_down(std::move(plan), put_n_, let_go);
+  return tip;
+}
+
+Result<void> AisleBody::leave_basket(const std::vector<Vec3f>& points) {
+  if (down_.joints() == 0) return {};
+  if (std::exchange(lets_down_, false))
+    inside_.back().base_from_product.position.z += down_m_ * (1 - executor_.felt_share());
+  auto plan =
+      skills::plan_basket_exit(*setup_.robot, setup_.basket, stow_question(points), next_seed());
+  if (!plan.ok()) return go_back_up(points);
+  executor_.leave_basket(std::move(*plan));
+  return {};
+}
+
+// The way that it came, and home from over the basket.
+Result<void> AisleBody::go_back_up(const std::vector<Vec3f>& points) {
+  const double end_s = down_.duration_s() * executor_.felt_share();
+  motion::JointPath line;
+  for (int i = 0; i <= way_back_points; ++i)
+    line.push_back(down_.at(end_s * i / way_back_points).position);
+  MARKETGEN_TRY(motion::JointTrajectory up, skills::way_back(*setup_.robot, pick_.group, line));
+  skills::StowQuestion question = stow_question(points);
+  const std::vector<int>& arm = setup_.robot->find_group(pick_.group)->dofs;
+  for (std::size_t i = 0; i < arm.size(); ++i)
+    question.state[static_cast<std::size_t>(arm[i])] = line.front()[i];
+  MARKETGEN_TRY(motion::JointTrajectory home,
+                skills::plan_stow(*setup_.robot, setup_.basket, question, next_seed()));
+  executor_.leave_basket({std::move(up), std::move(home)});
+  return {};
 }
 
 Result<void> AisleBody::go_home(const std::vector<Vec3f>& points) {

@@ -9,6 +9,7 @@
 
 #include "agent/aisle_map.h"
 #include "agent/known_products.h"
+#include "motion/grasp_candidates.h"
 #include "skills/aisle_executor.h"
 #include "skills/drop_plan.h"
 #include "skills/shelf_pick.h"
@@ -45,6 +46,8 @@ class AisleBody {
 
   // ---- The robot as it is. ----
   std::vector<double> state() const;  // base on the origin
+  // Boxes of the map about a product, in its frame: boards and panels that a hand keeps off.
+  std::vector<motion::GraspObstacle> walls_about(const Pose& store_from_product) const;
   // By the fingers alone: shut on nothing they come together.
   bool holds_it() const;
 
@@ -64,12 +67,17 @@ class AisleBody {
   // Tried from one lift height after another: true when it is on its way into the basket, false
   // when the lift moves first. Error: collect.no_drop when all were tried; then the first is next.
   Result<bool> drop(const std::vector<Vec3f>& points);
+  // From where it was let go, home; nothing where drop() has seen to that, for a robot that does
+  // not feel what it meets.
+  Result<void> leave_basket(const std::vector<Vec3f>& points);
   Result<void> go_home(const std::vector<Vec3f>& points);  // the empty arm, to its stowed posture
 
  private:
   motion::Configuration stowed_arm(const std::string& group) const;
   motion::Obstacles around(const std::vector<Vec3f>& points) const;
   skills::StowQuestion stow_question(const std::vector<Vec3f>& points) const;
+  Result<Pose> let_down(const skills::DropQuestion& question);
+  Result<void> go_back_up(const std::vector<Vec3f>& points);
   double room_behind_m() const;
   Result<void> may_stand(const robots::BasePlace& place) const;
   Result<void> may_hold(const assets::ProductBody& body, const skills::ShelfPick& pick) const;
@@ -80,7 +88,10 @@ class AisleBody {
   skills::AisleExecutor executor_;
   agent::Observation now_;
   skills::ShelfPick pick_;
-  assets::ProductBody carried_;              // what it takes, as one solid
+  assets::ProductBody carried_;   // what it takes, as one solid
+  double put_n_ = 0;              // that presses where it comes to lie
+  motion::JointTrajectory down_;  // into the basket, felt; empty: there was none
+  double down_m_ = 0;
   std::vector<skills::CarriedItem> inside_;  // of the basket, as let down
   bool lets_down_ = false;                   // what it holds is the last of these
   std::size_t lift_tried_ = 0;

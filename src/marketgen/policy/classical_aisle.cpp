@@ -44,6 +44,7 @@ enum class AisleStep {
   pressed,
   out,
   away,
+  let_go,
   dropped
 };
 
@@ -102,8 +103,7 @@ class ClassicalAisle : public agent::Policy {
     say("was stopped");
     switch (step_) {
       case AisleStep::choose:  // on its way to its stowed posture
-        if (!body_.go_home(points_).ok() && !body_.go_home({}).ok()) done_ = true;
-        return {};
+        return go_home();
       case AisleStep::look_up:
       case AisleStep::look_down:
       case AisleStep::at_shelf:
@@ -118,9 +118,12 @@ class ClassicalAisle : public agent::Policy {
         step_ = AisleStep::away;
         return body_.back_off();
       case AisleStep::away:
-      case AisleStep::dropped:
+      case AisleStep::let_go:
         step_ = AisleStep::away;
         return drop();
+      case AisleStep::dropped:  // on its way home
+        MARKETGEN_CHECK(count());
+        return go_home();
     }
     return {};
   }
@@ -145,6 +148,8 @@ class ClassicalAisle : public agent::Policy {
         return body_.back_off();
       case AisleStep::away:
         return drop();
+      case AisleStep::let_go:
+        return leave_basket();
       case AisleStep::dropped:
         return count();
     }
@@ -273,9 +278,12 @@ class ClassicalAisle : public agent::Policy {
       if (length(to_double(point) - middle) < other_reach_m) near.push_back(point);
     const std::vector<Vec3f> others =
         perception::other_points(near, *goal.look, find.store_from_product);
-    MARKETGEN_TRY(
-        const auto grasps,
-        modules_.grasps->grasps({*item.known, find.store_from_product, others, sight_.seen_in()}));
+    MARKETGEN_TRY(const auto grasps,
+                  modules_.grasps->grasps({*item.known,
+                                           find.store_from_product,
+                                           others,
+                                           sight_.seen_in(),
+                                           body_.walls_about(find.store_from_product)}));
     for (const perception::SeenGrasp& grasp : grasps)
       item.grasps.push_back(
           {inverse(find.store_from_product) * grasp.base_from_tip, grasp.opening_m, grasp.force_n});
@@ -417,7 +425,7 @@ class ClassicalAisle : public agent::Policy {
     }
     const auto dropped = body_.drop(points_);
     if (dropped.ok()) {
-      if (*dropped) step_ = AisleStep::dropped;
+      if (*dropped) step_ = AisleStep::let_go;
       return {};
     }
     log_find(agent::DecisionKind::place, "NoPath");
@@ -428,9 +436,22 @@ class ClassicalAisle : public agent::Policy {
     return {};
   }
 
+  Result<void> leave_basket() {
+    step_ = AisleStep::dropped;
+    auto leaves = body_.leave_basket(points_);
+    if (!leaves.ok()) leaves = body_.leave_basket({});
+    if (!leaves.ok()) say("no way out of the basket: " + to_string(leaves.error()));
+    done_ = !leaves.ok();
+    return {};
+  }
+
   Result<void> leave_empty() {
     step_ = AisleStep::choose;
     if (finds_[find_].tries >= tries_a_find) finds_.refuse(find_);
+    return go_home();
+  }
+
+  Result<void> go_home() {
     if (!body_.go_home(points_).ok() && !body_.go_home({}).ok()) done_ = true;
     return {};
   }

@@ -32,7 +32,7 @@ constexpr double measured_within_m = 0.004;  // of a point of the cameras: noise
 constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
 // An open hand may push so hard past what lies about a grasp, and what is held, beside its weight,
 // where it is put down. So near to either it is where it was to go.
-constexpr double push_n = 35, put_n = 20, near_grasp_m = 0.015, near_place_m = 0.02;
+constexpr double push_n = 35, near_grasp_m = 0.015, near_place_m = 0.02;
 constexpr double raised_m = 0.08;  // off what it met there
 // At grasps of a product since anything was taken out: what lies by it comes first then; enough.
 constexpr int some_contacts = 2, max_contacts = 5;
@@ -448,7 +448,7 @@ class ClassicalCheckout : public agent::Policy {
     step_ = Step::put_back;
   }
 
-  double put_force_n() const { return put_n + known_->product.mass_kg * standard_gravity; }
+  double put_force_n() const { return skills::putting_force_n(known_->product); }
 
   void note(std::string_view why) { failure_ = why; }
   // Of a motion without which it goes on.

@@ -87,6 +87,21 @@ void AisleExecutor::let_down(DropPlan plan, agent::ToolCommand let_go) {
   stow(std::move(plan.home));
 }
 
+void AisleExecutor::let_down(FeltDrop plan, double max_force_n, agent::ToolCommand let_go) {
+  body_.set_subtask(agent::Subtask::place);
+  body_.play(arm(), std::move(plan.way));
+  body_.wait(calm_s);
+  body_.feel(arm(), std::move(plan.down), max_force_n);
+  body_.wait(calm_s);
+  open(taking_.tool, let_go);
+}
+
+void AisleExecutor::leave_basket(BasketExit plan) {
+  body_.set_subtask(agent::Subtask::retreat);
+  body_.play(arm(), std::move(plan.retreat));
+  stow(std::move(plan.home));
+}
+
 void AisleExecutor::stow(motion::JointTrajectory way) {
   body_.set_subtask(agent::Subtask::retreat);
   body_.play(arm(), std::move(way));

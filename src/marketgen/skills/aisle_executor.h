@@ -48,7 +48,11 @@ class AisleExecutor {
   void pull_out();                   // with the item
   Result<void> go_back();            // empty, the way that the arm came
   Result<void> back_off(double room_m);
-  void let_down(DropPlan plan, agent::ToolCommand let_go);           // into the basket; then home
+  void let_down(DropPlan plan, agent::ToolCommand let_go);  // into the basket; then home
+  // The same of a hand that feels what it meets: it is left where it lets go.
+  void let_down(FeltDrop plan, double max_force_n, agent::ToolCommand let_go);
+  double felt_share() const { return body_.felt_share(); }           // as BodyExecutor
+  void leave_basket(BasketExit plan);                                // from there
   void stow(motion::JointTrajectory way);                            // the empty arm
   void stow(const std::string& group, motion::JointTrajectory way);  // another arm
   // Opens or shuts a door, as planned, from where the robot stands; then waits.

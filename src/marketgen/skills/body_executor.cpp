@@ -22,6 +22,16 @@ double wrapped(double angle) {
   return std::remainder(angle, 2 * M_PI);
 }
 
+// The number of the contact limit that feels what presses on the link of this joint.
+std::optional<std::size_t> limit_of_dof(const robots::Robot& robot, int dof) {
+  const int link = robot.dofs[static_cast<std::size_t>(dof)] + 1;
+  for (std::size_t limit = 0; limit < robot.contact_limits.size(); ++limit) {
+    const std::vector<int> links = robots::links_from(robot, robot.contact_limits[limit].link);
+    if (std::ranges::find(links, link) != links.end()) return limit;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 BodyExecutor::BodyExecutor(const robots::Robot& robot, std::vector<int> commanded)
@@ -76,6 +86,14 @@ void BodyExecutor::play(const std::vector<int>& dofs, motion::JointTrajectory tr
     queued_position_[motion.columns[i]] = end[i];
   motion.trajectory = std::move(trajectory);
   push(std::move(motion));
+}
+
+void BodyExecutor::feel(const std::vector<int>& dofs,
+                        motion::JointTrajectory trajectory,
+                        double max_force_n) {
+  play(dofs, std::move(trajectory));
+  queue_.back().max_force_n = max_force_n;
+  if (!dofs.empty()) queue_.back().arm = limit_of_dof(*robot_, dofs.back());
 }
 
 Result<void> BodyExecutor::move_joint(int dof, double to, double speed_share) {
@@ -147,6 +165,17 @@ void BodyExecutor::play_step(Motion& motion, const agent::Observation& now, agen
   }
 }
 
+// A way that is felt ends here, where enough presses on its arm.
+void BodyExecutor::end_touch(const agent::Observation& now) {
+  if (queue_.empty() || now.stopped || !queue_.front().arm || now.external_force_n.empty()) return;
+  const Motion& motion = queue_.front();
+  if (now.external_force_n[*motion.arm] <= motion.max_force_n) return;
+  felt_share_ = std::min(1.0, played_s_ / motion.duration_s);
+  queued_position_ = position_;
+  queue_.pop_front();
+  played_s_ = 0;
+}
+
 void BodyExecutor::go_back(agent::Action& action) {
   if (const auto step = retrace_.back()) {
     position_ = step->position;
@@ -164,6 +193,7 @@ agent::Action BodyExecutor::next(const agent::Observation& now) {
     was_stopped_ = true;
   }
   const bool goes_back = retrace_.goes_back();
+  if (!goes_back) end_touch(now);
   if (goes_back && !now.stopped) go_back(action);
   while (!queue_.empty() && queue_.front().grip) {
     const auto& [tool, command] = *queue_.front().grip;
@@ -177,6 +207,7 @@ agent::Action BodyExecutor::next(const agent::Observation& now) {
     if (motion.base || motion.trajectory.joints() > 0)
       retrace_.tell({position_, action.drive_m_s, action.turn_rad_s});
     if (is_over(motion, now)) {
+      if (motion.arm) felt_share_ = 1;
       queue_.pop_front();
       played_s_ = 0;
     }

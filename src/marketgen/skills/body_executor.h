@@ -32,6 +32,10 @@ class BodyExecutor {
   // Error motion.bad_limits. Backwards where it is negative.
   Result<void> drive_straight(double distance_m, double speed_m_s);
   void play(const std::vector<int>& dofs, motion::JointTrajectory trajectory);
+  // The same, until more than so much presses on the arm that those joints move; nothing else of
+  // what is queued is broken off then. What is queued behind it begins where the arm is then, and
+  // must not move it (grips, waits).
+  void feel(const std::vector<int>& dofs, motion::JointTrajectory trajectory, double max_force_n);
   // One joint alone, at a share of its limits. Errors: motion.bad_limits.
   Result<void> move_joint(int dof, double to, double speed_share);
   void grip(int tool, agent::ToolCommand command);  // from then on
@@ -43,6 +47,8 @@ class BodyExecutor {
   agent::Action next(const agent::Observation& now);
   // Whether what was queued last was broken off so. Says it once.
   bool take_stop() { return std::exchange(was_stopped_, false); }
+  // Of the way that was felt last, the share of its time after which it ended: 1 at its end.
+  double felt_share() const { return felt_share_; }
   // As its tool is told to be.
   const agent::ToolCommand& told(int tool) const { return tools_[static_cast<std::size_t>(tool)]; }
 
@@ -56,6 +62,8 @@ class BodyExecutor {
     bool straight = false;
     double settling_s = 0;  // since the base's way was over
     agent::Subtask subtask = agent::Subtask::none;
+    double max_force_n = 0;          // of one that is felt
+    std::optional<std::size_t> arm;  // the one that feels it, in external_force_n
   };
   struct BaseError {
     double along = 0, across = 0, turn = 0;
@@ -66,6 +74,7 @@ class BodyExecutor {
              const agent::Observation& now,
              agent::Action& action) const;
   bool is_over(Motion& motion, const agent::Observation& now) const;
+  void end_touch(const agent::Observation& now);
   agent::Subtask subtask_of_first() const {
     return queue_.empty() ? agent::Subtask::none : queue_.front().subtask;
   }
@@ -84,6 +93,7 @@ class BodyExecutor {
   agent::Subtask played_for_ = agent::Subtask::none;
   Retrace retrace_;
   bool was_stopped_ = false;
+  double felt_share_ = 1;
 };
 
 }  // namespace marketgen::skills

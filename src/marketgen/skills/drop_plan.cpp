@@ -26,7 +26,9 @@ constexpr double way_margin_m = 0.004, line_margin_m = 0.002;
 constexpr double over_rim_m = 0.06;  // where the line down begins, of the lowest point held
 constexpr double of_tilt = 0.03, of_offset = 0.1,
                  of_rim = 2;  // metres of height that they are worth
-constexpr double line_speed_share = 0.25;
+constexpr double line_speed_share = 0.25, felt_speed_share = 0.15;
+constexpr double off_floor_m = 0.006;                    // where a way down that is felt ends
+constexpr std::array felt_shares{1.0, 0.75, 0.5, 0.25};  // of the rest of the way down
 constexpr int max_drop_samples = 8000;
 
 std::vector<int> links_of(const robots::Robot& robot, const robots::Tool& tool) {
@@ -45,9 +47,10 @@ motion::ArmPlanOptions carrying(double acceleration) {
 
 // The store, the basket and what lies in it.
 Result<motion::CollisionWorld> around_robot(const CarriedBasket& basket,
-                                            const StowQuestion& question) {
+                                            const StowQuestion& question,
+                                            const std::vector<CarriedItem>& inside) {
   std::vector<motion::BoxObstacle> carried = basket.walls;
-  for (const CarriedItem& item : question.inside)
+  for (const CarriedItem& item : inside)
     carried.push_back(box_of(item));
   motion::Obstacles all = question.around;
   for (const motion::BoxObstacle& box : carried_at(carried, question.world_from_base))
@@ -58,6 +61,7 @@ Result<motion::CollisionWorld> around_robot(const CarriedBasket& basket,
 struct Drop {
   Pose base_from_tip;
   double lowest_m = 0;  // of what is held, over the basket's floor, when it has come to rest
+  double fall_m = 0;    // to there
   double cost = 0;
 };
 
@@ -109,6 +113,7 @@ class DropSearch {
           const Vec3 tip_at = Vec3{at_x, at_y, support + fall + box.half.z} - box.middle;
           found.push_back({basket_.base_from_floor * Pose{tip_at, tip},
                            support,
+                           fall,
                            support + fall + of_tilt * tilt + of_offset * std::hypot(at_x, at_y) +
                                of_rim * above});
         }
@@ -123,7 +128,7 @@ class DropSearch {
 
 // A place over the basket that the arm can reach, and its straight way down from there.
 struct Descent {
-  Pose base_from_tip;  // where it lets go
+  Drop drop;
   motion::JointPath line, out;
 };
 
@@ -141,7 +146,7 @@ class DropPlanner {
 
   // Before anything else. Errors: those of make_arm_model and of the checkers.
   Result<void> look_around() {
-    MARKETGEN_TRY(world_, around_robot(basket_, question_));
+    MARKETGEN_TRY(world_, around_robot(basket_, question_, question_.inside));
     MARKETGEN_TRY(model_, motion::make_arm_model(robot_, question_.group));
     const std::vector<double>& state = question_.state;
     start_ = robots::values_of(model_.group, state);
@@ -152,12 +157,14 @@ class DropPlanner {
     const Pose& at = question_.world_from_base;
     MARKETGEN_TRY(way_, motion::ArmChecker::make(model_, state, at, world_, {way_margin_m, held}));
     MARKETGEN_TRY(line_, motion::ArmChecker::make(model_, state, at, world_, {line_margin_m, {}}));
+    MARKETGEN_TRY(empty_, around_robot(basket_, question_, {}));
+    MARKETGEN_TRY(bare_, motion::ArmChecker::make(model_, state, at, empty_, {line_margin_m, {}}));
     return {};
   }
 
   // At most max_descents for one place; the arm's postures nearest to the start first.
   Result<void> add_descents(const Drop& drop, std::vector<Descent>& found) {
-    const double up = std::max(0.05, basket_.size.z + over_rim_m - drop.lowest_m);
+    const double up = over_m(drop);
     const Pose end = inverse(base_from_arm_) * drop.base_from_tip;
     Pose begin = end;
     begin.position += rotate(inverse(base_from_arm_.rotation), {0, 0, up});
@@ -174,15 +181,20 @@ class DropPlanner {
         continue;
       }
       motion::JointPath out = way_out(*line, end);
-      found.push_back({drop.base_from_tip, std::move(*line), std::move(out)});
+      found.push_back({drop, std::move(*line), std::move(out)});
       if (++added == max_descents) break;
     }
     if (added == 0) return error;
     return {};
   }
 
-  // By the first of the descents that is reached and from which the arm gets home.
-  Result<DropPlan> plan(std::vector<Descent> descents, Seed seed) const {
+  // By the first of the descents that is reached and that `finish` makes a plan of.
+  template <class Plan>
+  Result<Plan> plan(std::vector<Descent> descents,
+                    Seed seed,
+                    Result<Plan> (DropPlanner::*finish)(const motion::JointPath& way,
+                                                        const Descent& descent,
+                                                        Seed seed) const) const {
     while (true) {
       std::vector<motion::Configuration> goals;
       for (const Descent& descent : descents)
@@ -190,28 +202,20 @@ class DropPlanner {
       MARKETGEN_TRY(const motion::JointPath way,
                     motion::plan_arm_path(*way_, start_, goals, seed, options_));
       const auto reached = std::ranges::find(goals, way.back()) - goals.begin();
-      auto plan = by_way(way, descents[static_cast<std::size_t>(reached)], seed);
+      auto plan = (this->*finish)(way, descents[static_cast<std::size_t>(reached)], seed);
       if (plan.ok() || descents.size() == 1) return plan;
       descents.erase(descents.begin() + reached);
     }
   }
 
- private:
-  // Fingers that lean would lift what they let go: back along the tool, or else the way it came.
-  motion::JointPath way_out(const motion::JointPath& line, Pose end) const {
-    end.position += rotate(end.rotation, {0, 0, -let_go_back_m});
-    auto back = motion::tool_line(*line_, line.back(), end);
-    if (back.ok()) return std::move(*back);
-    return {line.rbegin(), line.rend()};
-  }
-
+  // With the way out, if the arm gets home by it.
   Result<DropPlan> by_way(const motion::JointPath& way, const Descent& descent, Seed seed) const {
     MARKETGEN_TRY(const auto quick, motion::motion_limits(model_, options_));
     motion::ArmPlanOptions gentle = options_;
     gentle.speed *= line_speed_share;
     MARKETGEN_TRY(const auto slow, motion::motion_limits(model_, gentle));
     DropPlan plan;
-    plan.base_from_tip = descent.base_from_tip;
+    plan.base_from_tip = descent.drop.base_from_tip;
     MARKETGEN_TRY(plan.way, motion::timed_path(way, quick));
     MARKETGEN_TRY(const motion::JointTrajectory down, motion::timed_curve(descent.line, slow));
     plan.way.append(down);
@@ -223,23 +227,66 @@ class DropPlanner {
     return plan;
   }
 
+  // Down as far as the basket goes.
+  Result<FeltDrop> felt(const motion::JointPath& way, const Descent& descent, Seed) const {
+    motion::JointPath down = descent.line;
+    FeltDrop plan;
+    plan.base_from_tip = descent.drop.base_from_tip;
+    const double rest = descent.drop.lowest_m + descent.drop.fall_m - off_floor_m;
+    for (const double share : felt_shares) {
+      Pose end = descent.drop.base_from_tip;
+      end.position.z -= std::max(0.0, rest) * share;
+      const auto on = motion::tool_line(*bare_, down.back(), inverse(base_from_arm_) * end);
+      if (!on.ok()) continue;
+      down.insert(down.end(), on->begin() + 1, on->end());
+      plan.base_from_tip = end;
+      break;
+    }
+    motion::ArmPlanOptions slow = options_;
+    slow.speed *= felt_speed_share;
+    MARKETGEN_TRY(const auto quick, motion::motion_limits(model_, options_));
+    MARKETGEN_TRY(const auto gentle, motion::motion_limits(model_, slow));
+    MARKETGEN_TRY(plan.way, motion::timed_path(way, quick));
+    MARKETGEN_TRY(plan.down, motion::timed_curve(down, gentle));
+    plan.down_m = over_m(descent.drop) + descent.drop.base_from_tip.position.z -
+                  plan.base_from_tip.position.z;
+    return plan;
+  }
+
+ private:
+  // Of the place over the basket over where it lets go.
+  double over_m(const Drop& drop) const {
+    return std::max(0.05, basket_.size.z + over_rim_m - drop.lowest_m);
+  }
+
+  // Fingers that lean would lift what they let go: back along the tool, or else the way it came.
+  motion::JointPath way_out(const motion::JointPath& line, Pose end) const {
+    end.position += rotate(end.rotation, {0, 0, -let_go_back_m});
+    auto back = motion::tool_line(*line_, line.back(), end);
+    if (back.ok()) return std::move(*back);
+    return {line.rbegin(), line.rend()};
+  }
+
   const robots::Robot& robot_;
   const CarriedBasket& basket_;
   const DropQuestion& question_;
   motion::ArmPlanOptions options_;
   motion::ArmModel model_;
-  motion::CollisionWorld world_;
+  motion::CollisionWorld world_, empty_;          // empty: nothing lies in the basket
   std::optional<motion::ArmChecker> way_, line_;  // with what is held, and without it
+  std::optional<motion::ArmChecker> bare_;        // as line_, in an empty basket
   motion::Configuration start_;
   Pose base_from_arm_;
 };
 
-}  // namespace
-
-Result<DropPlan> plan_drop(const robots::Robot& robot,
-                           const CarriedBasket& basket,
-                           const DropQuestion& question,
-                           Seed seed) {
+template <class Plan>
+Result<Plan> plan_down(const robots::Robot& robot,
+                       const CarriedBasket& basket,
+                       const DropQuestion& question,
+                       Seed seed,
+                       Result<Plan> (DropPlanner::*finish)(const motion::JointPath& way,
+                                                           const Descent& descent,
+                                                           Seed seed) const) {
   DropPlanner planner(robot, basket, question);
   MARKETGEN_CHECK(planner.look_around());
   const std::vector<Drop> drops = DropSearch(basket, question).drops(seed);
@@ -251,7 +298,7 @@ Result<DropPlan> plan_drop(const robots::Robot& robot,
       error.message = fmt::format("in the last place that was tried: {}", added.error().message);
     const bool last = i + 1 == drops.size();
     if (descents.empty() || (descents.size() < descents_at_once && !last)) continue;
-    auto plan = planner.plan(std::move(descents), seed.child("drop", i));
+    auto plan = planner.plan(std::move(descents), seed.child("drop", i), finish);
     if (plan.ok()) return plan;
     error.message = plan.error().message;
     if (plan.error().code == "motion.start_in_collision") break;
@@ -261,12 +308,61 @@ Result<DropPlan> plan_drop(const robots::Robot& robot,
   return error;
 }
 
+}  // namespace
+
+Result<DropPlan> plan_drop(const robots::Robot& robot,
+                           const CarriedBasket& basket,
+                           const DropQuestion& question,
+                           Seed seed) {
+  return plan_down(robot, basket, question, seed, &DropPlanner::by_way);
+}
+
+Result<FeltDrop> plan_felt_drop(const robots::Robot& robot,
+                                const CarriedBasket& basket,
+                                const DropQuestion& question,
+                                Seed seed) {
+  return plan_down(robot, basket, question, seed, &DropPlanner::felt);
+}
+
+Result<BasketExit> plan_basket_exit(const robots::Robot& robot,
+                                    const CarriedBasket& basket,
+                                    const StowQuestion& question,
+                                    Seed seed) {
+  MARKETGEN_TRY(const motion::ArmModel model, motion::make_arm_model(robot, question.group));
+  MARKETGEN_TRY(const motion::CollisionWorld empty, around_robot(basket, question, {}));
+  MARKETGEN_TRY(const motion::ArmChecker checker,
+                motion::ArmChecker::make(
+                    model, question.state, question.world_from_base, empty, {line_margin_m, {}}));
+  const motion::Configuration start = robots::values_of(model.group, question.state);
+  const Pose base_from_arm =
+      robots::link_poses(robot, question.state)[static_cast<std::size_t>(model.group.base)];
+  const Pose tip =
+      inverse(base_from_arm) * robots::frame_pose(robot, question.state, model.group.tip);
+  Pose back = tip, up = tip;
+  back.position += rotate(tip.rotation, {0, 0, -let_go_back_m});
+  up.position += rotate(inverse(base_from_arm.rotation), {0, 0, basket.size.z});
+  auto line = motion::tool_line(checker, start, back);
+  if (!line.ok()) line = motion::tool_line(checker, start, up);
+  if (!line.ok()) return line.error();
+  motion::ArmPlanOptions slow = carrying(carrying_acceleration);
+  slow.speed *= line_speed_share;
+  MARKETGEN_TRY(const auto limits, motion::motion_limits(model, slow));
+  BasketExit exit;
+  MARKETGEN_TRY(exit.retreat, motion::timed_curve(*line, limits));
+  MARKETGEN_TRY(motion::ArmPlan home,
+                motion::plan_arm(
+                    checker, line->back(), {question.stow}, seed, carrying(carrying_acceleration)));
+  exit.home = std::move(home.trajectory);
+  return exit;
+}
+
 Result<motion::JointTrajectory> plan_stow(const robots::Robot& robot,
                                           const CarriedBasket& basket,
                                           const StowQuestion& question,
                                           Seed seed) {
   MARKETGEN_TRY(const motion::ArmModel model, motion::make_arm_model(robot, question.group));
-  MARKETGEN_TRY(const motion::CollisionWorld world, around_robot(basket, question));
+  MARKETGEN_TRY(const motion::CollisionWorld world,
+                around_robot(basket, question, question.inside));
   MARKETGEN_TRY(const motion::ArmChecker checker,
                 motion::ArmChecker::make(
                     model, question.state, question.world_from_base, world, {line_margin_m, {}}));

@@ -38,6 +38,22 @@ struct DropPlan {
   motion::JointTrajectory home;     // to the stowed posture
 };
 
+// For a hand that feels what it meets: over the basket, and from there straight down until it has
+// come upon something, or to the end. What lies in a basket that is driven about rolls, so that the
+// way goes on past where something was left.
+struct FeltDrop {
+  motion::JointTrajectory way;   // to over the basket
+  motion::JointTrajectory down;  // slowly, as far as there is room over the basket's floor
+  Pose base_from_tip;            // at its end
+  double down_m = 0;
+};
+
+// Out of the basket, empty, from where the arm let go.
+struct BasketExit {
+  motion::JointTrajectory retreat;  // back along the tool, or else straight up
+  motion::JointTrajectory home;     // to the stowed posture
+};
+
 // Over what is under it, the better one first: from 40 mm it arrives with 0.9 m/s.
 inline constexpr std::array drop_heights_m{0.012, 0.040};
 
@@ -46,6 +62,19 @@ Result<DropPlan> plan_drop(const robots::Robot& robot,
                            const CarriedBasket& basket,
                            const DropQuestion& question,
                            Seed seed);
+
+// Errors: as plan_drop.
+Result<FeltDrop> plan_felt_drop(const robots::Robot& robot,
+                                const CarriedBasket& basket,
+                                const DropQuestion& question,
+                                Seed seed);
+
+// What was let go may lie at the fingers: what lies in the basket is not minded. Errors: those of
+// make_arm_model, tool_line and plan_arm.
+Result<BasketExit> plan_basket_exit(const robots::Robot& robot,
+                                    const CarriedBasket& basket,
+                                    const StowQuestion& question,
+                                    Seed seed);
 
 // The empty arm to its stowed posture. Errors: those of make_arm_model and plan_arm.
 Result<motion::JointTrajectory> plan_stow(const robots::Robot& robot,

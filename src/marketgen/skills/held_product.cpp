@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "assets/contact_shape.h"
+#include "base/gravity.h"
 
 namespace marketgen::skills {
 namespace {
 
 constexpr double larger = 1.1;
+constexpr double put_n = 20;
 constexpr double end_share = 0.4;  // of its radius, by which the last ball reaches beyond the end
 
 void widen(Vec3& low, Vec3& high, Vec3 point) {
@@ -25,6 +27,10 @@ Result<assets::ProductBody> make_store_body(const catalog::Product& product) {
   MARKETGEN_TRY(const assets::CollisionPrimitive solid, assets::collision_of(product));
   body.pieces = {assets::piece_of(solid)};
   return body;
+}
+
+double putting_force_n(const catalog::Product& product) {
+  return put_n + product.mass_kg * standard_gravity;
 }
 
 TurnedBox turned_box(const assets::ProductBody& body, const Pose& pose) {

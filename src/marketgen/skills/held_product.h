@@ -12,6 +12,10 @@ namespace marketgen::skills {
 // collision_of.
 Result<assets::ProductBody> make_store_body(const catalog::Product& product);
 
+// What presses on the hand that puts it down, N, when it has come upon something: its weight and
+// what slow motion alone does not bring about.
+double putting_force_n(const catalog::Product& product);
+
 // The pack's box, turned: its middle and half size in the frame of `pose`. Exact.
 struct TurnedBox {
   Vec3 middle, half;

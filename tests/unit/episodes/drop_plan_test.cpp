@@ -50,10 +50,16 @@ struct CanInHand {
     return robots::frame_pose(robot(), state, frame);
   }
   // The can where it is let go, in the basket's frame.
-  skills::TurnedBox let_go(const skills::DropPlan& plan) const {
+  skills::TurnedBox let_go(const Pose& base_from_tip) const {
     return skills::turned_box(
-        can,
-        inverse(store->basket.base_from_floor) * plan.base_from_tip * question.tip_from_product);
+        can, inverse(store->basket.base_from_floor) * base_from_tip * question.tip_from_product);
+  }
+  // 6 cm high, over all of the basket's floor.
+  skills::CarriedItem layer() const {
+    const Vec3 size = store->basket.size;
+    Pose middle = store->basket.base_from_floor;
+    middle.position.z += 0.03;
+    return skills::carried_box({middle.position, {size.x / 2, size.y / 2, 0.03}});
   }
 };
 
@@ -65,7 +71,7 @@ TEST(DropPlan, LetsACanDownAndComesHome) {
   const CanInHand hand;
   const auto plan = skills::plan_drop(hand.robot(), hand.store->basket, hand.question, Seed(2));
   ASSERT_TRUE(plan.ok()) << to_string(plan.error());
-  const skills::TurnedBox box = hand.let_go(*plan);
+  const skills::TurnedBox box = hand.let_go(plan->base_from_tip);
   const Vec3 size = hand.store->basket.size;
   EXPECT_LT(std::abs(box.middle.x) + box.half.x, size.x / 2);
   EXPECT_LT(std::abs(box.middle.y) + box.half.y, size.y / 2);
@@ -84,15 +90,45 @@ TEST(DropPlan, LetsACanDownAndComesHome) {
 
 TEST(DropPlan, WhatLiesThereIsUnderIt) {
   CanInHand hand;
-  const Vec3 size = hand.store->basket.size;
-  Pose middle = hand.store->basket.base_from_floor;
-  middle.position.z += 0.03;
-  hand.question.inside = {skills::carried_box({middle.position, {size.x / 2, size.y / 2, 0.03}})};
+  hand.question.inside = {hand.layer()};
   const auto plan = skills::plan_drop(hand.robot(), hand.store->basket, hand.question, Seed(2));
   ASSERT_TRUE(plan.ok()) << to_string(plan.error());
-  const skills::TurnedBox box = hand.let_go(*plan);
+  const skills::TurnedBox box = hand.let_go(plan->base_from_tip);
   EXPECT_GT(box.middle.z - box.half.z, 0.06);
   EXPECT_LT(box.middle.z - box.half.z, 0.11);
+}
+
+// What was left there may have rolled away: the way goes on to the floor, and begins over the rim.
+TEST(DropPlan, AWayThatIsFeltGoesDownToTheFloor) {
+  for (const bool filled : {false, true}) {
+    SCOPED_TRACE(filled);
+    CanInHand hand;
+    if (filled) hand.question.inside = {hand.layer()};
+    const auto plan =
+        skills::plan_felt_drop(hand.robot(), hand.store->basket, hand.question, Seed(2));
+    ASSERT_TRUE(plan.ok()) << to_string(plan.error());
+    const skills::TurnedBox end = hand.let_go(plan->base_from_tip);
+    EXPECT_GT(end.middle.z - end.half.z, 0.004);
+    EXPECT_LT(end.middle.z - end.half.z, 0.008);
+    const skills::TurnedBox begin = hand.let_go(hand.tip_at(end_of(plan->way)));
+    EXPECT_GT(begin.middle.z - begin.half.z, hand.store->basket.size.z);
+    EXPECT_NEAR(begin.middle.z - end.middle.z, plan->down_m, 2e-3);
+    EXPECT_EQ(plan->down.at(0).position, end_of(plan->way));
+    EXPECT_LT(length(hand.tip_at(end_of(plan->down)).position - plan->base_from_tip.position),
+              2e-3);
+    // Half of the way down it has come upon something, and is left there.
+    const motion::Configuration q = plan->down.at(plan->down.duration_s() / 2).position;
+    for (std::size_t j = 0; j < q.size(); ++j)
+      hand.question.state[static_cast<std::size_t>(hand.arm()[j])] = q[j];
+    const auto exit =
+        skills::plan_basket_exit(hand.robot(), hand.store->basket, hand.question, Seed(3));
+    ASSERT_TRUE(exit.ok()) << to_string(exit.error());
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      EXPECT_NEAR(exit->retreat.at(0).position[j], q[j], 1e-9);
+      EXPECT_NEAR(end_of(exit->home)[j], hand.question.stow[j], 1e-9);
+    }
+    EXPECT_GT(hand.tip_at(end_of(exit->retreat)).position.z, hand.tip_at(q).position.z + 0.03);
+  }
 }
 
 TEST(DropPlan, ABasketThatIsTooSmallIsAnError) {

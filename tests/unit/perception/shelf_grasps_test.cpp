@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "perception/rivals.h"
+#include "skills/hand_room.h"
 #include "support/committed_robot.h"
 
 namespace marketgen {
@@ -39,6 +40,31 @@ TEST(FrontGrasps, FingersHaveRoomWhereTheToolOpensWideEnough) {
   EXPECT_NEAR(widest_opening(0.030F), 0.070, 0.002);
   EXPECT_GT(widest_opening(0.042F), 0.086) << "84 mm: closer, as it is stocked";
   EXPECT_EQ(widest_opening(0.045F), 0);
+}
+
+// A board 25 mm over the can and the whole shelf deep: hands come level, not from above.
+TEST(FrontGrasps, KeepOffTheBoardOverThePack) {
+  const robots::GraspTool gripper =
+      robots::load_grasp_tool(committed_rows, "parallel-gripper").value();
+  const agent::KnownProduct can = can_of(0.030F);
+  const motion::GraspObstacle board{Pose{{0, 0.2, 0.135}, {}}, {0.5, 0.25, 0.01}};
+  assets::ContactPiece box;
+  box.half_size = to_float(board.half_size);
+  const motion::GraspSurface surface({box});
+  const auto deepest = [&](const std::vector<motion::GraspObstacle>& walls) {
+    const auto grasps = perception::FrontGrasps(gripper).grasps({can, {}, {}, {}, walls});
+    EXPECT_TRUE(grasps.ok());
+    EXPECT_FALSE(grasps->empty());
+    double deep = 0;
+    for (const perception::SeenGrasp& grasp : *grasps)
+      deep = std::max(deep,
+                      skills::hand_overlap(skills::open_hand(gripper, grasp.opening_m),
+                                           grasp.base_from_tip,
+                                           skills::PlacedBody{&surface, board.world_from_box}));
+    return deep;
+  };
+  EXPECT_GT(deepest({}), 0.005) << "nothing is tried by this test";
+  EXPECT_EQ(deepest({board}), 0);
 }
 
 catalog::Product row(const char* sku, const char* category, std::array<int, 3> size_mm) {

@@ -187,5 +187,50 @@ TEST(Retrace, ABodyThatWasStoppedDrivesBack) {
   EXPECT_NEAR(driven, 0, 1e-9);
 }
 
+// An arm of a body on its way, and what it does when so much presses on one of its arms.
+TEST(BodyExecutor, AWayThatIsFeltEndsAtAContactAndWhatIsBehindItGoesOn) {
+  const robots::Robot& robot = committed_robot("realman-rm75");
+  const std::vector<int>& arm = robot.find_group("left_arm")->dofs;
+  const motion::Configuration from(arm.size(), 0.0), to(arm.size(), 0.2);
+  const std::vector<motion::MotionLimits> limits(arm.size(), {0.4, 1, 10});
+  const auto way = motion::timed_path({from, to}, limits);
+  ASSERT_TRUE(way.ok());
+  ASSERT_EQ(robot.contact_limits.size(), 2U);
+  skills::BodyExecutor body(robot, arm);
+  agent::Observation now;
+  now.position = from;
+  now.openings_m = {0.06, 0.06};
+  // Which of the two readings is the left arm's, the body finds by the limits' links.
+  std::array<double, 2> shares{};
+  for (std::size_t pressed : {0U, 1U}) {
+    now.external_force_n = {0, 0};
+    body.start(now);
+    body.feel(arm, *way, 20);
+    body.grip(0, {0.08});
+    body.wait(0.1);
+    agent::Action action;
+    for (int i = 0; i < 4; ++i)
+      action = body.next(now);
+    const std::vector<double> there = action.position;
+    now.external_force_n[pressed] = 21;
+    action = body.next(now);
+    const bool ended = action.position == there;
+    now.external_force_n = {0, 0};
+    while (!body.idle())
+      action = body.next(now);
+    EXPECT_EQ(action.tools.front().opening_m, 0.08) << "what was queued behind is forgotten";
+    EXPECT_FALSE(body.take_stop());
+    shares[pressed] = body.felt_share();
+    EXPECT_EQ(action.position == to, !ended);
+    if (ended) {
+      EXPECT_EQ(action.position, there) << "it went on";
+      EXPECT_NEAR(shares[pressed], 0.2 / way->duration_s(), 1e-9);
+    } else {
+      EXPECT_EQ(shares[pressed], 1);
+    }
+  }
+  EXPECT_NE(shares[0], shares[1]) << "one of the arms is the one that moves";
+}
+
 }  // namespace
 }  // namespace marketgen
