@@ -9,15 +9,17 @@
 
 namespace marketgen {
 
-inline std::shared_ptr<const episodes::AisleStore> can_aisle() {
+// So many facings of so many, one behind the other.
+inline std::shared_ptr<const episodes::AisleStore> can_aisle(int facings = 4, int deep = 1) {
   HandMadeScene shop;
   constexpr std::uint32_t can = 1;
-  for (int i = 0; i < 4; ++i) {
-    const std::uint32_t row = shop.add(can,
-                                       {2.8F + 0.106F * static_cast<float>(i),
-                                        HandMadeScene::shelf_y_m - 0.12F,
-                                        HandMadeScene::upper_board_m});
-    shop.scene.products[row].flags |= scene::product_front_row;
+  for (int i = 0; i < facings * deep; ++i) {
+    const std::uint32_t row =
+        shop.add(can,
+                 {2.8F + 0.106F * static_cast<float>(i / deep),
+                  HandMadeScene::shelf_y_m - 0.12F + 0.08F * static_cast<float>(i % deep),
+                  HandMadeScene::upper_board_m});
+    shop.scene.products[row].flags |= scene::product_front_row;  // each may be asked for
   }
   auto store =
       episodes::open_aisle_store(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", shop.scene);
@@ -38,12 +40,16 @@ inline episodes::EpisodeSpec can_episode(const episodes::AisleStore& store) {
   return spec;
 }
 
-inline std::unique_ptr<episodes::AisleWorld> can_world(const episodes::EpisodeSpec& spec) {
-  static const std::shared_ptr<const episodes::AisleStore> store = can_aisle();
+inline std::unique_ptr<episodes::AisleWorld> can_world(
+    const episodes::EpisodeSpec& spec, const std::shared_ptr<const episodes::AisleStore>& store) {
   auto world = std::make_unique<episodes::AisleWorld>(store, committed_catalog().frictions);
   const auto reset = world->reset(spec);
   if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   return world;
+}
+inline std::unique_ptr<episodes::AisleWorld> can_world(const episodes::EpisodeSpec& spec) {
+  static const std::shared_ptr<const episodes::AisleStore> store = can_aisle();
+  return can_world(spec, store);
 }
 
 }  // namespace marketgen

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "agent/aisle_map.h"
-#include "agent/known_products.h"
-#include "motion/grasp_candidates.h"
+#include "policy/pick_target.h"
 #include "skills/aisle_executor.h"
 #include "skills/drop_plan.h"
 #include "skills/shelf_pick.h"
@@ -23,14 +22,6 @@ struct AisleBodySetup {
   skills::CarriedBasket basket;
   std::vector<double> driving;  // its state while it drives, on the origin
   std::vector<int> commanded;   // degrees of freedom of an action's positions
-};
-
-// Something to be taken: where it stands and how.
-struct PickTarget {
-  const agent::KnownProduct* known = nullptr;
-  Pose store_from_product;
-  std::vector<robots::Grasp> grasps;  // best first
-  std::string tool_row;               // of the gripper that they are for
 };
 
 class AisleBody {

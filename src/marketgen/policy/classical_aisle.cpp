@@ -29,7 +29,6 @@ constexpr double min_item_left_s = 45;
 constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and lower boards
 constexpr double min_again = 0.6;  // of its score, at a second look from before the shelf
 constexpr double max_tilt = 1.04, max_pan = 1.3;
-constexpr double other_reach_m = 0.35;  // of a product, measured points that its grasps mind
 
 constexpr double next_picture_s = 0.05;
 
@@ -41,6 +40,7 @@ enum class AisleStep {
   look_down,
   at_shelf,
   look_again,
+  look_on,
   pressed,
   out,
   away,
@@ -108,6 +108,7 @@ class ClassicalAisle : public agent::Policy {
       case AisleStep::look_down:
       case AisleStep::at_shelf:
       case AisleStep::look_again:
+      case AisleStep::look_on:
         step_ = AisleStep::choose;
         return choose();
       case AisleStep::pressed:
@@ -138,9 +139,12 @@ class ClassicalAisle : public agent::Policy {
       case AisleStep::look_down:
         return look_down();
       case AisleStep::at_shelf:
-        return turn_head();
+        step_ = AisleStep::look_again;
+        return turn_head(finds_[find_].place.store_from_product.position);
       case AisleStep::look_again:
         return look_again();
+      case AisleStep::look_on:
+        return look_on();
       case AisleStep::pressed:
         return pull_out();
       case AisleStep::out:
@@ -234,6 +238,13 @@ class ClassicalAisle : public agent::Policy {
     MARKETGEN_TRY(const bool looked, has_looked());
     if (!looked) return {};
     points_ = sight_.points(robot_, body_.state());
+    find_all();
+    step_ = AisleStep::choose;
+    return {};
+  }
+
+  // Whatever is asked for, in what is seen.
+  void find_all() {
     std::vector<ShelfFind> all;
     for (std::size_t i = 0; i < goals_.size(); ++i) {
       if (!goals_[i].is_due()) continue;
@@ -244,6 +255,15 @@ class ClassicalAisle : public agent::Policy {
       }
     }
     log_look(sight_, all, goals_, log_);
+  }
+
+  // For more of what was just taken: there the next one may stand behind it.
+  Result<void> look_on() {
+    if (still_.empty()) sight_ = ShelfSight(now_.base);
+    MARKETGEN_TRY(const bool looked, has_looked());
+    if (!looked) return {};
+    points_ = sight_.points_beside(points_, robot_, body_.state());
+    find_all();
     step_ = AisleStep::choose;
     return {};
   }
@@ -268,26 +288,13 @@ class ClassicalAisle : public agent::Policy {
 
   Result<PickTarget> item_at(const ShelfFind& find) {
     const ShelfGoal& goal = goals_[find.goal];
-    PickTarget item;
-    MARKETGEN_TRY(item.known, setup_.products->product(goal.sku));
-    item.store_from_product = find.store_from_product;
-    item.tool_row = setup_.tool.id;
-    const Vec3 middle = find.store_from_product.position;
-    std::vector<Vec3f> near;
-    for (const Vec3f& point : points_)
-      if (length(to_double(point) - middle) < other_reach_m) near.push_back(point);
-    const std::vector<Vec3f> others =
-        perception::other_points(near, *goal.look, find.store_from_product);
-    MARKETGEN_TRY(const auto grasps,
-                  modules_.grasps->grasps({*item.known,
-                                           find.store_from_product,
-                                           others,
-                                           sight_.seen_in(),
-                                           body_.walls_about(find.store_from_product)}));
-    for (const perception::SeenGrasp& grasp : grasps)
-      item.grasps.push_back(
-          {inverse(find.store_from_product) * grasp.base_from_tip, grasp.opening_m, grasp.force_n});
-    return item;
+    MARKETGEN_TRY(const agent::KnownProduct* known, setup_.products->product(goal.sku));
+    return pick_target(*known,
+                       *goal.look,
+                       find.store_from_product,
+                       setup_.tool,
+                       *modules_.grasps,
+                       {points_, sight_.seen_in(), body_.walls_about(find.store_from_product)});
   }
 
   Result<bool> approach(std::size_t number) {
@@ -329,13 +336,10 @@ class ClassicalAisle : public agent::Policy {
     done_ = true;
   }
 
-  // Towards the product, as far as the head turns.
-  Result<void> turn_head() {
+  // Towards a place in the store, as far as the head turns.
+  Result<void> turn_head(Vec3 place) {
     const Pose head = robots::frame_pose(robot_, body_.state(), robot_.find_frame(head_eye));
-    const Vec3 at = inverse(agent::store_from_base(now_.base)) *
-                        finds_[find_].place.store_from_product.position -
-                    head.position;
-    step_ = AisleStep::look_again;
+    const Vec3 at = inverse(agent::store_from_base(now_.base)) * place - head.position;
     still_ = perception::SteadyView();
     return body_.look(std::clamp(std::atan2(at.y, at.x), -max_pan, max_pan),
                       std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, max_tilt));
@@ -360,13 +364,14 @@ class ClassicalAisle : public agent::Policy {
                     moved.position.y,
                     yaw_of(moved.rotation) * 180 / std::numbers::pi));
     const bool is_there = again.score >= min_again * find.place.score;
-    log_look(sight_, is_there ? std::vector{again} : std::vector<ShelfFind>{}, goals_, log_);
     if (is_there) {
+      log_look(sight_, {again}, goals_, log_);
       find.place = again;
       return take(find, goal);
     }
     refused(goal, "NotFound");
     finds_.refuse(find_);
+    find_all();
     step_ = AisleStep::choose;
     return {};
   }
@@ -462,8 +467,10 @@ class ClassicalAisle : public agent::Policy {
     ++goal.fetched;
     say(fmt::format("{}: let go in the basket", goal.sku));
     goal.tries = 0;
+    const Vec3 place = finds_[find_].place.store_from_product.position;
     finds_.refuse(find_);
-    step_ = AisleStep::choose;
+    step_ = goal.is_due() ? AisleStep::look_on : AisleStep::choose;
+    if (goal.is_due()) return turn_head(place);
     return {};
   }
 

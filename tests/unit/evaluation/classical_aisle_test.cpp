@@ -71,11 +71,10 @@ TEST(AisleSenses, TheMapHasRoomBeforeBoards) {
   EXPECT_FALSE(map.way(here, {0.05, 0.05, 0}).ok());
 }
 
-// `classical` in the shop with cans, told of its goal as `told` says.
-void expect_collects(const episodes::EpisodeSpec& spec,
+// `classical` in a shop with cans, told of its goal as `told` says.
+void expect_collects(const std::unique_ptr<episodes::AisleWorld>& world,
                      const agent::TaskGoal& told,
                      std::unique_ptr<perception::GoalReader> reader) {
-  const auto world = can_world(spec);
   const episodes::AisleStore& store = world->store();
   episodes::AisleEyes eyes(*world);
   const episodes::StoreMap map(store);
@@ -122,7 +121,15 @@ void expect_collects(const episodes::EpisodeSpec& spec,
 }
 
 TEST(ClassicalAisle, FindsACanAndFetchesIt) {
-  expect_collects(hinted_can_episode(), {"can-cola", 1}, nullptr);
+  expect_collects(can_world(hinted_can_episode()), {"can-cola", 1}, nullptr);
+}
+
+// Of the second one nothing is seen before the first has been taken.
+TEST(ClassicalAisle, TakesTheOneThatStoodBehind) {
+  episodes::EpisodeSpec spec = hinted_can_episode();
+  spec.goals = {{"can-cola", 2}};
+  spec.limit_s = 300;
+  expect_collects(can_world(spec, can_aisle(1, 2)), {"can-cola", 2}, nullptr);
 }
 
 TEST(ClassicalAisle, FetchesTwoThatItIsToldOfInWords) {
@@ -130,7 +137,7 @@ TEST(ClassicalAisle, FetchesTwoThatItIsToldOfInWords) {
   spec.instructions = episodes::Instructions::words;
   spec.goals = {{"can-cola", 2, "two cans of cola"}};
   spec.limit_s = 300;
-  expect_collects(spec,
+  expect_collects(can_world(spec),
                   {"", 2, "two cans of cola"},
                   std::make_unique<perception::CatalogueReader>(
                       can_aisle()->scene.catalog, committed_catalog().search_lexicon));
