@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace marketgen::policy {
 namespace {
@@ -18,6 +17,10 @@ constexpr double min_held_m = 0.004;        // between fingers that hold somethi
 // arm then reaches by another height of its lift.
 constexpr std::array standing_lifts_m{0.0, -0.05, 0.05, -0.10, 0.10, -0.15, 0.15, -0.20, 0.20};
 constexpr int way_back_points = 16;
+// What is let go so high over the basket's floor may roll off what it lies on, and arrives with
+// 0.9 m/s; so often another place is sought.
+constexpr double max_let_go_m = 0.04;
+constexpr std::size_t max_met = 3;
 constexpr double max_leave_m = 0.30, leave_step_m = 0.04;
 
 std::vector<Vec3f> near(const std::vector<Vec3f>& points, Vec3 middle, double within_m) {
@@ -167,7 +170,7 @@ Result<skills::ShelfPick> AisleBody::plan_pick(const PickTarget& item,
 Result<void> AisleBody::take(const PickTarget& item, skills::ShelfPick pick) {
   MARKETGEN_TRY(carried_, skills::make_store_body(item.known->product));
   put_n_ = skills::putting_force_n(item.known->product);
-  lets_down_ = false;
+  met_.clear();
   pick_ = std::move(pick);
   return executor_.take(
       {.ways = static_cast<const skills::PickWays&>(pick_),
@@ -211,70 +214,97 @@ skills::StowQuestion AisleBody::stow_question(const std::vector<Vec3f>& points) 
 }
 
 Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
-  if (lets_down_) inside_.pop_back();  // it was stopped on its way
-  lets_down_ = false;
   skills::DropQuestion question;
   static_cast<skills::StowQuestion&>(question) = stow_question(points);
+  question.inside.insert(question.inside.end(), met_.begin(), met_.end());
   question.tool = pick_.tool;
   question.held = &carried_;
   question.tip_from_product = inverse(pick_.grasp.product_from_tool);
-  const auto let_go = let_down(question);
-  if (!let_go.ok()) {
-    const bool last = ++lift_tried_ >= skills::drop_lifts_m.size();
-    if (last) lift_tried_ = 0;
-    MARKETGEN_CHECK(executor_.raise(skills::drop_lifts_m[lift_tried_], agent::Subtask::place));
-    if (last) return let_go.error();
-    return false;
+  const auto goes = let_down(question);
+  if (goes.ok()) return true;
+  if (!met_.empty()) {  // then where it was before, or anywhere
+    met_.assign(max_met, {});
+    question.inside = inside_;
+    if (let_down(question).ok()) return true;
   }
-  lets_down_ = true;
-  inside_.push_back(
-      skills::carried_box(skills::turned_box(carried_, *let_go * question.tip_from_product)));
-  return true;
+  const bool last = ++lift_tried_ >= skills::drop_lifts_m.size();
+  if (last) lift_tried_ = 0;
+  MARKETGEN_CHECK(executor_.raise(skills::drop_lifts_m[lift_tried_], agent::Subtask::place));
+  if (last) return goes.error();
+  return false;
 }
 
-// Where the tip is to let go.
-Result<Pose> AisleBody::let_down(const skills::DropQuestion& question) {
-  const double held = now_.openings_m[static_cast<std::size_t>(pick_.tool)];
-  const agent::ToolCommand let_go{held + let_go_wider_by_m, pick_.grasp.force_n};
+agent::ToolCommand AisleBody::letting_go() const {
+  return {now_.openings_m[static_cast<std::size_t>(pick_.tool)] + let_go_wider_by_m,
+          pick_.grasp.force_n};
+}
+
+Result<void> AisleBody::let_down(const skills::DropQuestion& question) {
   down_ = {};
   if (now_.external_force_n.empty()) {
     MARKETGEN_TRY(skills::DropPlan plan,
                   skills::plan_drop(*setup_.robot, setup_.basket, question, next_seed()));
-    const Pose tip = plan.base_from_tip;
-    executor_.let_down(std::move(plan), let_go);
-    return tip;
+    let_go_ = plan.base_from_tip;
+    executor_.let_down(std::move(plan), letting_go());
+    return {};
   }
   MARKETGEN_TRY(skills::FeltDrop plan,
                 skills::plan_felt_drop(*setup_.robot, setup_.basket, question, next_seed()));
-  const Pose tip = plan.base_from_tip;
+  let_go_ = plan.base_from_tip;
   down_ = plan.down;
   down_m_ = plan.down_m;
-  executor_.let_down(std::move(plan), put_n_, let_go);
-  return tip;
+  executor_.let_down(std::move(plan), put_n_);
+  return {};
+}
+
+// Base frame.
+skills::TurnedBox AisleBody::box_where_it_is() const {
+  Pose tip = let_go_;
+  if (down_.joints() > 0) tip.position.z += down_m_ * (1 - executor_.felt_share());
+  return skills::turned_box(carried_, tip * inverse(pick_.grasp.product_from_tool));
+}
+
+Result<bool> AisleBody::lowered() {
+  const skills::TurnedBox box = box_where_it_is();
+  const double floor_m = setup_.basket.base_from_floor.position.z;
+  const double over_m = box.middle.z - box.half.z - floor_m;
+  if (down_.joints() > 0 && over_m > max_let_go_m && met_.size() < max_met) {
+    met_.push_back(skills::carried_box({{box.middle.x, box.middle.y, floor_m + over_m / 2},
+                                        {box.half.x, box.half.y, over_m / 2}}));
+    MARKETGEN_TRY(motion::JointTrajectory up, way_up());
+    executor_.take_up(std::move(up));
+    return false;
+  }
+  if (down_.joints() > 0) executor_.let_go(letting_go());
+  inside_.push_back(skills::carried_box(box));
+  return true;
 }
 
 Result<void> AisleBody::leave_basket(const std::vector<Vec3f>& points) {
   if (down_.joints() == 0) return {};
-  if (std::exchange(lets_down_, false))
-    inside_.back().base_from_product.position.z += down_m_ * (1 - executor_.felt_share());
   auto plan =
       skills::plan_basket_exit(*setup_.robot, setup_.basket, stow_question(points), next_seed());
-  if (!plan.ok()) return go_back_up(points);
+  if (!plan.ok()) return go_home_from_above(points);
   executor_.leave_basket(std::move(*plan));
   return {};
 }
 
-// The way that it came, and home from over the basket.
-Result<void> AisleBody::go_back_up(const std::vector<Vec3f>& points) {
+// Out of the basket, the way that it came.
+Result<motion::JointTrajectory> AisleBody::way_up() const {
   const double end_s = down_.duration_s() * executor_.felt_share();
   motion::JointPath line;
   for (int i = 0; i <= way_back_points; ++i)
     line.push_back(down_.at(end_s * i / way_back_points).position);
-  MARKETGEN_TRY(motion::JointTrajectory up, skills::way_back(*setup_.robot, pick_.group, line));
+  return skills::way_back(*setup_.robot, pick_.group, line);
+}
+
+Result<void> AisleBody::go_home_from_above(const std::vector<Vec3f>& points) {
+  MARKETGEN_TRY(motion::JointTrajectory up, way_up());
   skills::StowQuestion question = stow_question(points);
   const std::vector<int>& arm = setup_.robot->find_group(pick_.group)->dofs;
+  const motion::Configuration above = down_.at(0).position;
   for (std::size_t i = 0; i < arm.size(); ++i)
-    question.state[static_cast<std::size_t>(arm[i])] = line.front()[i];
+    question.state[static_cast<std::size_t>(arm[i])] = above[i];
   MARKETGEN_TRY(motion::JointTrajectory home,
                 skills::plan_stow(*setup_.robot, setup_.basket, question, next_seed()));
   executor_.leave_basket({std::move(up), std::move(home)});

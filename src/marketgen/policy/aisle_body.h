@@ -58,8 +58,11 @@ class AisleBody {
   // Tried from one lift height after another: true when it is on its way into the basket, false
   // when the lift moves first. Error: collect.no_drop when all were tried; then the first is next.
   Result<bool> drop(const std::vector<Vec3f>& points);
-  // From where it was let go, home; nothing where drop() has seen to that, for a robot that does
-  // not feel what it meets.
+  // When it is down: false when it came upon something so high over the basket's floor that it may
+  // roll off it and fall; then it goes up again, and drop() is next, which tries another place.
+  // Else true: it is let go. A robot that does not feel what it meets has let go before.
+  Result<bool> lowered();
+  // From where it was let go, home.
   Result<void> leave_basket(const std::vector<Vec3f>& points);
   Result<void> go_home(const std::vector<Vec3f>& points);  // the empty arm, to its stowed posture
 
@@ -67,8 +70,11 @@ class AisleBody {
   motion::Configuration stowed_arm(const std::string& group) const;
   motion::Obstacles around(const std::vector<Vec3f>& points) const;
   skills::StowQuestion stow_question(const std::vector<Vec3f>& points) const;
-  Result<Pose> let_down(const skills::DropQuestion& question);
-  Result<void> go_back_up(const std::vector<Vec3f>& points);
+  Result<void> let_down(const skills::DropQuestion& question);
+  agent::ToolCommand letting_go() const;
+  skills::TurnedBox box_where_it_is() const;
+  Result<motion::JointTrajectory> way_up() const;
+  Result<void> go_home_from_above(const std::vector<Vec3f>& points);
   double room_behind_m() const;
   Result<void> may_stand(const robots::BasePlace& place) const;
   Result<void> may_hold(const assets::ProductBody& body, const skills::ShelfPick& pick) const;
@@ -84,7 +90,8 @@ class AisleBody {
   motion::JointTrajectory down_;  // into the basket, felt; empty: there was none
   double down_m_ = 0;
   std::vector<skills::CarriedItem> inside_;  // of the basket, as let down
-  bool lets_down_ = false;                   // what it holds is the last of these
+  std::vector<skills::CarriedItem> met_;     // there, by what is being let down
+  Pose let_go_;                              // base_from_tip
   std::size_t lift_tried_ = 0;
   std::uint64_t moves_ = 0;
 };

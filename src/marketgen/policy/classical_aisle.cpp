@@ -44,6 +44,7 @@ enum class AisleStep {
   pressed,
   out,
   away,
+  lowered,
   let_go,
   dropped
 };
@@ -119,6 +120,7 @@ class ClassicalAisle : public agent::Policy {
         step_ = AisleStep::away;
         return body_.back_off();
       case AisleStep::away:
+      case AisleStep::lowered:
       case AisleStep::let_go:
         step_ = AisleStep::away;
         return drop();
@@ -152,6 +154,8 @@ class ClassicalAisle : public agent::Policy {
         return body_.back_off();
       case AisleStep::away:
         return drop();
+      case AisleStep::lowered:
+        return let_go();
       case AisleStep::let_go:
         return leave_basket();
       case AisleStep::dropped:
@@ -430,7 +434,7 @@ class ClassicalAisle : public agent::Policy {
     }
     const auto dropped = body_.drop(points_);
     if (dropped.ok()) {
-      if (*dropped) step_ = AisleStep::let_go;
+      if (*dropped) step_ = AisleStep::lowered;
       return {};
     }
     log_find(agent::DecisionKind::place, "NoPath");
@@ -438,6 +442,13 @@ class ClassicalAisle : public agent::Policy {
     say("no way into the basket: " + to_string(dropped.error()));
     done_ = points_.empty();  // with the item in its hand: it cannot go on
     points_.clear();          // once more, past what the map knows alone
+    return {};
+  }
+
+  Result<void> let_go() {
+    MARKETGEN_TRY(const bool lets_go, body_.lowered());
+    if (!lets_go) say("came upon something: another place in the basket");
+    step_ = lets_go ? AisleStep::let_go : AisleStep::away;
     return {};
   }
 

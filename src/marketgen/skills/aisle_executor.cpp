@@ -87,13 +87,17 @@ void AisleExecutor::let_down(DropPlan plan, agent::ToolCommand let_go) {
   stow(std::move(plan.home));
 }
 
-void AisleExecutor::let_down(FeltDrop plan, double max_force_n, agent::ToolCommand let_go) {
+void AisleExecutor::let_down(FeltDrop plan, double max_force_n) {
   body_.set_subtask(agent::Subtask::place);
   body_.play(arm(), std::move(plan.way));
   body_.wait(calm_s);
   body_.feel(arm(), std::move(plan.down), max_force_n);
   body_.wait(calm_s);
-  open(taking_.tool, let_go);
+}
+
+void AisleExecutor::take_up(motion::JointTrajectory way) {
+  body_.play(arm(), std::move(way));
+  body_.wait(calm_s);
 }
 
 void AisleExecutor::leave_basket(BasketExit plan) {

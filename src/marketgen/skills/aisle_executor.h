@@ -49,8 +49,10 @@ class AisleExecutor {
   Result<void> go_back();            // empty, the way that the arm came
   Result<void> back_off(double room_m);
   void let_down(DropPlan plan, agent::ToolCommand let_go);  // into the basket; then home
-  // The same of a hand that feels what it meets: it is left where it lets go.
-  void let_down(FeltDrop plan, double max_force_n, agent::ToolCommand let_go);
+  // A hand that feels what it meets: it is left there, and holds on.
+  void let_down(FeltDrop plan, double max_force_n);
+  void take_up(motion::JointTrajectory way);  // from there, with what it holds
+  void let_go(agent::ToolCommand let_go) { open(taking_.tool, let_go); }
   double felt_share() const { return body_.felt_share(); }           // as BodyExecutor
   void leave_basket(BasketExit plan);                                // from there
   void stow(motion::JointTrajectory way);                            // the empty arm
