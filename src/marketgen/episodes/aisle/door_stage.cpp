@@ -1,0 +1,176 @@
+#include "episodes/aisle/door_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "episodes/aisle/aisle_stage.h"
+#include "episodes/aisle/aisle_world.h"
+#include "scene/articulation.h"
+#include "skills/plan_failure.h"
+
+namespace marketgen::episodes {
+namespace {
+
+constexpr double before_bar_m = 0.10;
+constexpr double way_back_step_s = 0.05;
+
+// By door the first product behind it that is within reach.
+std::map<std::uint32_t, std::uint32_t> goods_behind_doors(const AisleStore& store) {
+  std::map<std::uint32_t, std::uint32_t> goods;
+  for (std::uint32_t row = 0; row < store.scene.products.size(); ++row) {
+    if (store.shelf_refusal(row) != ShelfRefusal::none) continue;
+    if (const auto joint = collect::door_before(store.scene, row)) goods.try_emplace(*joint, row);
+  }
+  return goods;
+}
+
+Vec3 tip_of(const robots::Robot& robot,
+            const robots::JointGroup& arm,
+            const std::vector<double>& state,
+            const motion::Configuration& q) {
+  return robots::frame_pose(robot, skills::with_arm(arm, state, q), arm.tip).position;
+}
+
+// Back from the bar along the way by which the hand comes to it.
+motion::Configuration before_the_bar(const robots::Robot& robot,
+                                     const robots::JointGroup& arm,
+                                     const std::vector<double>& state,
+                                     const motion::JointTrajectory& reach) {
+  const double end_s = reach.duration_s();
+  const Vec3 bar = tip_of(robot, arm, state, reach.at(end_s).position);
+  for (double time_s = end_s; time_s > 0; time_s -= way_back_step_s) {
+    motion::Configuration q = reach.at(time_s).position;
+    if (length(tip_of(robot, arm, state, q) - bar) >= before_bar_m) return q;
+  }
+  return reach.at(0).position;
+}
+
+bool is_about_the_door(const Error& error) {
+  return skills::is_of_planning(error) || error.code == "collect.no_door";
+}
+
+}  // namespace
+
+DoorStages::DoorStages(std::shared_ptr<const AisleStore> store)
+    : store_(store), book_(store), goods_(goods_behind_doors(*store)) {}
+
+Result<DoorStages::Ready> DoorStages::ready(std::uint32_t joint, const FloorPlaceRow& stand) {
+  const std::string key =
+      fmt::format("{} {} {} {}", joint, stand.x_m, stand.y_m, stand.heading_deg);
+  const std::scoped_lock lock(mutex_);
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  MARKETGEN_TRY(skills::DoorQuestion question, store_->door_question(store_->scene, joint));
+  question.world_from_base = base_pose_of(stand);
+  MARKETGEN_TRY(
+      const skills::DoorPlan plan,
+      skills::plan_open_door(store_->robot, question, Seed(0).child("open " + question.where)));
+  const skills::HandOnDoor& pull = plan.pulls.front();
+  const robots::JointGroup& arm = *store_->robot.find_group(pull.group);
+  Ready made{pull.group,
+             skills::with_arm(
+                 arm, plan.state, before_the_bar(store_->robot, arm, plan.state, pull.reach))};
+  return known_.emplace(key, std::move(made)).first->second;
+}
+
+Result<std::optional<EpisodeSpec>> DoorStages::before(std::uint32_t joint,
+                                                      EpisodeSpec spec,
+                                                      Stream& draw) {
+  const std::uint32_t row = goods_.at(joint);
+  MARKETGEN_TRY(const OpenDoor open, book_.before(row));
+  if (!open.row) return std::optional<EpisodeSpec>{};
+  const auto begins = ready(joint, open.row->opened_from);
+  if (!begins.ok() && !is_about_the_door(begins.error())) return begins.error();
+  const auto start = a_little_off(*store_, open.row->opened_from, draw);
+  if (!begins.ok() || !start) return std::optional<EpisodeSpec>{};
+  const catalog::Product& product = store_->scene.catalog[store_->scene.products[row].sku];
+  WitnessPick pick;
+  pick.sku = product.sku;
+  pick.product = scene::product_id(store_->scene, row);
+  pick.arm = begins->arm;
+  pick.base = open.row->opened_from;
+  pick.lift_m = begins->state[static_cast<std::size_t>(store_->robot.find_dof("lift"))];
+  pick.door = open.row;
+  spec.certificate.witness = {std::move(pick)};
+  spec.instruction = fmt::format("Open the door before {}.", spoken_product(product));
+  spec.goals = {{product.sku, 1}};
+  spec.start = {start->x_m, start->y_m, std::remainder(start->heading_deg, 360)};
+  return std::optional(std::move(spec));
+}
+
+Result<EpisodeSpec> DoorStages::draw(const EpisodeOrigin& origin, Seed seed) {
+  const std::string kind = fmt::format("aisle/{}/open", store_->station.tools().id);
+  EpisodeSpec spec = begun_spec(kind, origin, seed, 0, seed);
+  spec.track = Track::aisle;
+  spec.robot = store_->station.robot;
+  spec.tools = store_->station.tools().id;
+  spec.doors = Doors::hinged;
+  spec.cameras = {"head_camera"};
+  spec.limit_s = stage_limit_s;
+  spec.certificate.proved = {"open", "base", "reach"};
+  std::vector<std::uint32_t> doors;
+  for (const auto& [joint, row] : goods_)
+    doors.push_back(joint);
+  Stream draw = seed.child("door_stage").stream();
+  draw.shuffle(std::span(doors));
+  for (const std::uint32_t joint : doors) {
+    MARKETGEN_TRY(std::optional<EpisodeSpec> made, before(joint, spec, draw));
+    if (made) return *std::move(made);
+  }
+  return Error{"episode.impossible",
+               spec.id,
+               "the store has no door on a hinge, with goods behind it, that the robot opens"};
+}
+
+Result<std::uint32_t> witnessed_door(const AisleStore& store, const EpisodeSpec& spec) {
+  MARKETGEN_TRY(const WitnessPick pick, witness_of(spec));
+  const scene::Scene& scene = store.scene;
+  for (std::uint32_t joint = 0; pick.door && joint < scene.joints.size(); ++joint)
+    if (scene::joint_id(scene, scene.joints[joint]) == pick.door->id) return joint;
+  return Error{"episode.impossible",
+               spec.id,
+               pick.door ? fmt::format("its witness opens \"{}\", which is no door here", pick.door->id)
+                         : "its witness opens no door"};
+}
+
+Result<std::vector<double>> DoorStages::hand_before_bar(const EpisodeSpec& spec) {
+  MARKETGEN_TRY(const std::uint32_t joint, witnessed_door(*store_, spec));
+  MARKETGEN_TRY(const Ready begins,
+                ready(joint, spec.certificate.witness.front().door->opened_from));
+  return begins.state;
+}
+
+Result<DoorSeen> door_seen(const AisleWorld& world) {
+  const AisleStore& store = world.store();
+  MARKETGEN_TRY(const std::uint32_t joint, witnessed_door(store, world.spec()));
+  MARKETGEN_TRY(const skills::HingedDoor door, collect::known_door(store.scene, joint));
+  DoorSeen seen;
+  seen.arm = world.spec().certificate.witness.front().arm;
+  const robots::JointGroup* const arm = store.robot.find_group(seen.arm);
+  if (arm == nullptr)
+    return Error{"episode.impossible", world.spec().id, "its witness has no arm of the robot"};
+  seen.position_rad = world.world().joint_position(joint);
+  seen.speed_rad_s = world.world().joint_velocity(joint);
+  const double height = (door.bar.low_m + door.bar.high_m) / 2;
+  const Vec3 bar = door.point_at(seen.position_rad, door.bar.along_m, door.bar.out_m, height);
+  const Pose tool = robots::frame_pose(store.robot, world.robot_state(), arm->tip);
+  const Pose base_from_world = inverse(world.world_from_base());
+  seen.side = -door.turn();
+  seen.tool = base_from_world * tool.position;
+  seen.to_bar = base_from_world * bar - seen.tool;
+  const Vec3 points = rotate(tool.rotation, {0, 0, 1}),
+             into = rotate(door.turned(seen.position_rad), door.out * -1.0);
+  seen.behind_rad =
+      door.turn() * std::remainder(std::atan2(into.y, into.x) - std::atan2(points.y, points.x),
+                                   2 * std::numbers::pi);
+  seen.held = world.watch().is_joint_held(world.world(), joint);
+  SideEffects effects = world.side_effects();
+  effects.doors_open.reset();
+  seen.clean = is_clean(effects);
+  return seen;
+}
+
+}  // namespace marketgen::episodes
