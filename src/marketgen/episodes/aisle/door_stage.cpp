@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
+#include <cstdio>
 #include <fmt/format.h>
 
 #include "episodes/aisle/aisle_stage.h"
 #include "episodes/aisle/aisle_world.h"
+#include "robots/dexterity.h"
 #include "scene/articulation.h"
 #include "skills/plan_failure.h"
 
@@ -16,6 +19,8 @@ namespace marketgen::episodes {
 namespace {
 
 constexpr double before_bar_m = 0.10;
+constexpr double spare_rad = 2 * std::numbers::pi / 180;  // that the arm follows farther
+constexpr double room_worth = 0.2;                        // a rad from a limit, as a gain
 constexpr double way_back_step_s = 0.05;
 
 // By door the first product behind it that is within reach.
@@ -49,6 +54,15 @@ motion::Configuration before_the_bar(const robots::Robot& robot,
   return reach.at(0).position;
 }
 
+// How freely the arm moves its tool there: half a radian to the nearest limit is as good as a gain
+// of 0.1.
+double freedom_of(const robots::Robot& robot,
+                  const robots::JointGroup& arm,
+                  const std::vector<double>& state) {
+  return std::min(robots::least_gain(robot, state, arm.tip, arm.dofs),
+                  room_worth * robots::least_room(robot, state, arm.dofs));
+}
+
 bool is_about_the_door(const Error& error) {
   return skills::is_of_planning(error) || error.code == "collect.no_door";
 }
@@ -58,22 +72,32 @@ bool is_about_the_door(const Error& error) {
 DoorStages::DoorStages(std::shared_ptr<const AisleStore> store)
     : store_(store), book_(store), goods_(goods_behind_doors(*store)) {}
 
-Result<DoorStages::Ready> DoorStages::ready(std::uint32_t joint, const FloorPlaceRow& stand) {
-  const std::string key =
-      fmt::format("{} {} {} {}", joint, stand.x_m, stand.y_m, stand.heading_deg);
+// Opened by a hand whose tool can be moved every way from each posture on its way.
+Result<DoorStages::Ready> DoorStages::ready(std::uint32_t joint) {
   const std::scoped_lock lock(mutex_);
-  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  if (const auto known = known_.find(joint); known != known_.end()) return known->second;
+  const robots::Robot& robot = store_->robot;
   MARKETGEN_TRY(skills::DoorQuestion question, store_->door_question(store_->scene, joint));
-  question.world_from_base = base_pose_of(stand);
-  MARKETGEN_TRY(
-      const skills::DoorPlan plan,
-      skills::plan_open_door(store_->robot, question, Seed(0).child("open " + question.where)));
-  const skills::HandOnDoor& pull = plan.pulls.front();
-  const robots::JointGroup& arm = *store_->robot.find_group(pull.group);
+  question.least_pulled_rad = opened_rad + spare_rad;
+  question.worth_of_pull = [&robot, &state = question.driving](const robots::JointGroup& arm,
+                                                               const motion::JointPath& way) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const motion::Configuration& q : way)
+      least = std::min(least, freedom_of(robot, arm, skills::with_arm(arm, state, q)));
+    return least;
+  };
+  MARKETGEN_TRY(const skills::DoorPull plan,
+                skills::plan_pull_door(robot, question, Seed(0).child("pull " + question.where)));
+  const skills::HandOnDoor& pull = plan.hand;
+  const robots::JointGroup& arm = *robot.find_group(pull.group);
+  fmt::print(stderr, "DEBUG worth {:.3f} {} end {:.1f} stand {:.2f} {:.2f} {:.1f} lift {:.3f} reach {:.2f}s\n", pull.worth, question.where, pull.end_rad * 57.2958, plan.world_from_base.position.x, plan.world_from_base.position.y, yaw_of(plan.world_from_base.rotation)*57.3, plan.state[std::size_t(store_->robot.find_dof("lift"))], pull.reach.duration_s());
+  for (const auto& q : {pull.at_start, pull.at_end}) { for (double v : q) fmt::print(stderr, "{:.2f} ", v); const auto st = skills::with_arm(arm, plan.state, q); fmt::print(stderr, "gain {:.3f} room {:.3f}", robots::least_gain(robot, st, arm.tip, arm.dofs), robots::least_room(robot, st, arm.dofs)); fmt::print(stderr, "\n"); }
+  for (double t = 0; t < 4; t += 0.25) { const auto q = pull.reach.at(pull.reach.duration_s() - t).position; const Pose a = robots::frame_pose(store_->robot, skills::with_arm(arm, plan.state, q), arm.tip), b = robots::frame_pose(store_->robot, skills::with_arm(arm, plan.state, pull.at_start), arm.tip); const Vec3 d = inverse(b) * a.position; fmt::print(stderr, " {:.2f}:{:.3f},{:.3f},{:.3f}/{:.2f}", t, d.x, d.y, d.z, length(rotate(a.rotation,{0,0,1})-rotate(b.rotation,{0,0,1}))); }
+  fmt::print(stderr, "\n");
   Ready made{pull.group,
-             skills::with_arm(
-                 arm, plan.state, before_the_bar(store_->robot, arm, plan.state, pull.reach))};
-  return known_.emplace(key, std::move(made)).first->second;
+             skills::with_arm(arm, plan.state, before_the_bar(robot, arm, plan.state, pull.reach)),
+             floor_place_row(plan.world_from_base)};
+  return known_.emplace(joint, std::move(made)).first->second;
 }
 
 Result<std::optional<EpisodeSpec>> DoorStages::before(std::uint32_t joint,
@@ -82,18 +106,20 @@ Result<std::optional<EpisodeSpec>> DoorStages::before(std::uint32_t joint,
   const std::uint32_t row = goods_.at(joint);
   MARKETGEN_TRY(const OpenDoor open, book_.before(row));
   if (!open.row) return std::optional<EpisodeSpec>{};
-  const auto begins = ready(joint, open.row->opened_from);
+  const auto begins = ready(joint);
   if (!begins.ok() && !is_about_the_door(begins.error())) return begins.error();
-  const auto start = a_little_off(*store_, open.row->opened_from, draw);
-  if (!begins.ok() || !start) return std::optional<EpisodeSpec>{};
+  if (!begins.ok()) return std::optional<EpisodeSpec>{};
+  const auto start = a_little_off(*store_, begins->stand, draw);
+  if (!start) return std::optional<EpisodeSpec>{};
   const catalog::Product& product = store_->scene.catalog[store_->scene.products[row].sku];
   WitnessPick pick;
   pick.sku = product.sku;
   pick.product = scene::product_id(store_->scene, row);
   pick.arm = begins->arm;
-  pick.base = open.row->opened_from;
+  pick.base = begins->stand;
   pick.lift_m = begins->state[static_cast<std::size_t>(store_->robot.find_dof("lift"))];
   pick.door = open.row;
+  pick.door->opened_from = begins->stand;
   spec.certificate.witness = {std::move(pick)};
   spec.instruction = fmt::format("Open the door before {}.", spoken_product(product));
   spec.goals = {{product.sku, 1}};
@@ -138,8 +164,7 @@ Result<std::uint32_t> witnessed_door(const AisleStore& store, const EpisodeSpec&
 
 Result<std::vector<double>> DoorStages::hand_before_bar(const EpisodeSpec& spec) {
   MARKETGEN_TRY(const std::uint32_t joint, witnessed_door(*store_, spec));
-  MARKETGEN_TRY(const Ready begins,
-                ready(joint, spec.certificate.witness.front().door->opened_from));
+  MARKETGEN_TRY(const Ready begins, ready(joint));
   return begins.state;
 }
 

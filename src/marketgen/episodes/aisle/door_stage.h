@@ -1,11 +1,12 @@
 // Stage::open: the robot of In-Aisle Item Collection stands before a glass door and is to pull it
-// open. Doors, places and arms are those by which DoorBook and plan_open_door() open it, so that
-// there is a way to do it. Store frame, SI units; a door's position is in rad.
+// open. The doors are those that DoorBook opens and shuts, places and arms those by which
+// plan_pull_door() pulls them, so that there is a way to do it. Store frame, SI units; a door's position is in rad.
 #pragma once
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,11 @@ class AisleWorld;
 // A gripper that an action shuts presses so hard.
 constexpr double opening_grip_n = skills::bar_grip_n;
 
+// So far is the door to be opened: from there the oracle's other hand, too, has room to come behind
+// the leaf and to push it on to where it stays (plan_open_door() asks for 48 degrees, and some are
+// lost to the spring while the first hand lets go).
+constexpr double opened_rad = 60 * std::numbers::pi / 180;
+
 // Of one store that was opened for goals behind hinged doors. Any number of threads may ask.
 class DoorStages {
  public:
@@ -32,7 +38,7 @@ class DoorStages {
   Result<EpisodeSpec> draw(const EpisodeOrigin& origin, Seed seed);
 
   // Every degree of freedom, the open hand on its way to the bar, 10 cm before it or less where the
-  // arm has no room for that. Errors: those of witness_of and plan_open_door; episode.impossible,
+  // arm has no room for that. Errors: those of witness_of and plan_pull_door; episode.impossible,
   // its witness opens no door of this store.
   Result<std::vector<double>> hand_before_bar(const EpisodeSpec& spec);
 
@@ -40,8 +46,9 @@ class DoorStages {
   struct Ready {
     std::string arm;            // that pulls
     std::vector<double> state;  // every degree of freedom
+    FloorPlaceRow stand;
   };
-  Result<Ready> ready(std::uint32_t joint, const FloorPlaceRow& stand);
+  Result<Ready> ready(std::uint32_t joint);
   // None when the door is not opened, or no place is free before it.
   Result<std::optional<EpisodeSpec>> before(std::uint32_t joint, EpisodeSpec spec, Stream& draw);
 
@@ -49,7 +56,7 @@ class DoorStages {
   DoorBook book_;
   std::map<std::uint32_t, std::uint32_t> goods_;  // by door: a product behind it within reach
   std::mutex mutex_;
-  std::map<std::string, Ready> known_;  // by door and place
+  std::map<std::uint32_t, Ready> known_;  // by door
 };
 
 // The door of an episode's witness, a row of Scene::joints. Errors: those of witness_of;
