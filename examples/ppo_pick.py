@@ -1,7 +1,7 @@
 """PPO or SAC of Stable-Baselines3 learns a task from its state; how it does it beside chance, and where there is one, the oracle.
 
     pip install "marketgen[rl]"
-    python examples/ppo_pick.py [STEPS [OUT]] [--task CheckoutOneItem|DriveToProduct|PickFromShelf|PlaceInBasket] [--seed 1]
+    python examples/ppo_pick.py [STEPS [OUT]] [--task CheckoutOneItem|DriveToProduct|PickFromShelf|PlaceInBasket|OpenCooler] [--seed 1]
 
 Without --task it brings one product to the unloading area. Without Stable-Baselines3 it measures chance and the oracle alone. Leaves
 in OUT (out/examples/ppo_pick) curve.json, policy.zip and, of PPO, normalize.pkl (the means and spreads that the policy's observations
@@ -52,6 +52,7 @@ TASKS = {
     "DriveToProduct": Task("SAC", 6_000, 1_500, SAC),
     "PickFromShelf": Task("SAC", 8_000, 2_000, SAC),
     "PlaceInBasket": Task("SAC", 6_000, 1_000, SAC),
+    "OpenCooler": Task("SAC", 24_000, 2_000, SAC),
 }
 
 

@@ -66,6 +66,7 @@ nb::dict door_row(const EnvironmentHandle& handle) {
   row["behind_rad"] = seen.behind_rad;
   row["position_rad"] = seen.position_rad;
   row["speed_rad_s"] = seen.speed_rad_s;
+  row["asked_rad"] = seen.asked_rad;
   row["held"] = seen.held;
   row["clean"] = seen.clean;
   return row;

@@ -11,22 +11,22 @@ import numpy as np
 from .pick_from_shelf import witness_arm
 from .stage_env import StageEnv
 
-OPEN_RAD = math.radians(60)
-NEAR_M = 0.1  # of the tanh by which the distance of the hand counts
+NEAR_M = 0.05  # of the tanh by which the distance of the hand counts
 REACH_SHARE, HELD_SHARE, OPEN_SHARE = 0.2, 0.1, 0.6
-REACH_M, TOOL_M, BEHIND_RAD, OPENING_M, FAST_RAD_S = 0.2, 1.0, math.radians(45), 0.0896, 1.0  # what 1 stands for
+MOVE_SHARE, TURN_SHARE = 0.3, 0.2  # of the whole task's: 6 mm and 0.02 rad in a control step
+REACH_M, TOOL_M, BEHIND_RAD, OPENING_M, FAST_RAD_S = 0.1, 1.0, math.radians(45), 0.0896, 1.0  # what 1 stands for
 
 
 class OpenCooler(StageEnv):
     """The robot of In-Aisle Item Collection stands before a shut glass door of a cooler, an open hand 10 cm before its bar: it is to
     pull the door open.
 
-    An action moves that arm's tool (x ahead, y to the hinge's side, z up: 1 = 20 mm, 20 times a second; turn as the leaf turns when it
-    opens: 1 = 0.1 rad) and opens (1) or closes (-1) its gripper, 10 times a second. What lies to the hinge's side is told so, too: doors
-    that are hung on the other side look alike. Base, lift and the other arm stand still. It has 10 s. Done: the door stands open by 60
+    An action moves that arm's tool (x ahead, y to the hinge's side, z up: 1 = 6 mm, 20 times a second; turn as the leaf turns when it
+    opens: 1 = 0.02 rad) and opens (above 0) or closes its gripper, 10 times a second. What lies to the hinge's side is told so, too: doors
+    that are hung on the other side look alike. Base, lift and the other arm stand still. It has 10 s. Done: the door stands open by 50
     degrees. Lost: something happened that no clean episode has.
 
-    Progress: 0.2 (1 - tanh(hand to bar / 0.1 m)) + 0.1 when both fingers are on the door + 0.6 (open / 60 degrees, 0 to 1); done: 1.
+    Progress: 0.2 (1 - tanh(hand to bar / 5 cm)) + 0.1 when both fingers are on the door + 0.6 (open / 50 degrees, 0 to 1); done: 1.
     """
 
     track, stage = "aisle", "open"
@@ -56,7 +56,8 @@ class OpenCooler(StageEnv):
 
     def _told(self, numbers: np.ndarray) -> np.ndarray:
         side = self._door["side"]
-        return numbers * (1, side, 1, -side, 1)
+        x, y, z, turn = numbers[:4] * (MOVE_SHARE, side * MOVE_SHARE, MOVE_SHARE, -side * TURN_SHARE)
+        return np.array([x, y, z, turn, 1 if numbers[4] > 0 else -1])
 
     def _act(self, numbers: np.ndarray) -> bool:
         ended = super()._act(numbers)
@@ -68,18 +69,18 @@ class OpenCooler(StageEnv):
         opening = self.parts()["agent"]["qpos"][-2 if self._left else -1]
         return [
             *mirror * door["to_bar"] / REACH_M, *mirror * door["tool"] / TOOL_M, door["behind_rad"] / BEHIND_RAD,
-            2 * door["position_rad"] / OPEN_RAD - 1, door["speed_rad_s"] / FAST_RAD_S, 2 * opening / OPENING_M - 1,
+            2 * door["position_rad"] / door["asked_rad"] - 1, door["speed_rad_s"] / FAST_RAD_S, 2 * opening / OPENING_M - 1,
             float(door["held"]), *self._last, float(self.environment.robot_stopped()),
         ]  # fmt: skip
 
     def _progress(self) -> float:
         door = self._door
         reached = REACH_SHARE * (1 - math.tanh(float(np.linalg.norm(door["to_bar"])) / NEAR_M))
-        opened = OPEN_SHARE * float(np.clip(door["position_rad"] / OPEN_RAD, 0, 1))
+        opened = OPEN_SHARE * float(np.clip(door["position_rad"] / door["asked_rad"], 0, 1))
         return reached + HELD_SHARE * door["held"] + opened
 
     def _done(self) -> bool:
-        return self._door["clean"] and self._door["position_rad"] >= OPEN_RAD
+        return self._door["clean"] and self._door["position_rad"] >= self._door["asked_rad"]
 
     def _lost(self) -> bool:
         return not self._door["clean"]

@@ -22,10 +22,9 @@ class AisleWorld;
 // A gripper that an action shuts presses so hard.
 constexpr double opening_grip_n = skills::bar_grip_n;
 
-// So far is the door to be opened: from there the oracle's other hand, too, has room to come behind
-// the leaf and to push it on to where it stays (plan_open_door() asks for 48 degrees, and some are
-// lost to the spring while the first hand lets go).
-constexpr double opened_rad = 60 * std::numbers::pi / 180;
+// So far is the door to be opened, a little farther than the 48 degrees from which on the oracle's
+// other hand finds room behind the leaf, to push it on to where it stays (plan_open_door()).
+constexpr double opened_rad = 50 * std::numbers::pi / 180;
 
 // Of one store that was opened for goals behind hinged doors. Any number of threads may ask.
 class DoorStages {
@@ -72,6 +71,7 @@ struct DoorSeen {
   Vec3 to_bar;            // from there to the middle of the bar
   double behind_rad = 0;  // by how much the hand is turned less than the leaf, about the hinge
   double position_rad = 0, speed_rad_s = 0;
+  double asked_rad = 0;  // opened_rad
   bool held = false;   // both fingers of a hand are on it
   bool clean = false;  // nothing has happened that no clean episode has, but for the open door
 };
