@@ -52,7 +52,7 @@ TASKS = {
     "DriveToProduct": Task("SAC", 6_000, 1_500, SAC),
     "PickFromShelf": Task("SAC", 8_000, 2_000, SAC),
     "PlaceInBasket": Task("SAC", 6_000, 1_000, SAC),
-    "OpenCooler": Task("SAC", 24_000, 2_000, SAC),
+    "OpenCooler": Task("SAC", 15_000, 3_000, SAC),
 }
 
 

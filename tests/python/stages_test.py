@@ -128,7 +128,7 @@ def opened(seen, named):
         if abs(to[1]) > 0.01 and to[0] < 0.05:
             move[0] = min(move[0], (to[0] - 0.05) / 0.012)
         return np.array([*np.clip(move, -1, 1), 0, 1.0])
-    if share < 0.01 and (not named["held"] or named["opening"] > -0.75):
+    if share < 0.01 and not named["held"]:
         return np.array([0, 0, 0, 0, -1.0])
     along = share * math.radians(50) + math.radians(15)
     turn = named["behind"] * math.radians(45) + math.radians(25) - 0.6 * share

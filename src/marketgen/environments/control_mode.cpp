@@ -43,7 +43,11 @@ Pose moved_pose(Pose pose, std::span<const double> by) {
 }  // namespace
 
 ActionMap::ActionMap(const robots::Robot& robot, ControlMode mode, bool stop, double grip_n)
-    : robot_(robot), mode_(mode), stop_(stop), grip_n_(grip_n), joints_(episodes::commanded_dofs(robot)) {
+    : robot_(robot),
+      mode_(mode),
+      stop_(stop),
+      grip_n_(grip_n),
+      joints_(episodes::commanded_dofs(robot)) {
   for (const robots::Tool& tool : robot.tools) {
     Arm arm{tool.frame, {}};
     for (const robots::JointGroup& group : robot.groups)

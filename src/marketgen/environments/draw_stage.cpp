@@ -52,8 +52,8 @@ Result<episodes::EpisodeSpec> draw_door(EpisodeGround& ground,
                                         Seed seed) {
   const std::vector<episodes::EpisodeStore>& stores = ground.stores();
   const auto last = static_cast<int>(stores.size()) - 1;
-  const episodes::EpisodeStore& store = stores[static_cast<std::size_t>(
-      seed.child("store").stream().integer(0, last))];
+  const episodes::EpisodeStore& store =
+      stores[static_cast<std::size_t>(seed.child("store").stream().integer(0, last))];
   MARKETGEN_TRY(const auto doors, door_stages(ground, store.scene_hash, tools));
   return doors->draw({store.name, store.scene_hash, store.plan_hash}, seed);
 }

@@ -10,8 +10,8 @@
 namespace marketgen::environments {
 
 // Of one of the ground's episodes, which the seed picks as EpisodeGround::draw does; Stage::place
-// of its products, Stage::open of a door of one of its stores. An episode that cannot be begun so is
-// passed over. Errors: those of EpisodeGround::draw, aisle_stage, DoorStages::draw and
+// of its products, Stage::open of a door of one of its stores. An episode that cannot be begun so
+// is passed over. Errors: those of EpisodeGround::draw, aisle_stage, DoorStages::draw and
 // sample_one_item; usage.bad_flag for Stage::whole.
 Result<episodes::EpisodeSpec> draw_stage(EpisodeGround& ground,
                                          episodes::Stage stage,

@@ -8,7 +8,8 @@
 namespace marketgen::robots {
 
 // The smallest singular value of the frame's Jacobian over these degrees of freedom: how far, m or
-// rad, it moves at least when its joints move by 1. At 0 there is a way in which it cannot be moved.
+// rad, it moves at least when its joints move by 1. At 0 there is a way in which it cannot be
+// moved.
 double least_gain(const Robot& robot,
                   std::span<const double> q,
                   int frame,

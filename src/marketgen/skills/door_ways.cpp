@@ -118,8 +118,7 @@ class DoorPlanner {
                             door_.length_m,
                             {question_.position_rad, door_.open_rad},
                             [&](DoorPlan& made) { return pulled_from(made); }));
-    return DoorPull{
-        plan.world_from_base, std::move(plan.state), std::move(plan.pulls.front())};
+    return DoorPull{plan.world_from_base, std::move(plan.state), std::move(plan.pulls.front())};
   }
   Result<DoorPlan> shut() {
     return at_stands(shutting_stands, 0, {0, question_.position_rad}, [&](DoorPlan& plan) {

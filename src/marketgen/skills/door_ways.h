@@ -31,7 +31,7 @@ struct DoorQuestion {
   // So far the hand at the bar pulls at least: from there on the other finds room behind the leaf.
   double least_pulled_rad = 48 * std::numbers::pi / 180;
   WorthOfWay worth_of_pull = {};  // see HandSwing
-  std::string where;                         // of errors: the door
+  std::string where;              // of errors: the door
 };
 
 struct DoorPlan {

@@ -21,7 +21,7 @@ constexpr double before_bar_m = 0.10;
 // The arm follows so far when the robot stands as it was planned: some is lost where it stands a
 // little off, and by a policy that turns the hand otherwise.
 constexpr double followed_rad = 62 * std::numbers::pi / 180;
-constexpr double room_worth = 0.2;                        // a rad from a limit, as a gain
+constexpr double room_worth = 0.2;  // a rad from a limit, as a gain
 constexpr double way_back_step_s = 0.05;
 
 // By door the first product behind it that is within reach.
@@ -155,8 +155,9 @@ Result<std::uint32_t> witnessed_door(const AisleStore& store, const EpisodeSpec&
     if (scene::joint_id(scene, scene.joints[joint]) == pick.door->id) return joint;
   return Error{"episode.impossible",
                spec.id,
-               pick.door ? fmt::format("its witness opens \"{}\", which is no door here", pick.door->id)
-                         : "its witness opens no door"};
+               pick.door
+                   ? fmt::format("its witness opens \"{}\", which is no door here", pick.door->id)
+                   : "its witness opens no door"};
 }
 
 Result<std::vector<double>> DoorStages::hand_before_bar(const EpisodeSpec& spec) {

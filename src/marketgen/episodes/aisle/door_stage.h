@@ -1,6 +1,7 @@
 // Stage::open: the robot of In-Aisle Item Collection stands before a glass door and is to pull it
 // open. The doors are those that DoorBook opens and shuts, places and arms those by which
-// plan_pull_door() pulls them, so that there is a way to do it. Store frame, SI units; a door's position is in rad.
+// plan_pull_door() pulls them, so that there is a way to do it. Store frame, SI units; a door's
+// position is in rad.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -72,8 +73,8 @@ struct DoorSeen {
   double behind_rad = 0;  // by how much the hand is turned less than the leaf, about the hinge
   double position_rad = 0, speed_rad_s = 0;
   double asked_rad = 0;  // opened_rad
-  bool held = false;   // both fingers of a hand are on it
-  bool clean = false;  // nothing has happened that no clean episode has, but for the open door
+  bool held = false;     // both fingers of a hand are on it
+  bool clean = false;    // nothing has happened that no clean episode has, but for the open door
 };
 // Errors: those of witnessed_door.
 Result<DoorSeen> door_seen(const AisleWorld& world);
