@@ -12,7 +12,7 @@ from .pick_from_shelf import witness_arm
 from .stage_env import StageEnv
 
 NEAR_M = 0.05  # of the tanh by which the distance of the hand counts
-REACH_SHARE, HELD_SHARE, OPEN_SHARE = 0.2, 0.1, 0.6
+REACH_SHARE, HELD_SHARE, OPEN_SHARE = 0.25, 0.2, 0.45
 MOVE_SHARE, TURN_SHARE = 0.3, 0.2  # of the whole task's: 6 mm and 0.02 rad in a control step
 REACH_M, TOOL_M, BEHIND_RAD, OPENING_M, FAST_RAD_S = 0.1, 1.0, math.radians(45), 0.0896, 1.0  # what 1 stands for
 
@@ -26,7 +26,7 @@ class OpenCooler(StageEnv):
     that are hung on the other side look alike. Base, lift and the other arm stand still. It has 10 s. Done: the door stands open by 50
     degrees. Lost: something happened that no clean episode has.
 
-    Progress: 0.2 (1 - tanh(hand to bar / 5 cm)) + 0.1 when both fingers are on the door + 0.6 (open / 50 degrees, 0 to 1); done: 1.
+    Progress: 0.25 (1 - tanh(hand to bar / 5 cm)) + 0.2 when both fingers are on the door + 0.45 (open / 50 degrees, 0 to 1); done: 1.
     """
 
     track, stage = "aisle", "open"
