@@ -29,7 +29,7 @@ def draw(axes, curve):
     title = curve["task"].removeprefix("MarketGen/")
     axes.set(xlabel="steps learned", ylabel="episodes that succeed", ylim=(-0.03, 1.03), title=title)
     axes.grid(alpha=0.3)
-    axes.legend(loc="center right")
+    axes.legend(loc="best")
 
 
 def draw_all(curves):

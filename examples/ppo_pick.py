@@ -1,7 +1,7 @@
 """PPO or SAC of Stable-Baselines3 learns a task from its state; how it does it beside chance, and where there is one, the oracle.
 
     pip install "marketgen[rl]"
-    python examples/ppo_pick.py [STEPS [OUT]] [--task CheckoutOneItem|DriveToProduct|PickFromShelf|PlaceInBasket] [--seed 1]
+    python examples/ppo_pick.py [STEPS [OUT]] [--task CheckoutOneItem|DriveToProduct|PickFromShelf|PlaceInBasket|OpenCooler] [--seed 1]
 
 Without --task it brings one product to the unloading area. Without Stable-Baselines3 it measures chance and the oracle alone. Leaves
 in OUT (out/examples/ppo_pick) curve.json, policy.zip and, of PPO, normalize.pkl (the means and spreads that the policy's observations
@@ -45,6 +45,7 @@ class Task:
     trials: int = 10  # between; FINAL_TRIALS at the end
     envs: int = 8
     oracle: bool = False
+    times: float = 1  # the reward, to learn from; measures are of the environment's own
 
 
 TASKS = {
@@ -52,6 +53,7 @@ TASKS = {
     "DriveToProduct": Task("SAC", 6_000, 1_500, SAC),
     "PickFromShelf": Task("SAC", 8_000, 2_000, SAC),
     "PlaceInBasket": Task("SAC", 6_000, 1_000, SAC),
+    "OpenCooler": Task("SAC", 24_000, 4_000, SAC, times=10),
 }
 
 
@@ -91,6 +93,17 @@ def rivals(name, task):
     return found
 
 
+class Times(gymnasium.RewardWrapper):
+    """A reward that networks can tell from their first noise."""
+
+    def __init__(self, env, factor):
+        super().__init__(env)
+        self.factor = factor
+
+    def reward(self, reward):
+        return self.factor * reward
+
+
 def learner(name, task, seed):
     """The model, and what it sees of an observation."""
     import stable_baselines3
@@ -99,7 +112,7 @@ def learner(name, task, seed):
     from stable_baselines3.common.vec_env import VecNormalize
 
     torch.set_num_threads(1)
-    envs = make_vec_env(name, n_envs=task.envs, seed=seed)
+    envs = make_vec_env(name, n_envs=task.envs, seed=seed, wrapper_class=Times, wrapper_kwargs={"factor": task.times})
     if task.algorithm == "PPO":
         envs = VecNormalize(envs, norm_reward=True, gamma=task.settings["gamma"])
     make = getattr(stable_baselines3, task.algorithm)

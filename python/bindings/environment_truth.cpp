@@ -55,6 +55,23 @@ nb::dict way_to_stand(const EnvironmentHandle& handle) {
   return row;
 }
 
+nb::dict door_row(const EnvironmentHandle& handle) {
+  world_of(handle);
+  const episodes::DoorSeen seen = value_or_raise(handle.environment->door());
+  nb::dict row;
+  row["arm"] = seen.arm;
+  row["side"] = seen.side;
+  row["tool"] = std::vector<double>{seen.tool.x, seen.tool.y, seen.tool.z};
+  row["to_bar"] = std::vector<double>{seen.to_bar.x, seen.to_bar.y, seen.to_bar.z};
+  row["behind_rad"] = seen.behind_rad;
+  row["position_rad"] = seen.position_rad;
+  row["speed_rad_s"] = seen.speed_rad_s;
+  row["asked_rad"] = seen.asked_rad;
+  row["held"] = seen.held;
+  row["clean"] = seen.clean;
+  return row;
+}
+
 nb::dict product_rows(const EnvironmentHandle& handle) {
   world_of(handle);
   nb::dict rows;
@@ -112,6 +129,7 @@ std::vector<double> mujoco_state(const EnvironmentHandle& handle) {
 void add_environment_truth(nb::class_<EnvironmentHandle>& environment) {
   environment.def("items", &item_rows)
       .def("way_to_stand", &way_to_stand)
+      .def("door", &door_row)
       .def("progress",
            [](const EnvironmentHandle& h) {
              world_of(h);

@@ -10,7 +10,7 @@ import pytest
 import marketgen  # noqa: F401  registers the environments
 
 FIRST, COUNTER, AISLE = "CheckoutOneItem", "CheckoutUnloading", "InAisleCollection"
-STAGES = ("DriveToProduct", "PickFromShelf", "PlaceInBasket")
+STAGES = ("DriveToProduct", "PickFromShelf", "PlaceInBasket", "OpenCooler")
 
 
 def named(task):

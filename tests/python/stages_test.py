@@ -11,7 +11,7 @@ from gymnasium.utils.env_checker import check_env
 
 import marketgen
 
-STAGES = ("DriveToProduct", "PickFromShelf", "PlaceInBasket")
+STAGES = ("DriveToProduct", "PickFromShelf", "PlaceInBasket", "OpenCooler")
 
 
 def make(name, **options):
@@ -77,7 +77,7 @@ def test_nothing_done_is_cut_off_without_success(name):
     env.reset(seed=1)
     still, total = np.zeros(env.action_space.shape), 0.0
     if name != "DriveToProduct":
-        still[-1] = 1 if name == "PickFromShelf" else -1  # an open hand, or one that holds
+        still[-1] = -1 if name == "PlaceInBasket" else 1  # a hand that holds, or an open one
     steps = round(env.unwrapped.limit_s / (0.05 * env.unwrapped.hold))
     for step in range(1, steps + 1):
         _, reward, terminated, truncated, info = env.step(still)
@@ -119,9 +119,28 @@ def placed(seen, named):
     return np.append(np.clip([*to[:2] / 0.04, height / 0.06], -1, 1), -1.0)
 
 
-@pytest.mark.parametrize(("name", "policy"), [("DriveToProduct", driven), ("PickFromShelf", picked), ("PlaceInBasket", placed)])
-def test_each_can_be_done_and_pays(name, policy):
-    env = make(name)
+def opened(seen, named):
+    """To the bar, first across and then ahead, closed, and along the leaf's arc: from 15 degrees, as the robot stands to the door."""
+    to = np.array([named[f"to_bar_{axis}"] for axis in "xyz"]) * 0.1 + (0.005, 0, 0)
+    share = (named["open"] + 1) / 2
+    if named["last_opening"] >= 0 and np.abs(to[:2]).max() > 0.004:
+        move = np.clip(to / 0.02, -0.8, 0.8)
+        if abs(to[1]) > 0.01 and to[0] < 0.05:
+            move[0] = min(move[0], (to[0] - 0.05) / 0.012)
+        return np.array([*np.clip(move, -1, 1), 0, 1.0])
+    if share < 0.01 and not named["held"]:
+        return np.array([0, 0, 0, 0, -1.0])
+    along = share * math.radians(50) + math.radians(15)
+    turn = named["behind"] * math.radians(45) + math.radians(25) - 0.6 * share
+    return np.array([-0.8 * math.cos(along), 0.8 * math.sin(along), 0, np.clip(5 * turn, -1, 1), -1.0])
+
+
+POLICIES = {"DriveToProduct": driven, "PickFromShelf": picked, "PlaceInBasket": placed, "OpenCooler": opened}
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_each_can_be_done_and_pays(name):
+    env, policy = make(name), POLICIES[name]
     done = 0
     for seed in range(6):
         seen, _ = env.reset(seed=seed)
@@ -153,7 +172,7 @@ def test_the_box_is_in_the_hand():
     assert held == [1.0] * 6, "of seed 0 the hand does not get hold of the first box that is drawn"
 
 
-@pytest.mark.parametrize("name", ["DriveToProduct", "PickFromShelf"])
+@pytest.mark.parametrize("name", ["DriveToProduct", "PickFromShelf", "OpenCooler"])
 def test_it_begins_at_rest_and_free(name):
     """Where the robot is put it touches nothing: what stands there stays, and nothing stops it."""
     env = make(name)
@@ -162,7 +181,7 @@ def test_it_begins_at_rest_and_free(name):
         assert env.unwrapped.parts()["agent"]["external_force"].max() < 1
         before = env.unwrapped.items()[0]["pose"]
         still = np.zeros(env.action_space.shape)
-        if name == "PickFromShelf":
+        if name != "DriveToProduct":
             still[-1] = 1
         *_, info = env.step(still)
         assert not info["robot_stopped"]
@@ -176,3 +195,42 @@ def test_an_episode_without_a_witness_is_said():
     with pytest.raises(marketgen.Error) as caught:
         env.reset(options={"episode": episode})
     assert caught.value.code == "episode.impossible" and "planned" in str(caught.value)
+
+
+def test_chance_opens_no_door():
+    env = make("OpenCooler")
+    env.action_space.seed(1)
+    totals = []
+    for seed in range(10):
+        env.reset(seed=seed)
+        total, over = 0.0, False
+        while not over:
+            _, reward, terminated, truncated, info = env.step(env.action_space.sample())
+            total, over = total + reward, terminated or truncated
+        assert info["is_success"] is False
+        totals.append(total)
+    assert max(totals) < 0.5
+
+
+def test_doors_of_both_stores_and_both_leaves_are_drawn():
+    env = make("OpenCooler")
+    doors = set()
+    for seed in range(16):
+        env.reset(seed=seed)
+        doors.add((env.unwrapped.episode["store"], env.unwrapped.episode["certificate"]["witness"][0]["door"]["id"]))
+    assert len(doors) == 4
+
+
+def test_joints_keep_their_speed_whatever_is_told():
+    """An arm that is told to go as far as it can, this way and that: no joint is faster than its limit by more than a push makes it."""
+    env = make("OpenCooler")
+    env.reset(seed=4)
+    [(twice, names)] = [(row[4], row[5]) for row in env.unwrapped.environment.observation_parts() if row[1] == "qvel"]
+    arms = [place for place, name in enumerate(names) if name.startswith(("left_", "right_"))]
+    most = np.array(twice)[arms] / 2
+    rng = np.random.default_rng(3)
+    for _ in range(60):
+        _, _, terminated, truncated, _ = env.step(np.sign(rng.uniform(-1, 1, env.action_space.shape)))
+        assert (np.abs(env.unwrapped.parts()["agent"]["qvel"][arms]) <= 1.2 * most).all()
+        if terminated or truncated:
+            env.reset(seed=5)

@@ -16,6 +16,7 @@ from .checkout import CheckoutUnloading, CheckoutUnloadingVector
 from .drive_to_product import DriveToProduct
 from .in_aisle import InAisleCollection, InAisleCollectionVector
 from .one_item import CheckoutOneItem, CheckoutOneItemVector
+from .open_cooler import OpenCooler
 from .pick_from_shelf import PickFromShelf
 from .place_in_basket import PlaceInBasket
 
@@ -29,6 +30,7 @@ __all__ = [
     "DriveToProduct",
     "InAisleCollection",
     "InAisleCollectionVector",
+    "OpenCooler",
     "PickFromShelf",
     "PlaceInBasket",
     "make_vec",
@@ -45,7 +47,7 @@ for _env, _vector in (
         vector_entry_point=f"{_vector.__module__}:{_vector.__name__}",
     )
 
-for _stage in (DriveToProduct, PickFromShelf, PlaceInBasket):  # many in one: Gymnasium's own vector environments
+for _stage in (DriveToProduct, PickFromShelf, PlaceInBasket, OpenCooler):  # many in one: Gymnasium's own vector environments
     gymnasium.register(f"MarketGen/{_stage.__name__}-v1", entry_point=f"{_stage.__module__}:{_stage.__name__}")
 
 

@@ -65,6 +65,10 @@ class StageEnv(TaskEnv):
         """What the numbers of an action are called in the whole task."""
         return self.moves
 
+    def _told(self, numbers: np.ndarray) -> np.ndarray:
+        """Of an action: what the whole task is told by these names."""
+        return numbers
+
     def _prepare(self) -> None:
         """Before the episode begins, in its world."""
 
@@ -115,7 +119,7 @@ class StageEnv(TaskEnv):
     def _act(self, numbers: np.ndarray) -> bool:
         """Holds them; whether the world's own episode came to its end."""
         full = self._still()
-        full[self._places] = numbers
+        full[self._places] = self._told(numbers)
         self._last = numbers
         for _ in range(self.hold):
             _, terminated, truncated = self._advance(full)

@@ -25,7 +25,7 @@ ControlMode = Literal["pd_joint_pos", "pd_joint_delta_pos", "pd_ee_delta_pos", "
 RewardMode = Literal["sparse", "dense", "shaped"]
 StoreLike = Store | str | os.PathLike[str]
 CHECKOUT_STATION, ONE_ITEM_STATION = "checkout", "one-item"
-Stage = Literal["whole", "drive", "pick", "place"]
+Stage = Literal["whole", "drive", "pick", "place", "open"]
 
 
 class TaskOptions(TypedDict, total=False):

@@ -42,8 +42,12 @@ Pose moved_pose(Pose pose, std::span<const double> by) {
 
 }  // namespace
 
-ActionMap::ActionMap(const robots::Robot& robot, ControlMode mode, bool stop)
-    : robot_(robot), mode_(mode), stop_(stop), joints_(episodes::commanded_dofs(robot)) {
+ActionMap::ActionMap(const robots::Robot& robot, ControlMode mode, bool stop, double grip_n)
+    : robot_(robot),
+      mode_(mode),
+      stop_(stop),
+      grip_n_(grip_n),
+      joints_(episodes::commanded_dofs(robot)) {
   for (const robots::Tool& tool : robot.tools) {
     Arm arm{tool.frame, {}};
     for (const robots::JointGroup& group : robot.groups)
@@ -181,7 +185,8 @@ Result<MappedAction> ActionMap::action(std::span<const double> values,
   for (const robots::Tool& tool : robot_.tools) {
     const double open = (share(rest.front()) + 1) / 2;
     const double cup = open > 0.5 ? agent::cup_off_m : 0;
-    action.tools.push_back({tool.kind == robots::ToolKind::suction ? cup : open * tool.opening});
+    action.tools.push_back(
+        {tool.kind == robots::ToolKind::suction ? cup : open * tool.opening, grip_n_});
     rest = rest.subspan(1);
   }
   if (robot_.drive) {

@@ -55,7 +55,11 @@ struct MappedAction {
 // Immutable; the robot must outlive it.
 class ActionMap {
  public:
-  ActionMap(const robots::Robot& robot, ControlMode mode, bool stop = true);
+  // `grip_n`: how hard the fingers press that are told to shut.
+  ActionMap(const robots::Robot& robot,
+            ControlMode mode,
+            bool stop = true,
+            double grip_n = agent::ToolCommand{}.force_n);
 
   const std::vector<ActionNumber>& numbers() const { return numbers_; }
 
@@ -99,6 +103,7 @@ class ActionMap {
   const robots::Robot& robot_;
   ControlMode mode_;
   bool stop_;
+  double grip_n_;
   std::vector<int> joints_;  // degrees of freedom that are commanded
   std::vector<int> other_;   // of these, those of no arm, as places in joints_
   std::vector<Arm> arms_;    // one a tool

@@ -5,6 +5,7 @@
 #include "environments/aisle/shared_aisle.h"
 #include "environments/checkout/checkout_environment.h"
 #include "episodes/aisle/aisle_stage.h"
+#include "episodes/aisle/door_stage.h"
 #include "episodes/checkout/checkout_station.h"
 #include "episodes/checkout/sample_one_item.h"
 #include "robots/grasp_tool.h"
@@ -33,10 +34,35 @@ Result<episodes::EpisodeSpec> draw_place(EpisodeGround& ground, std::uint64_t se
   return spec;
 }
 
+Result<std::shared_ptr<episodes::DoorStages>> door_stages(EpisodeGround& ground,
+                                                          const std::string& scene_hash,
+                                                          const std::string& tools) {
+  return ground.arena().shared().get<episodes::DoorStages>(
+      scene_hash + " " + tools, [&]() -> Result<std::shared_ptr<episodes::DoorStages>> {
+        MARKETGEN_TRY(
+            auto store,
+            shared_aisle_store(ground.arena(), scene_hash, tools, episodes::Doors::hinged));
+        return std::make_shared<episodes::DoorStages>(std::move(store));
+      });
+}
+
+// A store without a door that opens is passed over by the next draw.
+Result<episodes::EpisodeSpec> draw_door(EpisodeGround& ground,
+                                        const std::string& tools,
+                                        Seed seed) {
+  const std::vector<episodes::EpisodeStore>& stores = ground.stores();
+  const auto last = static_cast<int>(stores.size()) - 1;
+  const episodes::EpisodeStore& store =
+      stores[static_cast<std::size_t>(seed.child("store").stream().integer(0, last))];
+  MARKETGEN_TRY(const auto doors, door_stages(ground, store.scene_hash, tools));
+  return doors->draw({store.name, store.scene_hash, store.plan_hash}, seed);
+}
+
 Result<episodes::EpisodeSpec> draw_in_aisle(EpisodeGround& ground,
                                             episodes::Stage stage,
                                             const std::string& tools,
                                             Seed seed) {
+  if (stage == episodes::Stage::open) return draw_door(ground, tools, seed);
   const std::uint64_t number = seed.child("episode").value();
   MARKETGEN_TRY(const episodes::EpisodeSpec whole,
                 ground.draw(episodes::Track::aisle, number, tools));
@@ -95,6 +121,12 @@ Result<std::vector<double>> start_of_pick(EpisodeGround& ground,
         return std::make_shared<Posture>(std::move(state));
       }));
   return *posture;
+}
+
+Result<std::vector<double>> start_of_open(EpisodeGround& ground,
+                                          const episodes::EpisodeSpec& spec) {
+  MARKETGEN_TRY(const auto doors, door_stages(ground, spec.scene_hash, spec.tools));
+  return doors->hand_before_bar(spec);
 }
 
 }  // namespace marketgen::environments

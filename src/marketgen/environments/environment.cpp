@@ -36,7 +36,11 @@ Result<std::unique_ptr<Environment>> Environment::create(std::shared_ptr<Episode
 }
 
 void Environment::set_robot(const robots::Robot& robot, const ObservationBounds& bounds) {
-  actions_.emplace(robot, options_.control, options_.stop);
+  const bool opens = options_.stage == episodes::Stage::open;
+  actions_.emplace(robot,
+                   options_.control,
+                   options_.stop,
+                   opens ? episodes::opening_grip_n : agent::ToolCommand{}.force_n);
   parts_ = robot_parts(robot, bounds);
   item_rows_ = options_.item_rows > 0 ? options_.item_rows : ground_->max_items(track_);
   if (options_.privileged)
@@ -102,6 +106,10 @@ Result<void> Environment::check(std::span<const double> action) const {
 
 Result<episodes::WayToStand> Environment::way_to_stand() const {
   return Error{"usage.bad_flag", "way_to_stand", "at a counter nobody drives"};
+}
+
+Result<episodes::DoorSeen> Environment::door() const {
+  return Error{"usage.bad_flag", "door", "at a counter there is none"};
 }
 
 Result<StepOutcome> Environment::step(std::span<const double> action) {

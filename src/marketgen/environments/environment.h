@@ -17,6 +17,7 @@
 #include "environments/episode_run.h"
 #include "environments/goal_progress.h"
 #include "environments/observation_parts.h"
+#include "episodes/aisle/door_stage.h"
 #include "episodes/aisle/way_to_stand.h"
 #include "episodes/realism.h"
 #include "episodes/stage.h"
@@ -116,6 +117,9 @@ class Environment {
   // In aisles, of an episode with a witness. Errors: those of way_to_stand(); usage.bad_flag at a
   // counter.
   virtual Result<episodes::WayToStand> way_to_stand() const;
+  // The door that the episode's witness opens, of Stage::open. Errors: those of door_seen();
+  // usage.bad_flag at a counter.
+  virtual Result<episodes::DoorSeen> door() const;
   // MuJoCo's own model and what moves in it (its qpos, qvel, act, ...: mjSTATE_INTEGRATION).
   const mjModel_& model() const { return world().model(); }
   const mjData_& data() const { return world().data(); }

@@ -141,6 +141,15 @@ bool EpisodeWatch::holds_joint(const physics::WorldContact& contact,
   return role.part == Part::finger && fingers->second.contains({role.tool, 1 - role.finger});
 }
 
+bool EpisodeWatch::is_joint_held(const physics::World& world, std::uint32_t joint) const {
+  const auto on_joints = fingers_on_joints(world);
+  const auto fingers = on_joints.find(static_cast<std::int32_t>(joint));
+  return fingers != on_joints.end() &&
+         std::ranges::any_of(fingers->second, [&](const std::pair<int, int>& one) {
+           return fingers->second.contains({one.first, 1 - one.second});
+         });
+}
+
 EpisodeWatch::Touches EpisodeWatch::touches(const physics::World& world) const {
   Touches seen;
   const std::map<std::int32_t, Fingers> on_joints = fingers_on_joints(world);

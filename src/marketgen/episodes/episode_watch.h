@@ -60,6 +60,8 @@ class EpisodeWatch {
   };
   const std::map<std::uint32_t, Item>& items() const { return items_; }
   bool is_held(std::uint32_t product) const;
+  // Whether both fingers of a tool are on what hangs on the joint; never without know_joints().
+  bool is_joint_held(const physics::World& world, std::uint32_t joint) const;
   double max_tilt_deg() const { return tilt_deg_; }  // of the basket
 
   // Counts contacts that still last as ended. Of loose goods `displaced`, and what else needs the

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -151,6 +153,27 @@ DoorHand::Followed DoorHand::follow(const DoorStand& stand,
   return followed;
 }
 
+// The most worth first, then those from which the arm does not follow far enough.
+std::vector<motion::Configuration> DoorHand::by_worth(
+    const DoorStand& stand,
+    const motion::ArmChecker& checker,
+    const HandSwing& swing,
+    std::vector<motion::Configuration> starts) const {
+  std::vector<std::pair<double, motion::Configuration>> worths;
+  for (motion::Configuration& start : starts) {
+    const Followed followed = follow(stand, checker, swing, start);
+    const bool will_do = std::abs(followed.end_rad - swing.from_rad) >= swing.least_rad - 1e-9;
+    worths.emplace_back(
+        will_do ? swing.worth(model_.group, followed.path) : std::numeric_limits<double>::lowest(),
+        std::move(start));
+  }
+  std::ranges::stable_sort(worths, std::greater<>(), [](const auto& row) { return row.first; });
+  starts.clear();
+  for (auto& [worth, start] : worths)
+    starts.push_back(std::move(start));
+  return starts;
+}
+
 // From the leaf where it is to where the arm is stowed: the fingers may touch the leaf on the line.
 Result<motion::LeavePlan> DoorHand::off_it(const DoorStand& stand,
                                            const motion::CollisionWorld& still,
@@ -196,6 +219,7 @@ Result<HandOnDoor> DoorHand::timed(const DoorStand& stand,
   made.group = model_.group.name;
   made.tool = hand_.tool;
   made.end_rad = followed.end_rad;
+  if (swing.worth) made.worth = swing.worth(model_.group, followed.path);
   made.at_start = followed.path.front();
   made.at_end = followed.path.back();
   DoorStand before = stand;
@@ -239,6 +263,7 @@ Result<HandOnDoor> DoorHand::plan(const DoorStand& stand, const HandSwing& swing
                                   robots::values_of(model_.group, stand.state),
                                   swivels));
   if (starts.size() > max_postures) starts.resize(max_postures);
+  if (swing.worth) starts = by_worth(stand, checker, swing, std::move(starts));
   Error error{"robot.unreachable", model_.group.name, "the arm cannot follow the door"};
   double farthest = -1;
   for (const motion::Configuration& start : starts) {

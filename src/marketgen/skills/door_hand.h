@@ -29,17 +29,25 @@ struct DoorStand {
   std::vector<double> at_reach = {};  // the state while the arm comes to the leaf; empty: the same
 };
 
+// What an arm's way with a door is worth; more is better.
+using WorthOfWay =
+    std::function<double(const robots::JointGroup& arm, const motion::JointPath& way)>;
+
 // How the door is to move with the tip of a hand.
 struct HandSwing {
   double from_rad = 0, to_rad = 0;
   double least_rad = 0;  // that will do, from `from_rad` on
   std::function<Pose(double position_rad)> world_from_tip;
+  // Of the ways in which the arm can follow, the one of most worth; without it the one that begins
+  // nearest to where the arm is.
+  WorthOfWay worth = {};
 };
 
 struct HandOnDoor {
   std::string group;                       // of the arm
   int tool = 0;                            // in Robot::tools
   double end_rad = 0;                      // of the door, after the swing
+  double worth = 0;                        // by HandSwing::worth
   motion::JointTrajectory reach, swing;    // to the leaf; with it
   motion::JointTrajectory leave;           // off it, and to where it began
   motion::Configuration at_start, at_end;  // of the swing
@@ -77,6 +85,10 @@ class DoorHand {
                   const motion::ArmChecker& checker,
                   const HandSwing& swing,
                   const motion::Configuration& start) const;
+  std::vector<motion::Configuration> by_worth(const DoorStand& stand,
+                                              const motion::ArmChecker& checker,
+                                              const HandSwing& swing,
+                                              std::vector<motion::Configuration> starts) const;
   Result<HandOnDoor> timed(const DoorStand& stand,
                            const motion::CollisionWorld& still,
                            const HandSwing& swing,

@@ -41,6 +41,14 @@ constexpr std::array shutting_stands{
     Stand{0.50, 1.20, 0},
     Stand{0.30, 1.35, 0},
 };
+// Where a hand that pulls by itself, as far as 62 degrees, is freest to move on its way.
+constexpr std::array pulling_stands{
+    Stand{-0.12, 1.05, 30 * radian},
+    Stand{0.03, 0.95, 0},
+    Stand{-0.02, 1.00, 15 * radian},
+    Stand{-0.02, 0.95, 0},
+    Stand{-0.07, 1.05, 30 * radian},
+};
 constexpr std::array tips_over_lift_m{0.9, 0.75};  // heights of the tip over the lift's zero
 
 // ---- At the bar. Fingers end before the leaf, which is 2 cm behind the bar's axis: a hand that
@@ -52,7 +60,7 @@ struct Lag {
 };
 constexpr std::array lags{
     Lag{-25 * radian, 10 * radian}, Lag{-25 * radian, 20 * radian}, Lag{-25 * radian, 30 * radian}};
-constexpr double pulled_rad = 65 * radian, least_pulled_rad = 48 * radian;
+constexpr double pulled_rad = 65 * radian;
 
 // ---- Pressing on the leaf with fingers that are shut. ----
 constexpr double half_finger_m = 0.011;
@@ -103,6 +111,14 @@ class DoorPlanner {
                      door_.length_m,
                      {question_.position_rad, door_.open_rad},
                      [&](DoorPlan& plan) { return opened_from(plan); });
+  }
+  Result<DoorPull> pull() {
+    MARKETGEN_TRY(DoorPlan plan,
+                  at_stands(pulling_stands,
+                            door_.length_m,
+                            {question_.position_rad, door_.open_rad},
+                            [&](DoorPlan& made) { return pulled_from(made); }));
+    return DoorPull{plan.world_from_base, std::move(plan.state), std::move(plan.pulls.front())};
   }
   Result<DoorPlan> shut() {
     return at_stands(shutting_stands, 0, {0, question_.position_rad}, [&](DoorPlan& plan) {
@@ -174,10 +190,7 @@ class DoorPlanner {
 
   Result<DoorPlan> opened_from(DoorPlan& plan) {
     Error error{"robot.unreachable", question_.where, "no arm reaches the bar"};
-    const double z = (door_.bar.low_m + door_.bar.high_m) / 2;
-    plan.state =
-        raised_state(robot_, question_.driving, z - tips_over_lift_m.front(), grip_opening_m);
-    plan.grip_opening_m = grip_opening_m;
+    const double z = raised_to_bar(plan);
     for (std::size_t puller = 0; puller < hands_.size(); ++puller) {
       if (!is_by_the_hinge(hands_[puller].hand())) continue;
       for (const Lag& lag : lags) {
@@ -187,6 +200,33 @@ class DoorPlanner {
       }
     }
     return error;
+  }
+
+  // Returns the height at which the bar is taken.
+  double raised_to_bar(DoorPlan& plan) const {
+    const double z = (door_.bar.low_m + door_.bar.high_m) / 2;
+    plan.state =
+        raised_state(robot_, question_.driving, z - tips_over_lift_m.front(), grip_opening_m);
+    plan.grip_opening_m = grip_opening_m;
+    return z;
+  }
+
+  // By the hand and the lag of most worth.
+  Result<DoorPlan> pulled_from(DoorPlan& plan) {
+    Error error{"robot.unreachable", question_.where, "no arm reaches the bar"};
+    const double z = raised_to_bar(plan);
+    for (std::size_t puller = 0; puller < hands_.size(); ++puller) {
+      if (!is_by_the_hinge(hands_[puller].hand())) continue;
+      for (const Lag& lag : lags) {
+        auto made = pulled(plan, puller, lag, z);
+        if (!made.ok())
+          error = made.error();
+        else if (plan.pulls.empty() || made->worth > plan.pulls.front().worth)
+          plan.pulls = {std::move(*made)};
+      }
+    }
+    if (plan.pulls.empty()) return error;
+    return std::move(plan);
   }
 
   // An arm that comes with the leaf round its hinge; the other has room on the other side.
@@ -205,7 +245,8 @@ class DoorPlanner {
   }
 
   Result<HandOnDoor> pulled(const DoorPlan& plan, std::size_t puller, const Lag& lag, double z) {
-    HandSwing swing{question_.position_rad, pulled_rad, least_pulled_rad, {}};
+    HandSwing swing{question_.position_rad, pulled_rad, question_.least_pulled_rad, {}};
+    swing.worth = question_.worth_of_pull;
     swing.world_from_tip = [&, z](double position) {
       const double behind = lag.first_rad + (lag.last_rad - lag.first_rad) * position / pulled_rad;
       const Pose tip = level_tip(door_,
@@ -338,6 +379,14 @@ Result<DoorPlan> plan_open_door(const robots::Robot& robot,
     return Error{
         "robot.unknown", robot.name, fmt::format("it takes two arms with a {}", question.tool_row)};
   return planner.open();
+}
+
+Result<DoorPull> plan_pull_door(const robots::Robot& robot,
+                                const DoorQuestion& question,
+                                Seed seed) {
+  DoorPlanner planner(robot, question, seed);
+  MARKETGEN_CHECK(planner.make_hands());
+  return planner.pull();
 }
 
 Result<DoorPlan> plan_shut_door(const robots::Robot& robot,

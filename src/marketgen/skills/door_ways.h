@@ -9,6 +9,7 @@
 // World frame, SI units; a door's position is in rad.
 #pragma once
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,10 @@ struct DoorQuestion {
   std::function<Result<void>(const Pose& world_from_base, const std::vector<double>& state)>
       may_stand;
   std::optional<Pose> world_from_base = {};  // stands there and nowhere else
-  std::string where;                         // of errors: the door
+  // So far the hand at the bar pulls at least: from there on the other finds room behind the leaf.
+  double least_pulled_rad = 48 * std::numbers::pi / 180;
+  WorthOfWay worth_of_pull = {};  // see HandSwing
+  std::string where;              // of errors: the door
 };
 
 struct DoorPlan {
@@ -47,6 +51,18 @@ Result<DoorPlan> plan_open_door(const robots::Robot& robot,
 
 // Errors: as above, but one arm will do.
 Result<DoorPlan> plan_shut_door(const robots::Robot& robot,
+                                const DoorQuestion& question,
+                                Seed seed);
+
+// One hand's part in opening it, by which it is pulled so far as is asked for: of the ways at the
+// place that serves, the one of most worth.
+struct DoorPull {
+  Pose world_from_base;
+  std::vector<double> state;  // every degree of freedom at the start
+  HandOnDoor hand;
+};
+// Errors: as of plan_shut_door().
+Result<DoorPull> plan_pull_door(const robots::Robot& robot,
                                 const DoorQuestion& question,
                                 Seed seed);
 

@@ -88,6 +88,8 @@ class AisleEnvironment : public Environment {
     return episodes::way_to_stand(*aisles_);
   }
 
+  Result<episodes::DoorSeen> door() const override { return episodes::door_seen(*aisles_); }
+
   Result<std::string> map() const override {
     MARKETGEN_TRY(const auto mapped, aisles_->mapped());
     return io::write_json(mapped->scene.layout);
@@ -113,6 +115,9 @@ class AisleEnvironment : public Environment {
       MARKETGEN_TRY(posture, start_of_pick(ground(), spec));
       MARKETGEN_TRY(const std::uint32_t row, witnessed_product(aisles_->store(), spec));
       wanted_ = {{spec.certificate.witness.front().sku, {row}}};
+    }
+    if (options().stage == episodes::Stage::open) {
+      MARKETGEN_TRY(posture, start_of_open(ground(), spec));
     }
     MARKETGEN_CHECK(aisles_->reset(spec, {}, options().realism, std::move(posture)));
     return aisles_.get();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -13,7 +12,7 @@ namespace marketgen::episodes {
 namespace {
 
 constexpr double shortest_way_m = 1, longest_way_m = 4;  // of Stage::drive
-constexpr double off_m = 0.02, off_deg = 2;              // of Stage::pick, along each axis
+constexpr double off_m = 0.02, off_deg = 2;              // of a_little_off, along each axis
 constexpr int max_stage_starts = 2000;                   // places drawn
 constexpr int max_plans = 3;                             // each from other random postures
 
@@ -46,6 +45,8 @@ std::optional<FloorPlaceRow> anywhere_near(const AisleStore& store,
   return std::nullopt;
 }
 
+}  // namespace
+
 std::optional<FloorPlaceRow> a_little_off(const AisleStore& store,
                                           const FloorPlaceRow& stand,
                                           Stream& draw) {
@@ -57,8 +58,6 @@ std::optional<FloorPlaceRow> a_little_off(const AisleStore& store,
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 Result<WitnessPick> witness_of(const EpisodeSpec& spec) {
   if (!spec.certificate.witness.empty()) return spec.certificate.witness.front();

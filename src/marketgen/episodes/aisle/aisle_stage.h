@@ -1,6 +1,7 @@
 // Episodes of the stages of In-Aisle Item Collection. They go by the witness of an episode's
 // certificate, so that there is a way to do them. Store frame, SI units.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "base/seed.h"
@@ -18,6 +19,12 @@ Result<EpisodeSpec> aisle_stage(const AisleStore& store,
                                 const EpisodeSpec& whole,
                                 Stage stage,
                                 Seed seed);
+
+// A place 2 cm and 2 degrees off `stand` at most, where the robot as it drives stands free; none
+// when there is none.
+std::optional<FloorPlaceRow> a_little_off(const AisleStore& store,
+                                          const FloorPlaceRow& stand,
+                                          Stream& draw);
 
 // The first pick of its witness. Error episode.impossible: there is none.
 Result<WitnessPick> witness_of(const EpisodeSpec& spec);

@@ -1,6 +1,7 @@
 #include "episodes/aisle/aisle_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -33,6 +34,18 @@ std::vector<FilmPlace> film_places(const StationCameraRow& row) {
   return places;
 }
 
+constexpr double seen_from = 1e-3;  // rad or m: what rests within that is seen at rest
+
+std::vector<render::MovedJoint> moved_joints(const AisleWorld& world) {
+  const std::vector<double> positions = world.joint_positions();
+  std::vector<render::MovedJoint> moved;
+  for (std::uint32_t joint = 0; joint < positions.size(); ++joint)
+    if (world.store().scene.joints[joint].kind != assets::JointKind::belt &&
+        std::abs(positions[joint]) > seen_from)
+      moved.push_back({joint, positions[joint]});
+  return moved;
+}
+
 constexpr int probe_width_px = 32, probe_height_px = 24;
 constexpr double enough_of_best = 0.6;
 
@@ -60,6 +73,10 @@ Result<std::unique_ptr<AisleView>> AisleView::create(const AisleWorld& world) {
 
 Result<std::unique_ptr<TrackView>> AisleWorld::open_view() const {
   return open_view_of<AisleView>(*this);
+}
+
+Result<void> AisleView::follow(const AisleWorld& world, const Scenery& then) {
+  return follow(world.robot(), then, moved_joints(world));
 }
 
 Result<void> AisleView::follow(const robots::Robot& robot,

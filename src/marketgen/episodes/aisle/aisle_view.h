@@ -24,10 +24,8 @@ class AisleView {
 
   // From now on everything is seen where it stands in `world`. Errors: render.bad_move.
   Result<void> follow(const AisleWorld& world) { return follow(world, world.scenery()); }
-  // The same, where it stood in `then` of that world.
-  Result<void> follow(const AisleWorld& world, const Scenery& then) {
-    return follow(world.robot(), then, {});
-  }
+  // The same, where it stood in `then` of that world; doors are seen as they stand now.
+  Result<void> follow(const AisleWorld& world, const Scenery& then);
   Result<void> follow(const robots::Robot& robot,
                       const Scenery& then,
                       std::span<const render::MovedJoint> joints);

@@ -380,6 +380,14 @@ int AisleWorld::doors_open() const {
   return open;
 }
 
+SideEffects AisleWorld::side_effects() const {
+  SideEffects effects = watch_.effects();
+  effects.strayed = strayed();
+  effects.protective_stops = controller_.stops();
+  if (spec_.doors) effects.doors_open = doors_open();
+  return effects;
+}
+
 // How far it went, and how far it would have had to go.
 void AisleWorld::add_lengths(EpisodeResult& result) const {
   const PointMm from = floor_point_mm({spec_.start.x_m, spec_.start.y_m, 0});
@@ -414,10 +422,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   result.episode = spec_.id;
   result.store = spec_.store;
   result.scene_hash = spec_.scene_hash;
-  result.side_effects = watch_.effects();
-  result.side_effects.strayed = strayed();
-  result.side_effects.protective_stops = controller_.stops();
-  if (spec_.doors) result.side_effects.doors_open = doors_open();
+  result.side_effects = side_effects();
   add_outcome(outcome, result);
   result.steps = steps_;
   result.simulated_s = time_s();

@@ -72,6 +72,8 @@ class AisleWorld : public TrackWorld {
   double path_m() const { return path_m_; }
   // What lies outside the basket, farther from where it stood than a clean episode moves it.
   int strayed() const;
+  // The ledger so far.
+  SideEffects side_effects() const;
   // Hinged doors that stand open by more than max_shut_rad.
   int doors_open() const;
   // Another world of the same episode, at its beginning: restore() brings it where this one is. Its
