@@ -121,7 +121,9 @@ struct PictureAnnotations {
 struct PictureActor {
   std::string name;
   Pose world_from_actor;
+  std::string category = "actor";
 };
+std::vector<std::string> categories_of(std::span<const PictureActor> actors);
 // Each with its name, "panda" and "panda-2" for the second of them, where its first body stands.
 std::vector<PictureActor> picture_actors(std::span<const Actor> actors);
 

@@ -9,6 +9,7 @@ namespace marketgen::assets {
 namespace {
 
 constexpr float trousers_over = 0.004F, skirt_over = 0.008F, skirt_flare = 0.09F;
+constexpr float skirt_hem = 0.27F;  // height, share of stature
 
 // How far over the skin, metres.
 struct Cut {
@@ -94,20 +95,35 @@ float trouser_leg(Vec3f p, const PersonFrame& frame, std::size_t i) {
   return soft_max(d, dot(p - end, down) - 0.012F, 0.006F);
 }
 
-float trousers(Vec3f p, const PersonFrame& frame, const TrunkField& hips) {
-  const float top = 0.565F * frame.unit + frame.pelvis;
-  float d = soft_max(hips(p), p.z - top, 0.01F);
-  float leg_sides = 1;
-  for (std::size_t i = 0; i < 2; ++i)
-    leg_sides = std::min(leg_sides, trouser_leg(p, frame, i));
-  return soft_min(d, leg_sides, 0.025F * frame.unit);
+// Without the waistband's end.
+float trouser_cloth(Vec3f p, const PersonFrame& frame, const TrunkField& hips) {
+  const float legs = std::min(trouser_leg(p, frame, 0), trouser_leg(p, frame, 1));
+  return soft_min(hips(p), legs, 0.025F * frame.unit);
 }
 
-// What bulges under a shirt about the hips: trousers' legs or a skirt.
-float hips_field(Vec3f p, const PersonLook& look, const PersonFrame& frame) {
-  if (look.legs == LegWear::trousers)
-    return std::min(trouser_leg(p, frame, 0), trouser_leg(p, frame, 1));
-  return skirt_of(p, frame, skirt_over, 0.56F * frame.unit + frame.pelvis, 0, skirt_flare);
+float trousers(Vec3f p, const PersonFrame& frame, const TrunkField& hips) {
+  const float top = 0.575F * frame.unit + frame.pelvis;
+  return soft_max(trouser_cloth(p, frame, hips), p.z - top, 0.01F);
+}
+
+// A skirt over thighs that push it out when they walk; heights in shares of stature.
+float skirt(Vec3f p, const PersonFrame& frame, float top, float hem) {
+  const float unit = frame.unit, low = hem * unit + frame.pelvis;
+  float d = skirt_of(p, frame, skirt_over, top * unit + frame.pelvis, low, skirt_flare);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const float thigh = soft_max(leg_field(p, frame, i, 0.010F), low - p.z, 0.010F);
+    d = soft_min(d, thigh, 0.04F * unit);
+  }
+  return soft_max(d, low - p.z, 0.010F);
+}
+
+// What bulges under a shirt about the hips.
+float hips_field(Vec3f p,
+                 const PersonLook& look,
+                 const PersonFrame& frame,
+                 const TrunkField& hips) {
+  if (look.legs == LegWear::trousers) return trouser_cloth(p, frame, hips);
+  return skirt(p, frame, 0.60F, skirt_hem);
 }
 
 float collar_field(Vec3f p, const PersonLook& look, const PersonFrame& frame) {
@@ -126,21 +142,34 @@ struct TopShapes {
   TrunkField trunk, hips;
 };
 
+// Both sleeves; where neither is near, no more than the way to them.
+float sleeves(float d, Vec3f p, const PersonFrame& frame, const Cut& cut) {
+  constexpr float near_m = 0.10F, thickest_m = 0.10F;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ArmJoints& arm = frame.arms[i];
+    const float reach = std::max(length(arm.shoulder - arm.elbow), length(arm.wrist - arm.elbow));
+    const float away = length(p - arm.elbow) - reach - thickest_m;
+    d = away > near_m ? std::min(d, away)
+                      : soft_min(d, sleeve(p, frame, i, cut), 0.014F * frame.unit);
+  }
+  return d;
+}
+
 float top_field(Vec3f p,
                 const PersonLook& look,
                 const PersonFrame& frame,
                 const TopShapes& shapes) {
   const Cut& cut = shapes.cut;
   const float unit = frame.unit;
-  const float waist = 0.545F * unit + frame.pelvis, hem = cut.hem * unit + frame.pelvis;
+  const float waist = frame.waist_height(), hem = cut.hem * unit + frame.pelvis;
   float d = shapes.trunk(p);
-  d = soft_min(d, skirt_of(p, frame, cut.trunk, waist, hem - 0.02F, cut.flare), 0.03F * unit);
-  d = soft_min(d, hips_field(p, look, frame) - 0.005F, 0.012F * unit);
-  d += 0.0016F * std::sin(p.z * 95 + 14 * p.y) *
-       std::max(1 - std::abs(p.z - frame.waist_height()) / 0.14F, 0.0F);
-  for (std::size_t i = 0; i < 2; ++i)
-    d = soft_min(d, sleeve(p, frame, i, cut), 0.014F * unit);
-  d = soft_max(d, hem - p.z, 0.010F);
+  const float hips = std::clamp((waist + 0.06F - p.z) / 0.12F, 0.0F, 1.0F);
+  if (hips > 0)
+    d = soft_min(d, hips_field(p, look, frame, shapes.hips) - 0.005F, 0.02F * unit * hips);
+  if (look.top == TopWear::coat)
+    d = soft_min(d, skirt_of(p, frame, cut.trunk, waist, hem - 0.02F, cut.flare), 0.05F * unit);
+  d += 0.0016F * std::sin(p.z * 95 + 14 * p.y) * std::max(1 - std::abs(p.z - waist) / 0.14F, 0.0F);
+  d = soft_max(sleeves(d, p, frame, cut), hem - p.z, 0.010F);
   return soft_min(d, collar_field(p, look, frame), 0.010F);
 }
 
@@ -195,7 +224,8 @@ float apron_field(Vec3f p,
   const float unit = frame.unit;
   const float top = 0.765F * unit + frame.pelvis, hem = 0.36F * unit + frame.pelvis;
   const float waist = frame.waist_height();
-  const float dressed = soft_min(shapes.trunk(p), hips_field(p, look, frame) - 0.006F, 0.02F);
+  const float dressed =
+      soft_min(shapes.trunk(p), hips_field(p, look, frame, shapes.hips) - 0.006F, 0.02F * unit);
   const float body =
       soft_min(dressed,
                skirt_of(p, frame, 0.016F, 0.56F * unit + frame.pelvis, hem - 0.05F, 0.03F),
@@ -275,11 +305,8 @@ std::vector<PartField> clothes_fields(const PersonLook& look, const PersonFrame&
                      look.leg_color,
                      0.92F});
   } else {
-    const float top = 0.56F * frame.unit + frame.pelvis, hem = 0.27F * frame.unit + frame.pelvis;
     parts.push_back({"skirt",
-                     [&frame, top, hem](Vec3f p) {
-                       return skirt_of(p, frame, skirt_over, top, hem, skirt_flare);
-                     },
+                     [&frame](Vec3f p) { return skirt(p, frame, 0.56F, skirt_hem); },
                      bounds,
                      0.0105F,
                      look.leg_color,

@@ -62,7 +62,7 @@ float jaw_bones(Vec3f p, Vec3f q, const Head& head, float over) {  // q: p, mirr
 }
 
 float eye_and_brow(float d, Vec3f q, const Head& head) {
-  const float b = 0.0085F * head.brow * (head.woman ? 0.8F : 1.0F);
+  const float b = 0.0072F * head.brow * (head.woman ? 0.8F : 1.0F);
   d = soft_min(
       d, round_cone(q, {0.0795F, 0.012F, 0.021F}, {0.064F, 0.043F, 0.020F}, b, b * 0.8F), 0.018F);
   d = soft_max(d, -ellipsoid(q, {0.096F, 0.031F, 0.003F}, {0.019F, 0.020F, 0.0125F}), 0.016F);
@@ -174,14 +174,14 @@ float patch(Vec3f p, const Head& head, float outline, float over) {
 // A band along the arc z = height + rise * (1 - (y - middle)^2 / half^2), thin at its ends.
 float band(Vec3f q, float middle, float half, float height, float rise, float thick) {
   const float t = (q.y - middle) / half;
-  const float line = height + rise * (1 - t * t);
+  const float line = height + rise * (1 - t * t) - 0.25F * rise * t;
   return std::max(std::abs(q.z - line) - thick * (1 - 0.55F * t * t), (std::abs(t) - 1) * half);
 }
 
 float brows(Vec3f p, const Head& head) {
   const Vec3f q{p.x, std::abs(p.y), p.z};
   const float thick = head.woman ? 0.0019F : 0.0028F;
-  return patch(p, head, band(q, 0.0305F, 0.0175F, 0.0175F, 0.0060F, thick), 0.0012F);
+  return patch(p, head, band(q, 0.0305F, 0.0175F, 0.0200F, 0.0040F, thick), 0.0012F);
 }
 
 constexpr float eye_y = 0.0310F, eye_z = 0.0025F, eye_half = 0.0125F;
@@ -215,7 +215,9 @@ float lashes(Vec3f p, const Head& head) {
 }
 
 float lips(Vec3f p, const Head& head) {
-  const float y = std::abs(p.y), t = y / (head.woman ? 0.0225F : 0.0235F), z = p.z + 0.0575F;
+  const float y = std::abs(p.y), t = y / (head.woman ? 0.0225F : 0.0235F),
+              z = p.z + 0.0575F - 0.0014F * t * t;  // corners a little up
+
   const float open = std::max(1 - t * t, -1.0F);
   const float bow = 0.0012F * std::max(1 - y / 0.006F, 0.0F);
   const float full = head.woman ? 1.15F : 0.85F;

@@ -64,9 +64,10 @@ float arm_field(Vec3f p, const PersonFrame& frame, std::size_t arm, float over) 
   const ArmJoints& a = frame.arms[arm];
   const float w = frame.unit * frame.broad;
   const Vec3f muscle = a.elbow + (a.wrist - a.elbow) * 0.28F;
-  float d = round_cone(p, a.shoulder, a.elbow, 0.0295F * w + over, 0.0225F * w + over);
-  d = soft_min(d, round_cone(p, a.elbow, muscle, 0.0225F * w + over, 0.0245F * w + over), 0.02F);
-  return soft_min(d, round_cone(p, muscle, a.wrist, 0.0245F * w + over, 0.0155F * w + over), 0.02F);
+  float d = round_cone(p, a.shoulder, a.elbow, 0.0290F * w + over, 0.0205F * w + over);
+  d = soft_min(d, round_cone(p, a.elbow, muscle, 0.0200F * w + over, 0.0235F * w + over), 0.012F);
+  return soft_min(
+      d, round_cone(p, muscle, a.wrist, 0.0235F * w + over, 0.0155F * w + over), 0.012F);
 }
 
 float leg_field(Vec3f p, const PersonFrame& frame, std::size_t leg, float over) {

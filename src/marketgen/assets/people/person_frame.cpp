@@ -54,7 +54,7 @@ double hip_height(const std::array<LegJoints, 2>& legs, double hip_y, double uni
 
 Vec3f wrist_target(ArmUse use, float side, float unit, Vec3f chest) {
   if (use == ArmUse::rest) return {chest.x + 0.135F * unit, side * 0.02F * unit, 0.60F * unit};
-  return {chest.x + 0.19F * unit, side * 0.085F * unit, 0.63F * unit};
+  return {chest.x + 0.125F * unit, side * 0.085F * unit, 0.62F * unit};
 }
 
 ArmJoints hanging_arm(Vec3f shoulder, float side, double forward, bool loaded, float unit) {
