@@ -74,7 +74,7 @@ struct ObjectAnnotation {
       field("sku", &ObjectAnnotation::sku, "of a product"),
       field("category",
             &ObjectAnnotation::category,
-            "of a product; a fixture's kind; otherwise the object's kind"),
+            "of a product; a fixture's kind; person; otherwise the object's kind"),
       field("category_id", &ObjectAnnotation::category_id, "number in the picture of categories"),
       field("color", &ObjectAnnotation::color, "in the segmentation; two objects may share one"),
       field("pixels", &ObjectAnnotation::pixels, "how many show it"),

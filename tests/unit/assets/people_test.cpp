@@ -46,8 +46,7 @@ assets::WayPlace on_circle(double walked_m) {
 
 TEST(ImplicitMesh, OfABallIsClosedAndHasItsVolume) {
   const auto ball = [](Vec3f p) { return length(p - Vec3f{0.1F, 0, 0}) - 0.2F; };
-  const Mesh mesh =
-      assets::mesh_of_field(ball, {{-0.2F, -0.3F, -0.3F}, {0.4F, 0.3F, 0.3F}}, 0.02F);
+  const Mesh mesh = assets::mesh_of_field(ball, {{-0.2F, -0.3F, -0.3F}, {0.4F, 0.3F, 0.3F}}, 0.02F);
   EXPECT_TRUE(is_watertight(mesh));
   EXPECT_NEAR(volume_of(mesh), 4.0 / 3 * std::numbers::pi * 0.008, 0.0002);
   for (const Vec3f& p : mesh.positions)
@@ -56,7 +55,8 @@ TEST(ImplicitMesh, OfABallIsClosedAndHasItsVolume) {
 
 TEST(ImplicitMesh, ClosesWhereInnerCornersLieAcross) {  // two balls that touch along a diagonal
   const auto balls = [](Vec3f p) {
-    return std::min(length(p - Vec3f{0.05F, 0.05F, 0.05F}), length(p + Vec3f{0.05F, 0.05F, 0.05F})) -
+    return std::min(length(p - Vec3f{0.05F, 0.05F, 0.05F}),
+                    length(p + Vec3f{0.05F, 0.05F, 0.05F})) -
            0.0866F;
   };
   for (const float cell : {0.011F, 0.02F, 0.033F, 0.05F}) {
@@ -117,7 +117,8 @@ TEST(People, AreAsTallAsTheyShouldBe) {
 
 TEST(People, EveryPartIsClosedInEveryPose) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    const PersonLook look = person_of(seed, seed % 3 == 2 ? PersonRole::staff : PersonRole::shopper);
+    const PersonLook look =
+        person_of(seed, seed % 3 == 2 ? PersonRole::staff : PersonRole::shopper);
     PersonPose pose =
         assets::walking_pose(look, on_circle, 6, 9, 0.4 + 0.37 * static_cast<double>(seed));
     if (seed % 4 == 1) pose.arms[1] = ArmUse::basket;
@@ -188,8 +189,9 @@ TEST(Gait, FeetDoNotSlide) {
       const double moved = length(after - before);
       EXPECT_LT(moved, 0.10) << walked;  // a swinging foot overtakes the body
       const bool ball_down = before.z < 1e-9 && after.z < 1e-9;
-      if (ball_down && pitch(walked, foot) >= 0 && pitch(walked + dx, foot) >= 0)
+      if (ball_down && pitch(walked, foot) >= 0 && pitch(walked + dx, foot) >= 0) {
         EXPECT_LT(moved, 1e-9) << walked;
+      }
       on_floor += before.z < 0.08 && moved < 0.01 ? 1 : 0;
     }
     EXPECT_GE(on_floor, 1) << walked;

@@ -64,9 +64,9 @@ std::vector<Bounds3> things_of(const scene::Scene& scene) {
   const auto add = [&](const Pose& pose, Vec3f half, Vec3f middle) {
     Bounds3 box;
     for (int k = 0; k < 8; ++k) {
-      const Vec3f corner = middle + Vec3f{k & 1 ? half.x : -half.x,
-                                          k & 2 ? half.y : -half.y,
-                                          k & 4 ? half.z : -half.z};
+      const Vec3f corner =
+          middle +
+          Vec3f{k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z};
       box.include(to_float(pose * to_double(corner)));
     }
     if (box.low.z < 1.9F) things.push_back(box);
@@ -112,7 +112,8 @@ TEST(StorePeople, NeverComeIntoOneAnother) {
       for (std::size_t i = 0; i < people.count(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           const Vec2 a = people.place(i, t).position, b = people.place(j, t).position;
-          EXPECT_GE(std::hypot(a.x - b.x, a.y - b.y), people.round(i).room_m + people.round(j).room_m)
+          EXPECT_GE(std::hypot(a.x - b.x, a.y - b.y),
+                    people.round(i).room_m + people.round(j).room_m)
               << store.name << " " << i << " and " << j << " at " << t;
         }
       }
@@ -146,7 +147,9 @@ TEST(StorePeople, WalkWithoutAJumpAndNoFasterThanPeopleDo) {
         const assets::WayPlace a = people.place(i, t), b = people.place(i, t + dt);
         const double moved = std::hypot(a.position.x - b.position.x, a.position.y - b.position.y);
         fastest = std::max(fastest, moved / dt);
-        EXPECT_LT(std::abs(std::remainder(a.heading_rad - b.heading_rad, 2 * std::numbers::pi)), 0.2) << i;
+        EXPECT_LT(std::abs(std::remainder(a.heading_rad - b.heading_rad, 2 * std::numbers::pi)),
+                  0.2)
+            << i;
       }
     }
   }

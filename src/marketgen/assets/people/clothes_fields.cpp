@@ -233,9 +233,10 @@ float apron_field(Vec3f p,
   const float sheet = body - 0.009F;  // what lies under the clothes is not seen
   // A bib above the waist, a skirt below that reaches round the sides.
   const float bib = std::abs(p.y) - 0.072F * unit - std::max(waist - p.z, 0.0F) * 0.10F;
+  const float behind = frame.spine(0.7F).x - p.x;
   const float wrap = frame.spine(0.55F).x - 0.01F * unit - p.x;
   const float step = std::clamp((waist + 0.02F * unit - p.z) / (0.02F * unit), 0.0F, 1.0F);
-  const float width = bib * (1 - step) + wrap * step;
+  const float width = std::max(bib, behind) * (1 - step) + wrap * step;
   float d = soft_max(soft_max(sheet, width, 0.006F), std::max(p.z - top, hem - p.z), 0.006F);
   const float band = soft_max(sheet, std::abs(p.z - waist) - 0.014F * unit, 0.004F);
   return std::min(d, band);
@@ -256,6 +257,42 @@ PartField closing(const PersonLook& look, const PersonFrame& frame, const TopSha
           0.0027F,
           look.top_color * 0.45F,
           0.6F};
+}
+
+// Cloth on cloth, 2.8 mm thick, where `outline` is less than 0.
+float on_cloth(float cloth, float outline) {
+  return soft_max(std::max(cloth - 0.0028F, -cloth - 0.006F), outline, 0.002F);
+}
+
+float collar_leaves(Vec3f p, const PersonFrame& frame) {
+  const Vec3f neck = frame.neck;
+  const float x = p.x - neck.x + 0.004F * frame.unit, round = std::sqrt(x * x + p.y * p.y);
+  const float front = std::max(x, 0.0F) / std::max(round, 1e-4F);
+  // They are longest where they part in front.
+  const float width = 0.056F * frame.unit + 0.018F * frame.unit * front * front;
+  const float gap = 0.010F + 0.20F * std::max(neck.z + 0.01F - p.z, 0.0F) - std::abs(p.y);
+  return std::max({round - width, x > 0 ? gap : -1, neck.z - 0.028F - 0.032F * front - p.z});
+}
+
+// A collar and cuffs.
+float trim_field(Vec3f p,
+                 const PersonLook& look,
+                 const PersonFrame& frame,
+                 const TopShapes& shapes) {
+  constexpr float cuff_m = 0.055F, wrist_m = 0.12F;
+  float d = on_cloth(top_field(p, look, frame, shapes), collar_leaves(p, frame));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ArmJoints& arm = frame.arms[i];
+    const float away = length(p - arm.wrist) - wrist_m;
+    if (away > wrist_m) {
+      d = std::min(d, away);
+      continue;
+    }
+    const float whole = length(arm.elbow - arm.shoulder) + length(arm.wrist - arm.elbow);
+    const float past = (shapes.cut.sleeve_end - way_down_arm(p, arm)) * whole - cuff_m;
+    d = std::min(d, on_cloth(sleeve(p, frame, i, shapes.cut), std::max(past, away)));
+  }
+  return d;
 }
 
 PartField shoe_part(const PersonLook& look, const PersonFrame& frame, std::size_t i) {
@@ -312,7 +349,16 @@ std::vector<PartField> clothes_fields(const PersonLook& look, const PersonFrame&
                      look.leg_color,
                      0.9F});
   }
-  if (look.top != TopWear::t_shirt) parts.push_back(closing(look, frame, shapes));
+  if (look.top != TopWear::t_shirt) {
+    parts.push_back(closing(look, frame, shapes));
+    parts.push_back(
+        {"trim",
+         [&look, &frame, shapes](Vec3f p) { return trim_field(p, look, frame, shapes); },
+         bounds,
+         0.0055F,
+         look.top_color * (soft ? 0.92F : 0.72F),
+         0.9F});
+  }
   if (look.apron)
     parts.push_back(
         {"apron",
