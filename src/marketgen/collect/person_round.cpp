@@ -252,6 +252,8 @@ assets::PersonPose pose_in_round(const PersonRound& person, double time_s) {
     pose.head_down_rad = calm * person.head_down_rad;
     pose.head_left_rad = calm * person.head_left_rad * std::cos(6 * pi * share);
   }
+  // Who never walks off may hold a hand before the belly.
+  if (person.acts.size() == 1 && person.head_left_rad > 0) pose.arms[0] = assets::ArmUse::rest;
   if (person.basket) pose.arms[1] = assets::ArmUse::basket;
   if (person.carries) pose.arms = {assets::ArmUse::carry, assets::ArmUse::carry};
   return pose;

@@ -170,7 +170,7 @@ float top_field(Vec3f p,
     d = soft_min(d, skirt_of(p, frame, cut.trunk, waist, hem - 0.02F, cut.flare), 0.05F * unit);
   d += 0.0016F * std::sin(p.z * 95 + 14 * p.y) * std::max(1 - std::abs(p.z - waist) / 0.14F, 0.0F);
   d = soft_max(sleeves(d, p, frame, cut), hem - p.z, 0.010F);
-  return soft_min(d, collar_field(p, look, frame), 0.010F);
+  return soft_min(d, collar_field(p, look, frame), 0.018F);
 }
 
 float shoe(Vec3f p, const PersonFrame& frame, std::size_t i) {

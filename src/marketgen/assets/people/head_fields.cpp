@@ -120,35 +120,44 @@ float strands(Vec3f p, float depth) {
   return depth * (std::sin(round * 34 + 9 * p.z) * 0.6F + std::sin(round * 71 - 31 * p.z) * 0.4F);
 }
 
+// How much thinner hair is near its edge, where `edge` (0 there, less than 0 within) says.
+float thinned(float edge, float thick) {
+  return 0.75F * thick * std::clamp(1 + edge / 0.022F, 0.0F, 1.0F);
+}
+
+// Hair as a cap: cropped, short, or drawn back to a bun.
+float short_cap(Vec3f p, Vec3f q, const Head& head, HairCut cut) {
+  const bool cropped = cut == HairCut::cropped;
+  const float thick = cropped ? 0.0035F : 0.011F, edge = hairline(q, -0.058F);
+  float cap = skull(p, head, thick);
+  if (!cropped)  // fuller on top, parted on one side
+    cap = soft_min(
+        cap, ellipsoid(p, {-0.008F, 0.004F, 0.061F}, {0.088F, 0.070F * head.width, 0.066F}), 0.03F);
+  cap += thinned(edge, thick) + strands(p, cropped ? 0.0004F : 0.0014F);
+  const float d = soft_max(cap, edge, 0.004F);
+  if (cut != HairCut::bun) return d;
+  const float bun = ellipsoid(p, {-0.115F, 0, 0.052F}, {0.031F, 0.034F, 0.031F});
+  return soft_min(d, bun + strands(q, 0.001F), 0.008F);
+}
+
 float hair(Vec3f p, const Head& head, HairCut cut) {
   const Vec3f q{p.x, std::abs(p.y), p.z};
-  const bool is_long = cut == HairCut::bob || cut == HairCut::long_hair;
-  const float thick = cut == HairCut::cropped ? 0.0035F : is_long ? 0.013F : 0.010F;
-  float cap = skull(p, head, thick);
-  if (cut != HairCut::cropped)  // fuller on top
-    cap = soft_min(
-        cap, ellipsoid(p, {-0.008F, 0, 0.060F}, {0.088F, 0.072F * head.width, 0.066F}), 0.03F);
-  const float depth = cut == HairCut::cropped ? 0.0004F : 0.0014F;
-  cap += strands(p, depth);
-  if (!is_long) {
-    float d = soft_max(cap, hairline(q, -0.058F), 0.006F);
-    if (cut == HairCut::bun)
-      d = soft_min(
-          d,
-          ellipsoid(p, {-0.115F, 0, 0.052F}, {0.031F, 0.034F, 0.031F}) + strands(q, 0.001F),
-          0.008F);
-    return d;
-  }
-  const float down = cut == HairCut::bob ? -0.095F : -0.215F;
+  const bool bob = cut == HairCut::bob;
+  if (!bob && cut != HairCut::long_hair) return short_cap(p, q, head, cut);
+  constexpr float thick = 0.013F;
+  const float down = bob ? -0.095F : -0.215F;
   const float curtain = round_cone(q,
                                    {-0.022F, 0.052F * head.width, 0.010F},
                                    {-0.045F, 0.058F * head.width, down},
                                    0.040F,
-                                   cut == HairCut::bob ? 0.030F : 0.020F);
+                                   bob ? 0.030F : 0.020F);
   const float back = round_cone(p, {-0.045F, 0, 0}, {-0.075F, 0, down}, 0.070F, 0.030F);
-  const float fall = soft_min(curtain, back, 0.05F) + strands(p, depth);
-  const float face = ellipsoid(q, {0.086F, 0, -0.032F}, {0.072F, 0.0665F, 0.108F});
-  return soft_max(soft_min(cap, fall, 0.03F), -face, 0.010F);
+  const float fall = soft_min(curtain, back, 0.05F);
+  const float top = ellipsoid(p, {-0.008F, 0, 0.060F}, {0.088F, 0.072F * head.width, 0.066F});
+  const float cap = soft_min(skull(p, head, thick), top, 0.03F);
+  const float edge = -ellipsoid(q, {0.086F, 0, -0.032F}, {0.072F, 0.0665F, 0.108F});
+  const float whole = soft_min(cap, fall, 0.03F) + strands(p, 0.0014F);
+  return soft_max(whole + thinned(edge, thick), edge, 0.006F);
 }
 
 float beard(Vec3f p, const Head& head) {

@@ -53,7 +53,7 @@ double hip_height(const std::array<LegJoints, 2>& legs, double hip_y, double uni
 }
 
 Vec3f wrist_target(ArmUse use, float side, float unit, Vec3f chest) {
-  if (use == ArmUse::rest) return {chest.x + 0.135F * unit, side * 0.02F * unit, 0.60F * unit};
+  if (use == ArmUse::rest) return {chest.x + 0.108F * unit, side * 0.03F * unit, 0.59F * unit};
   return {chest.x + 0.125F * unit, side * 0.085F * unit, 0.62F * unit};
 }
 
