@@ -109,7 +109,9 @@ void set_people(RendererHandle& handle, int count, double time_s) {
   const collect::StorePeople people =
       value_or_raise(collect::StorePeople::make(scene, count, collect::people_seed(scene)));
   std::vector<render::Actor> actors =
-      without_interpreter([&] { return render::person_actors(people.at(time_s)); });
+      value_or_raise(without_interpreter([&]() -> Result<std::vector<render::Actor>> {
+        return render::person_actors(people.at(time_s));
+      }));
   check_or_raise(handle.renderer->set_actors(joined(handle.robots, actors)));
   handle.people = std::move(actors);
 }

@@ -214,14 +214,17 @@ std::optional<std::vector<PersonAct>> draw_acts(const PeopleFloor& floor,
   for (int i = 0; i < count; ++i)
     stops.push_back(
         places[static_cast<std::size_t>(draw.integer(0, static_cast<int>(places.size()) - 1))]);
-  if (!walks)
-    return std::vector<PersonAct>{{0, round_s, stops[0].position, stops[0].heading_rad, 0}};
+  if (!walks) return acts_of_standing(stops[0]);
   const std::optional<Ways> ways = ways_between(floor, stops);
   if (!ways) return {};
   const double busy_s = end_of(write_round(stops, *ways, speed, 0));
   const double stay_s = (round_s - busy_s) / count;
   if (stay_s < least_stay_s) return {};
   return write_round(stops, *ways, speed, stay_s);
+}
+
+std::vector<PersonAct> acts_of_standing(const StandingPlace& place) {
+  return {{0, round_s, place.position, place.heading_rad, 0}};
 }
 
 assets::WayPlace place_in_round(const PersonRound& person, double time_s) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "collect/person_round.h"
 
@@ -44,20 +45,28 @@ class Company {
   bool add(PersonRound person, Seed seed) {
     Stream draw = seed.child("round").stream();
     const bool stands = person.carries || draw.chance(share_of_standing);
-    for (int i = 0; i < 2 * rounds_tried; ++i) {
-      // Where no walk is free any more, some place to stand may be.
-      const bool walks = !stands && i < rounds_tried;
-      auto acts = draw_acts(floor_, person, walks, draw);
+    for (int i = 0; i < rounds_tried; ++i) {
+      auto acts = draw_acts(floor_, person, !stands, draw);
       if (!acts) continue;
       person.acts = std::move(*acts);
-      if (start(person, walks ? starts_tried : 1)) return true;
+      if (start(person, stands ? 1 : starts_tried)) return true;
     }
-    return false;
+    return stand_anywhere(person, draw);
   }
 
   std::vector<PersonRound> rounds() { return std::move(rounds_); }
 
  private:
+  // Where no round is free any more, some place before a shelf may be.
+  bool stand_anywhere(PersonRound& person, Stream& draw) {
+    std::vector<StandingPlace> places = floor_.shelves;
+    draw.shuffle(std::span(places));
+    return std::any_of(places.begin(), places.end(), [&](const StandingPlace& place) {
+      person.acts = acts_of_standing(place);
+      return start(person, 1);
+    });
+  }
+
   bool start(PersonRound& person, int starts) {
     const Places places = places_of(person);
     for (int i = 0; i < starts; ++i) {

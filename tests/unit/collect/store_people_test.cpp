@@ -46,7 +46,7 @@ const std::vector<NamedStore>& three_stores() {
     std::vector<NamedStore> made;
     made.push_back({"hall", hand_laid_hall(), 12});
     made.push_back({"riverside", store_of_plan("tests/fixtures/plans/riverside.json", 7), 12});
-    made.push_back({"corner shop", store_of_plan("examples/corner-shop.json", 4), 5});
+    made.push_back({"corner shop", store_of_plan("examples/corner-shop.json", 4), 4});
     return made;
   }();
   return stores;
