@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -12,14 +13,15 @@
 namespace marketgen::collect {
 namespace {
 
-constexpr double floor_room_m = 0.48;  // from a person's middle to whatever stands on the floor
+constexpr double floor_room_m = 0.52;  // from a person's middle to whatever stands on the floor
 constexpr double person_height_m = 2.0;
-constexpr double empty_handed_m = 0.40, basket_room_m = 0.46, carrying_m = 0.48;
-constexpr double shelf_distance_m = 0.55, farther_m = 0.12;  // from a shelf's edge
+constexpr double empty_handed_m = 0.40, basket_room_m = 0.50, carrying_m = 0.48;
+constexpr double shelf_distance_m = 0.58, farther_m = 0.12;  // from a shelf's edge
 constexpr int distances = 3;
 constexpr double speed_up_s = 0.6;
 constexpr double turn_piece_rad = 1.05, turn_piece_s = 0.75;
 constexpr double least_stay_s = 5;
+constexpr double next_stop_m = 6;
 constexpr double pi = std::numbers::pi;
 
 bool is_free(const navigation::VisibilityGraph& graph, Vec2 at) {
@@ -121,6 +123,26 @@ std::optional<Ways> ways_between(const PeopleFloor& floor,
   return ways;
 }
 
+// One after another not far away: who looks for something looks about there.
+std::vector<StandingPlace> draw_stops(const std::vector<StandingPlace>& places,
+                                      int count,
+                                      Stream& draw) {
+  const auto any = [&](const std::vector<StandingPlace>& from) {
+    return from[static_cast<std::size_t>(draw.integer(0, static_cast<int>(from.size()) - 1))];
+  };
+  std::vector<StandingPlace> stops{any(places)};
+  while (static_cast<int>(stops.size()) < count) {
+    const Vec2 last = stops.back().position;
+    std::vector<StandingPlace> near;
+    std::copy_if(
+        places.begin(), places.end(), std::back_inserter(near), [&](const StandingPlace& place) {
+          return std::hypot(place.position.x - last.x, place.position.y - last.y) < next_stop_m;
+        });
+    stops.push_back(any(near));  // `last` is one of them
+  }
+  return stops;
+}
+
 std::vector<PersonAct> write_round(const std::vector<StandingPlace>& stops,
                                    const Ways& ways,
                                    double speed_m_s,
@@ -210,10 +232,7 @@ std::optional<std::vector<PersonAct>> draw_acts(const PeopleFloor& floor,
   if (places.empty()) return {};
   const int count = walks ? draw.integer(2, 4) : 1;
   const double speed = draw.uniform(min_walk_m_s, max_walk_m_s);
-  std::vector<StandingPlace> stops;
-  for (int i = 0; i < count; ++i)
-    stops.push_back(
-        places[static_cast<std::size_t>(draw.integer(0, static_cast<int>(places.size()) - 1))]);
+  const std::vector<StandingPlace> stops = draw_stops(places, count, draw);
   if (!walks) return acts_of_standing(stops[0]);
   const std::optional<Ways> ways = ways_between(floor, stops);
   if (!ways) return {};
@@ -233,6 +252,14 @@ assets::WayPlace place_in_round(const PersonRound& person, double time_s) {
   const double turned =
       act.turn_rad == 0 ? 0 : assets::turned_rad(act.turn_rad, turned_share(act, time_s));
   return {act.position, act.heading_rad + turned};
+}
+
+double room_in_round(const PersonRound& person, double time_s) {
+  // The foot ahead strikes 0.62 of a step before the body and reaches past its ankle.
+  constexpr double share_of_step = 0.62, past_ankle_m = 0.23;
+  const PersonAct& act = act_at(person, time_s);
+  if (!act.way) return person.room_m;
+  return std::max(person.room_m, share_of_step * act.way->length_m() / act.steps + past_ankle_m);
 }
 
 assets::PersonPose pose_in_round(const PersonRound& person, double time_s) {

@@ -18,21 +18,27 @@ static_assert(samples * sample_s == round_s);
 constexpr int rounds_tried = 40, starts_tried = 24;
 constexpr double share_of_standing = 0.25;
 
-using Places = std::vector<Vec2>;  // at each sample of the round, as time goes
+struct Stand {
+  Vec2 position;
+  double room_m;
+};
+using Stands = std::vector<Stand>;  // at each sample of the round, as time goes
 
-Places places_of(const PersonRound& person) {
-  Places places;
-  for (std::size_t i = 0; i < samples; ++i)
-    places.push_back(place_in_round(person, static_cast<double>(i) * sample_s).position);
-  return places;
+Stands stands_of(const PersonRound& person) {
+  Stands stands;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = static_cast<double>(i) * sample_s;
+    stands.push_back({place_in_round(person, t).position, room_in_round(person, t)});
+  }
+  return stands;
 }
 
-bool keeps_away(const Places& a, std::size_t ahead, const Places& b, double distance_m) {
-  const double least = distance_m * distance_m;
+bool keeps_away(const Stands& a, std::size_t ahead, const Stands& b) {
   for (std::size_t i = 0; i < samples; ++i) {
-    const Vec2& p = a[(i + ahead) % samples];
-    const double dx = p.x - b[i].x, dy = p.y - b[i].y;
-    if (dx * dx + dy * dy < least) return false;
+    const Stand& p = a[(i + ahead) % samples];
+    const double dx = p.position.x - b[i].position.x, dy = p.position.y - b[i].position.y;
+    const double least = p.room_m + b[i].room_m + apart_m;
+    if (dx * dx + dy * dy < least * least) return false;
   }
   return true;
 }
@@ -41,22 +47,28 @@ class Company {
  public:
   explicit Company(const PeopleFloor& floor) : floor_(floor) {}
 
-  // Takes the person in with the first round drawn that never comes near to anybody.
+  // Takes the person in with the first round drawn that never comes near to anybody. In a store
+  // full of walkers somebody who walks, too, finds more room than who stands.
   bool add(PersonRound person, Seed seed) {
     Stream draw = seed.child("round").stream();
     const bool stands = person.carries || draw.chance(share_of_standing);
-    for (int i = 0; i < rounds_tried; ++i) {
-      auto acts = draw_acts(floor_, person, !stands, draw);
-      if (!acts) continue;
-      person.acts = std::move(*acts);
-      if (start(person, stands ? 1 : starts_tried)) return true;
-    }
-    return stand_anywhere(person, draw);
+    return take_round(person, !stands, draw) || stand_anywhere(person, draw) ||
+           take_round(person, true, draw);
   }
 
   std::vector<PersonRound> rounds() { return std::move(rounds_); }
 
  private:
+  bool take_round(PersonRound& person, bool walks, Stream& draw) {
+    for (int i = 0; i < rounds_tried; ++i) {
+      auto acts = draw_acts(floor_, person, walks, draw);
+      if (!acts) continue;
+      person.acts = std::move(*acts);
+      if (start(person, walks ? starts_tried : 1)) return true;
+    }
+    return false;
+  }
+
   // Where no round is free any more, some place before a shelf may be.
   bool stand_anywhere(PersonRound& person, Stream& draw) {
     std::vector<StandingPlace> places = floor_.shelves;
@@ -68,33 +80,28 @@ class Company {
   }
 
   bool start(PersonRound& person, int starts) {
-    const Places places = places_of(person);
+    const Stands stands = stands_of(person);
     for (int i = 0; i < starts; ++i) {
       const std::size_t ahead =
           samples / static_cast<std::size_t>(starts_tried) * static_cast<std::size_t>(i);
-      if (!is_free(person, places, ahead)) continue;
+      if (!std::all_of(stands_.begin(), stands_.end(), [&](const Stands& other) {
+            return keeps_away(stands, ahead, other);
+          }))
+        continue;
       person.ahead_s = static_cast<double>(ahead) * sample_s;
-      Places as_time_goes(samples);
+      Stands as_time_goes(samples);
       for (std::size_t s = 0; s < samples; ++s)
-        as_time_goes[s] = places[(s + ahead) % samples];
-      places_.push_back(std::move(as_time_goes));
+        as_time_goes[s] = stands[(s + ahead) % samples];
+      stands_.push_back(std::move(as_time_goes));
       rounds_.push_back(person);
       return true;
     }
     return false;
   }
 
-  bool is_free(const PersonRound& person, const Places& places, std::size_t ahead) const {
-    for (std::size_t i = 0; i < rounds_.size(); ++i) {
-      const double distance = person.room_m + rounds_[i].room_m + apart_m;
-      if (!keeps_away(places, ahead, places_[i], distance)) return false;
-    }
-    return true;
-  }
-
   const PeopleFloor& floor_;
   std::vector<PersonRound> rounds_;
-  std::vector<Places> places_;
+  std::vector<Stands> stands_;
 };
 
 double in_round(const PersonRound& person, double time_s) {
@@ -131,6 +138,10 @@ Result<StorePeople> StorePeople::make(const scene::Scene& scene, int count, Seed
 
 assets::WayPlace StorePeople::place(std::size_t person, double time_s) const {
   return place_in_round(rounds_[person], in_round(rounds_[person], time_s));
+}
+
+double StorePeople::room_m(std::size_t person, double time_s) const {
+  return room_in_round(rounds_[person], in_round(rounds_[person], time_s));
 }
 
 assets::PlacedPerson StorePeople::person(std::size_t person, double time_s) const {

@@ -43,7 +43,7 @@ struct PersonRound {
   double ahead_s = 0;           // how far they are in their round at time 0
   bool basket = false, carries = false;
   double head_down_rad = 0.2, head_left_rad = 0;
-  double room_m = 0;  // radius about the person's origin that body and things carried keep
+  double room_m = 0;  // StorePeople::room_m() of who stands
 };
 
 class StorePeople {
@@ -58,6 +58,8 @@ class StorePeople {
   const PersonRound& round(std::size_t person) const { return rounds_[person]; }
   // Where a person's origin is; O(log acts).
   assets::WayPlace place(std::size_t person, double time_s) const;
+  // The radius about it that body, feet and things carried keep.
+  double room_m(std::size_t person, double time_s) const;
   // Posed.
   assets::PlacedPerson person(std::size_t person, double time_s) const;
   std::vector<assets::PlacedPerson> at(double time_s) const;
