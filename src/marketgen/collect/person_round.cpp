@@ -21,7 +21,7 @@ constexpr int distances = 3;
 constexpr double speed_up_s = 0.6;
 constexpr double turn_piece_rad = 1.05, turn_piece_s = 0.75;
 constexpr double least_stay_s = 5;
-constexpr double next_stop_m = 6;
+constexpr double least_way_m = 0.8, next_stop_m = 6;
 constexpr double pi = std::numbers::pi;
 
 bool is_free(const navigation::VisibilityGraph& graph, Vec2 at) {
@@ -88,7 +88,8 @@ class RoundWriter {
       add({now_, turn_piece_s, at, from_rad + whole * i / pieces, whole / pieces});
   }
   void walk(const std::shared_ptr<const FloorWay>& way, double speed_m_s) {
-    PersonAct act{now_, way->length_m() / speed_m_s + speed_up_s, {}, 0, 0};
+    const double even_s = way->length_m() / speed_m_s;
+    PersonAct act{now_, even_s + std::min(speed_up_s, even_s), {}, 0, 0};
     act.way = way;
     act.steps = std::max(
         1, static_cast<int>(std::lround(way->length_m() / assets::step_length_m(speed_m_s))));
@@ -136,9 +137,10 @@ std::vector<StandingPlace> draw_stops(const std::vector<StandingPlace>& places,
     std::vector<StandingPlace> near;
     std::copy_if(
         places.begin(), places.end(), std::back_inserter(near), [&](const StandingPlace& place) {
-          return std::hypot(place.position.x - last.x, place.position.y - last.y) < next_stop_m;
+          const double away = std::hypot(place.position.x - last.x, place.position.y - last.y);
+          return away > least_way_m && away < next_stop_m;
         });
-    stops.push_back(any(near));  // `last` is one of them
+    stops.push_back(any(near.empty() ? places : near));
   }
   return stops;
 }
@@ -173,13 +175,12 @@ const PersonAct& act_at(const PersonRound& person, double time_s) {
 
 // Metres walked: even speed between speeding up and slowing down.
 double walked_m(const PersonAct& act, double time_s) {
-  const double length = act.way->length_m();
-  const double speed = length / (act.length_s - speed_up_s);
-  const double t = std::clamp(time_s - act.begin_s, 0.0, act.length_s);
-  if (t < speed_up_s) return speed * t * t / (2 * speed_up_s);
-  const double left = act.length_s - t;
-  if (left < speed_up_s) return length - speed * left * left / (2 * speed_up_s);
-  return speed * (t - speed_up_s / 2);
+  const double length = act.way->length_m(), ramp = std::min(speed_up_s, act.length_s / 2);
+  const double speed = length / (act.length_s - ramp);
+  const double t = std::clamp(time_s - act.begin_s, 0.0, act.length_s), left = act.length_s - t;
+  if (t < ramp) return speed * t * t / (2 * ramp);
+  if (left < ramp) return length - speed * left * left / (2 * ramp);
+  return speed * (t - ramp / 2);
 }
 
 double turned_share(const PersonAct& act, double time_s) {
