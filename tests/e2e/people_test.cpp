@@ -36,7 +36,8 @@ Ran people_picture(const fs::path& folder, const std::vector<std::string>& more)
 
 nlohmann::json people_seen(const fs::path& folder) {
   nlohmann::json people = nlohmann::json::array();
-  for (const auto& object : nlohmann::json::parse(contents_of(folder / "seen.json"))["objects"]) {
+  const nlohmann::json seen = nlohmann::json::parse(contents_of(folder / "seen.json"));
+  for (const auto& object : seen["objects"]) {
     if (object["kind"] == "actor") people.push_back(object);
   }
   return people;
