@@ -22,17 +22,17 @@ Vec3f one_of(const std::array<Vec3f, N>& row, Stream& draw) {
   return row[static_cast<std::size_t>(draw.integer(0, static_cast<int>(N) - 1))];
 }
 
-// From light to dark, after the ten tones of the Monk scale (Monk 2023), which skin under shop
-// light spans; its lightest is left out.
-constexpr std::array<Vec3f, 9> skins{{linear(243, 215, 195),
-                                      linear(236, 200, 176),
-                                      linear(228, 188, 160),
-                                      linear(215, 170, 138),
-                                      linear(190, 140, 105),
-                                      linear(160, 112, 80),
-                                      linear(122, 82, 58),
-                                      linear(92, 60, 43),
-                                      linear(66, 45, 36)}};
+// From light to dark, in steps as the Monk scale's (Monk 2023). They are reflectances, and so
+// darker than a chart of it on a screen: fair skin throws back two thirds of red light.
+constexpr std::array<Vec3f, 9> skins{{linear(222, 184, 162),
+                                      linear(213, 172, 148),
+                                      linear(203, 160, 134),
+                                      linear(190, 144, 114),
+                                      linear(168, 122, 92),
+                                      linear(142, 98, 70),
+                                      linear(110, 74, 52),
+                                      linear(84, 56, 41),
+                                      linear(62, 43, 35)}};
 constexpr std::array<Vec3f, 6> hairs{{linear(28, 22, 19),
                                       linear(44, 30, 22),
                                       linear(74, 50, 34),
