@@ -96,7 +96,7 @@ struct PersonPart {
 // near: for eyes a metre away; far: a quarter of the triangles.
 enum class PersonDetail { near, far };
 
-// The whole person, about 120,000 triangles (near) in some tenths of a second. Deterministic.
+// The whole person, about 200,000 triangles (near) in about a second of one core. Deterministic.
 std::vector<PersonPart> person_parts(const PersonLook& look,
                                      const PersonPose& pose,
                                      PersonDetail detail = PersonDetail::near);

@@ -10,7 +10,7 @@ namespace marketgen::render {
 
 inline constexpr std::string_view person_category = "person";
 
-// Named "person". Meshes are drawn side by side on all threads: some tenths of a second each.
+// Named "person". Meshes are made side by side on all threads: about a second of one core each.
 Actor person_actor(const assets::PlacedPerson& person,
                    assets::PersonDetail detail = assets::PersonDetail::near);
 std::vector<Actor> person_actors(std::span<const assets::PlacedPerson> people,
