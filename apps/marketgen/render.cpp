@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "camera_flags.h"
 #include "collect/standing_robot.h"
+#include "collect/store_people.h"
 #include "command.h"
 #include "io/exr.h"
 #include "io/json.h"
@@ -23,6 +24,7 @@
 #include "render/render.h"
 #include "render/sensor/color_noise.h"
 #include "render/sensor/depth_noise.h"
+#include "render/stage/person_actor.h"
 #include "render/stage/robot_actor.h"
 #include "say.h"
 
@@ -37,8 +39,8 @@ struct RenderFlags {
                               denoise = "auto";
   std::vector<std::string> robots;
   std::uint64_t frame_number = 0;
-  double time_s = 0, exposure_stops = 0;
-  int samples = 0;
+  double time_s = 0, exposure_stops = 0, people_at_s = 0;
+  int samples = 0, people = 0;
   bool list = false;
 };
 
@@ -150,17 +152,17 @@ Result<void> write_all(const RenderFlags& flags,
                        const std::vector<render::Actor>& actors,
                        render::Frame frame,
                        io::Outputs& outputs) {
+  const std::vector<render::PictureActor> named = render::picture_actors(actors);
   if (!flags.categories.empty()) {
+    const render::PictureCategories categories(scene, render::categories_of(named));
     MARKETGEN_CHECK(outputs.put(flags.categories, [&](const auto& file) {
-      return io::write_png16(file,
-                             frame.color.width,
-                             frame.color.height,
-                             render::category_ids(frame, render::PictureCategories(scene)));
+      return io::write_png16(
+          file, frame.color.width, frame.color.height, render::category_ids(frame, categories));
     }));
   }
   if (!flags.annotations.empty() || !flags.channels.empty()) {
     const render::PictureAnnotations annotations =
-        render::annotate(frame, camera, scene, renderer, render::picture_actors(actors));
+        render::annotate(frame, camera, scene, renderer, named);
     if (!flags.annotations.empty())
       MARKETGEN_CHECK(outputs.put(flags.annotations, io::write_json(annotations)));
     if (!flags.channels.empty())
@@ -174,6 +176,18 @@ Result<void> write_all(const RenderFlags& flags,
   MARKETGEN_CHECK(put_picture(flags, frame, outputs));
   MARKETGEN_CHECK(put_planes(flags, frame, outputs));
   return outputs.commit();
+}
+
+// Robots, then people.
+Result<std::vector<render::Actor>> actors_of(const RenderFlags& flags, const scene::Scene& scene) {
+  MARKETGEN_TRY(const std::vector<robots::PlacedRobot> robots,
+                collect::standing_robots(scene, flags.robots, "--robot "));
+  MARKETGEN_TRY(std::vector<render::Actor> actors, render::robot_actors(robots));
+  MARKETGEN_TRY(const collect::StorePeople people,
+                collect::StorePeople::make(scene, flags.people, collect::people_seed(scene)));
+  for (render::Actor& person : render::person_actors(people.at(flags.people_at_s)))
+    actors.push_back(std::move(person));
+  return actors;
 }
 
 Result<void> render(const RenderFlags& flags) {
@@ -196,9 +210,7 @@ Result<void> render(const RenderFlags& flags) {
     return Error{"usage.bad_flag",
                  flags.noise.empty() ? "--channels" : "--noise",
                  "views from above are orthographic and have no sensor; take another camera"};
-  MARKETGEN_TRY(const std::vector<robots::PlacedRobot> robots,
-                collect::standing_robots(scene, flags.robots, "--robot "));
-  MARKETGEN_TRY(const std::vector<render::Actor> actors, render::robot_actors(robots));
+  MARKETGEN_TRY(const std::vector<render::Actor> actors, actors_of(flags, scene));
   Progress& progress = progress_for(flags.common);
   MARKETGEN_TRY(const std::unique_ptr<render::Renderer> renderer,
                 render::Renderer::create(scene, progress, {.keep_light = true}));
@@ -285,13 +297,21 @@ Run add_render(CLI::App& app) {
                    "ROW@X,Y[,HEADING_DEG][,z=M][,posture=NAME][,JOINT=VALUE][,SLOT=TOOL]")
       ->type_name("ROBOT")
       ->allow_extra_args(false);
+  command
+      ->add_option("--people",
+                   flags->people,
+                   "put so many shoppers and staff into the picture (docs/people.md)")
+      ->check(whole_number(0, collect::max_people));
+  command->add_option("--people-at", flags->people_at_s, "seconds after they began their rounds")
+      ->check(real_number(0, 1e6));
   add_plane_flags(*command, *flags);
   add_common_flags(*command, flags->common, Takes::seed);
   command->footer(
       "Example:  marketgen render shop --camera aisle -o aisle.png --depth aisle-depth.png\n"
       "          marketgen render shop --camera aisle --mode path -o aisle.exr\n"
       "          marketgen render shop --camera aisle -o robot.png "
-      "--robot realman-rm65@4.2,3.1,90,posture=stow,lift=0.3");
+      "--robot realman-rm65@4.2,3.1,90,posture=stow,lift=0.3\n"
+      "          marketgen render shop --camera aisle --mode path -o shoppers.png --people 8");
   return [flags] {
     const auto done = render(*flags);
     return done.ok() ? 0 : fail(done.error());

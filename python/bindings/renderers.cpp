@@ -5,11 +5,13 @@
 
 #include "binding.h"
 #include "collect/standing_robot.h"
+#include "collect/store_people.h"
 #include "frame_handle.h"
 #include "io/json.h"
 #include "render/annotations.h"
 #include "render/sensor/color_noise.h"
 #include "render/sensor/depth_noise.h"
+#include "render/stage/person_actor.h"
 #include "render/stage/robot_actor.h"
 #include "store_handle.h"
 #include "told_progress.h"
@@ -26,8 +28,14 @@ using Plane = nb::ndarray<T, nb::c_contig, nb::device::cpu>;  // a caller's memo
 struct RendererHandle {
   std::shared_ptr<const store::Store> store;  // before the renderer, which reads its scene
   std::unique_ptr<render::Renderer> renderer;
-  std::vector<render::Actor> actors;
+  std::vector<render::Actor> robots, people;  // in this order in the renderer
 };
+
+std::vector<render::Actor> joined(std::vector<render::Actor> robots,
+                                  const std::vector<render::Actor>& people) {
+  robots.insert(robots.end(), people.begin(), people.end());
+  return robots;
+}
 
 RendererHandle create(const StoreHandle& handle,
                       bool fine_print,
@@ -35,7 +43,7 @@ RendererHandle create(const StoreHandle& handle,
                       const Callable& progress) {
   const render::RendererOptions options{
       fine_print ? render::PrintDetail::near : render::PrintDetail::distant, keep_light};
-  RendererHandle made{handle.store, nullptr, {}};
+  RendererHandle made{handle.store, nullptr, {}, {}};
   made.renderer = value_or_raise(telling(progress, [&](Progress& told) {
     return render::Renderer::create(made.store->scene, told, options);
   }));
@@ -80,19 +88,32 @@ FrameHandle noisy(const FrameHandle& seen,
 std::string annotations(const RendererHandle& handle,
                         const FrameHandle& seen,
                         const render::Camera& camera) {
-  return io::write_json(render::annotate(seen.frame,
-                                         camera,
-                                         handle.store->scene,
-                                         *handle.renderer,
-                                         render::picture_actors(handle.actors)));
+  return io::write_json(
+      render::annotate(seen.frame,
+                       camera,
+                       handle.store->scene,
+                       *handle.renderer,
+                       render::picture_actors(joined(handle.robots, handle.people))));
 }
 
 void set_robots(RendererHandle& handle, const std::vector<std::string>& texts) {
   const std::vector<robots::PlacedRobot> robots =
       value_or_raise(collect::standing_robots(handle.store->scene, texts, "robot "));
   std::vector<render::Actor> actors = value_or_raise(render::robot_actors(robots));
-  check_or_raise(handle.renderer->set_actors(actors));
-  handle.actors = std::move(actors);
+  check_or_raise(handle.renderer->set_actors(joined(actors, handle.people)));
+  handle.robots = std::move(actors);
+}
+
+void set_people(RendererHandle& handle, int count, double time_s) {
+  const scene::Scene& scene = handle.store->scene;
+  const collect::StorePeople people =
+      value_or_raise(collect::StorePeople::make(scene, count, collect::people_seed(scene)));
+  std::vector<render::Actor> actors =
+      value_or_raise(without_interpreter([&]() -> Result<std::vector<render::Actor>> {
+        return render::person_actors(people.at(time_s));
+      }));
+  check_or_raise(handle.renderer->set_actors(joined(handle.robots, actors)));
+  handle.people = std::move(actors);
 }
 
 void move(RendererHandle& handle,
@@ -172,6 +193,7 @@ void add_renderers(nb::module_& module) {
               std::uint64_t number) { return noisy(seen, camera, seed, number); })
       .def("_annotations", &annotations)
       .def("_set_robots", &set_robots)
+      .def("_set_people", &set_people)
       .def("_move", &move);
   module.def("create_renderer", &create);
   module.def("render_batch",

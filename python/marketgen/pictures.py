@@ -15,7 +15,7 @@ from ._core import Camera, Frame
 
 Mode = Literal["sensor", "path"]
 Quality = Literal["fast", "balanced", "best"]
-MAX_SAMPLES, MAX_TIME_S, MAX_STOPS, MAX_ROW = 2**31 - 1, 1e9, 100, 2**32 - 1
+MAX_SAMPLES, MAX_TIME_S, MAX_STOPS, MAX_ROW, MAX_PEOPLE = 2**31 - 1, 1e9, 100, 2**32 - 1, 200
 
 
 def camera_from_dict(camera: Mapping[str, Any]) -> Camera:
@@ -104,6 +104,13 @@ class Renderer:
         """The robots that stand in the pictures from now on, each as "realman-rm65@4.2,3.1,90,posture=stow,lift=0.3":
         row, x, y, heading in degrees, settings (docs/robots.md). Raises Error robot.*, and nothing has changed."""
         self._handle._set_robots(arguments.texts("robots", robots, 'a list of texts like "realman-rm65@4.2,3.1,90"'))
+
+    def set_people(self, count: int, time_s: float = 0) -> None:
+        """So many shoppers and staff stand and walk in the pictures from now on, as they are `time_s` seconds after they began
+        their rounds (docs/people.md); 0: none. The same people for the same store. Raises Error people.no_room, and nothing
+        has changed."""
+        count, time_s = arguments.a_whole("count", count, 0, MAX_PEOPLE), arguments.a_number("time_s", time_s, 0, MAX_TIME_S)
+        self._handle._set_people(count, time_s)
 
     def move(
         self,

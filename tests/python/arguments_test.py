@@ -127,7 +127,8 @@ CALLS = {
     "mode": [lambda on: on.renderer.render(on.camera, mode="fast"), lambda on: on.renderer.render(on.camera, mode=1)],
     "quality": [lambda on: on.renderer.render(on.camera, quality="ultra")],
     "samples": [lambda on: on.renderer.render(on.camera, samples=-1), lambda on: on.renderer.render(on.camera, samples=2**40)],
-    "time_s": [lambda on: on.renderer.render(on.camera, time_s=float("nan"))],
+    "time_s": [lambda on: on.renderer.render(on.camera, time_s=float("nan")), lambda on: on.renderer.set_people(1, "noon")],
+    "count": [lambda on: on.renderer.set_people(-1), lambda on: on.renderer.set_people(2.5), lambda on: on.renderer.set_people(1000)],
     "denoise": [lambda on: on.renderer.render(on.camera, mode="path", denoise="none at all")],
     "exposure_stops": [lambda on: on.renderer.render(on.camera, exposure_stops="more")],
     "frame": [lambda on: on.renderer.annotate(on.frame.rgb, on.camera), lambda on: on.renderer.with_noise(None, on.camera)],
@@ -236,7 +237,7 @@ def test_every_public_function_is_tried_above():
     functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables, marketgen.read_motion, marketgen.write_episodes]
     functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.compliance, marketgen.Store.shop, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     # marketgen.record: record_test.py
-    functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "move")]
+    functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "set_people", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py
     for function in functions:
         for name in inspect.signature(function).parameters:

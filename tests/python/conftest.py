@@ -38,6 +38,7 @@ def unmoved(renderer):
     yield renderer
     renderer.move()
     renderer.set_robots([])
+    renderer.set_people(0)
 
 
 def same(a, b):

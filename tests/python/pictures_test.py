@@ -113,6 +113,24 @@ def test_robots_stand_in_pictures(store, unmoved):
     assert caught.value.code == "robot.unknown"
 
 
+def test_people_stand_in_pictures(store, unmoved):
+    camera = store.camera("top", 192, 128)
+    before = picture(unmoved, camera)
+    unmoved.set_people(3, 12.5)
+    seen = picture(unmoved, camera)
+    assert (seen.instance != before.instance).any()
+    found = [t for t in unmoved.annotate(seen, camera)["objects"] if t["kind"] == "actor"]
+    assert {t["name"] for t in found} <= {"person", "person-2", "person-3"} and found
+    assert {t["category"] for t in found} == {"person"}
+    unmoved.set_people(3, 12.5)
+    assert np.array_equal(picture(unmoved, camera).rgb, seen.rgb)
+    with pytest.raises(marketgen.Error) as caught:  # a shop of 9 x 7 m
+        unmoved.set_people(200)
+    assert caught.value.code == "people.no_room"
+    unmoved.set_people(0)
+    assert np.array_equal(picture(unmoved, camera).rgb, before.rgb)
+
+
 def test_batches_are_single_pictures(store, renderer):
     cameras = [store.camera(name, 64, 48) for name in ("aisle", "entrance", "aisle")]
     rgb = np.zeros((3, 48, 64, 3), np.uint8)

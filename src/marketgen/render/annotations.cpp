@@ -41,7 +41,7 @@ class Annotator {
         renderer_(renderer),
         actors_(actors),
         camera_from_world_(inverse(opencv_pose_of(camera))),
-        categories_(scene),
+        categories_(scene, categories_of(actors)),
         parts_(visible_parts(frame.instance, frame.depth_m, frame.color.width)),
         masks_(mask_runs_of(frame.instance, frame.color.width, frame.color.height)) {}
 
@@ -157,9 +157,17 @@ std::vector<PictureActor> picture_actors(std::span<const Actor> actors) {
                                       [&](const Actor& a) { return a.name == actors[i].name; });
     named.push_back(
         {before == 0 ? actors[i].name : fmt::format("{}-{}", actors[i].name, before + 1),
-         actors[i].bodies.empty() ? Pose{} : actors[i].bodies.front().world_from_body});
+         actors[i].bodies.empty() ? Pose{} : actors[i].bodies.front().world_from_body,
+         actors[i].category});
   }
   return named;
+}
+
+std::vector<std::string> categories_of(std::span<const PictureActor> actors) {
+  std::vector<std::string> categories;
+  for (const PictureActor& actor : actors)
+    categories.push_back(actor.category);
+  return categories;
 }
 
 PictureAnnotations annotate(const Frame& frame,

@@ -74,7 +74,7 @@ struct ObjectAnnotation {
       field("sku", &ObjectAnnotation::sku, "of a product"),
       field("category",
             &ObjectAnnotation::category,
-            "of a product; a fixture's kind; otherwise the object's kind"),
+            "of a product; a fixture's kind; person; otherwise the object's kind"),
       field("category_id", &ObjectAnnotation::category_id, "number in the picture of categories"),
       field("color", &ObjectAnnotation::color, "in the segmentation; two objects may share one"),
       field("pixels", &ObjectAnnotation::pixels, "how many show it"),
@@ -121,7 +121,9 @@ struct PictureAnnotations {
 struct PictureActor {
   std::string name;
   Pose world_from_actor;
+  std::string category = "actor";
 };
+std::vector<std::string> categories_of(std::span<const PictureActor> actors);
 // Each with its name, "panda" and "panda-2" for the second of them, where its first body stands.
 std::vector<PictureActor> picture_actors(std::span<const Actor> actors);
 

@@ -57,6 +57,18 @@ std::array<int, 4> drawable(const std::array<double, 4>& box, const Image& image
           pixel(box[3], image.height)};
 }
 
+// Categories of the actors, by their order, up to the last that is seen.
+std::vector<std::string> actors_seen(const scene::Scene& scene,
+                                     const PictureAnnotations& annotations) {
+  std::vector<std::string> categories;
+  for (const ObjectAnnotation& object : annotations.objects) {
+    if (object.kind != ObjectKind::actor) continue;
+    categories.resize(object.id - first_actor_object(scene), "actor");
+    categories.push_back(object.category);
+  }
+  return categories;
+}
+
 }  // namespace
 
 std::array<float, 2> depth_range_m(const std::vector<float>& depth_m) {
@@ -120,7 +132,8 @@ std::vector<ChannelPicture> channel_pictures(const Frame& frame,
           {"boxes", draw_boxes(frame, annotations)},
           {"depth", draw_depth(frame.depth_m, width, height, range_m)},
           {"instances", draw_instances(frame, width, height)},
-          {"categories", draw_categories(frame, PictureCategories(scene))},
+          {"categories",
+           draw_categories(frame, PictureCategories(scene, actors_seen(scene, annotations)))},
           {"normals", draw_normals(frame, width, height)},
           {"matter", draw_matter(frame)},
           {"noisy-color", noisy.color},

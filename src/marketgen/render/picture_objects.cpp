@@ -7,6 +7,9 @@
 namespace marketgen::render {
 namespace {
 
+constexpr std::string_view plain_actor = "actor";
+constexpr std::uint16_t plain_actor_number = 2;
+
 // Row numbers of the categories called so, all of one kind, added to `rows` by name.
 std::map<std::string, std::uint16_t> add_rows(std::vector<PictureCategory>& rows,
                                               ObjectKind kind,
@@ -34,9 +37,11 @@ ObjectKind kind_of(const scene::Scene& scene, std::uint32_t object) {
   return object >= first_fixture_object ? ObjectKind::fixture : ObjectKind::shell;
 }
 
-PictureCategories::PictureCategories(const scene::Scene& scene) : scene_(scene) {
+PictureCategories::PictureCategories(const scene::Scene& scene,
+                                     const std::vector<std::string>& categories_of_actors)
+    : scene_(scene) {
   add_rows(rows_, ObjectKind::shell, {"shell"});
-  add_rows(rows_, ObjectKind::actor, {"actor"});
+  add_rows(rows_, ObjectKind::actor, {std::string(plain_actor)});
   std::vector<std::string> kinds, categories;
   for (std::size_t i = 0; i < scene.fixtures.size(); ++i)
     kinds.push_back(scene.layout.fixtures[i].kind);
@@ -48,6 +53,19 @@ PictureCategories::PictureCategories(const scene::Scene& scene) : scene_(scene) 
     of_fixture_.push_back(number_of_kind.at(kind));
   for (const std::string& category : categories)
     of_sku_.push_back(number_of_category.at(category));
+  add_categories_of(categories_of_actors);
+}
+
+void PictureCategories::add_categories_of(const std::vector<std::string>& actors) {
+  std::vector<std::string> others;
+  std::copy_if(
+      actors.begin(), actors.end(), std::back_inserter(others), [](const std::string& category) {
+        return category != plain_actor;
+      });
+  auto numbers = add_rows(rows_, ObjectKind::actor, others);
+  numbers.emplace(plain_actor, plain_actor_number);
+  for (const std::string& category : actors)
+    of_actor_.push_back(numbers.at(category));
 }
 
 std::uint16_t PictureCategories::of(std::uint32_t object) const {
@@ -57,8 +75,10 @@ std::uint16_t PictureCategories::of(std::uint32_t object) const {
       return of_fixture_[object - first_fixture_object];
     case ObjectKind::product:
       return of_sku_[scene_.products[object - first_product_object(scene_)].sku];
-    case ObjectKind::actor:
-      return 2;
+    case ObjectKind::actor: {
+      const std::uint32_t actor = object - first_actor_object(scene_);
+      return actor < of_actor_.size() ? of_actor_[actor] : plain_actor_number;
+    }
     case ObjectKind::shell:
       break;
   }

@@ -43,7 +43,7 @@ ObjectKind kind_of(const scene::Scene& scene, std::uint32_t object);
 struct PictureCategory {
   std::uint16_t id = 0;  // in category pictures; 0 there is nothing
   ObjectKind kind = ObjectKind::shell;
-  std::string name;   // product category, fixture kind; "shell", "actor"
+  std::string name;   // product category, fixture kind; "shell", "actor", "person"
   std::string color;  // in draw_categories()
 
   static constexpr auto fields =
@@ -54,19 +54,24 @@ struct PictureCategory {
 };
 
 // All categories of a scene: 1 shell, 2 actor, then its fixture kinds and its product categories by
-// name. Numbers hold for every picture of the scene; names are what other scenes share.
+// name, then what actors say that they are (people: "person"). Numbers hold for every picture of
+// the scene, whoever stands in it; names are what other scenes share.
 class PictureCategories {
  public:
-  explicit PictureCategories(const scene::Scene& scene);  // which must outlive it
+  // The scene must outlive it. Categories of actors in their order in Renderer::set_actors();
+  // those that are not named are "actor".
+  explicit PictureCategories(const scene::Scene& scene,
+                             const std::vector<std::string>& categories_of_actors = {});
 
   const std::vector<PictureCategory>& rows() const { return rows_; }
   // Number of an object's category; 0 for object 0.
   std::uint16_t of(std::uint32_t object) const;
 
  private:
+  void add_categories_of(const std::vector<std::string>& actors);
   const scene::Scene& scene_;
   std::vector<PictureCategory> rows_;
-  std::vector<std::uint16_t> of_fixture_, of_sku_;
+  std::vector<std::uint16_t> of_fixture_, of_sku_, of_actor_;
 };
 
 // Exact: red + 256 * green + 65,536 * blue is the object's number.

@@ -62,6 +62,8 @@ Result<void> check_actor(const Actor& actor) {
       if (!is_share(s.color.x) || !is_share(s.color.y) || !is_share(s.color.z) ||
           !is_share(s.roughness) || !is_share(s.metallic))
         return bad_actor(where, "expected colour, roughness and metallic from 0 to 1");
+      if (!is_share(s.scatter_m))
+        return bad_actor(where, "expected light to wander 0 to 1 m below the surface");
     }
     MARKETGEN_CHECK(check_body_pose(body.world_from_body, where));
   }

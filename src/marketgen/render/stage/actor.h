@@ -1,4 +1,5 @@
-// What stands in the pictures of a store without being in its scene: robots, tools, tables.
+// What stands in the pictures of a store without being in its scene: robots, tools, tables,
+// people.
 //
 // An actor is a set of rigid bodies. Renderer::set_actors() takes their meshes once;
 // Renderer::move_actor() moves them from frame to frame. The store's own geometry, BVH and stored
@@ -18,6 +19,7 @@ struct ActorSurface {
   Vec3f color{0.8F, 0.8F, 0.8F};  // linear RGB, 0..1
   float roughness = 0.5F;         // 0 mirror, 1 chalk
   float metallic = 0;             // 0 dielectric, 1 metal
+  float scatter_m = 0;            // how far light wanders below the surface; 0: not at all
 };
 
 struct ActorBody {
@@ -30,6 +32,7 @@ struct ActorBody {
 struct Actor {
   std::string name;  // "panda"
   std::vector<ActorBody> bodies;
+  std::string category = "actor";  // in pictures of categories
 };
 
 // Error render.bad_actor, at "<actor>/<body>": lists of different lengths, an index without a row,

@@ -13,7 +13,10 @@ constexpr std::size_t max_materials = 65'535;
 constexpr std::size_t most_rebuilt = 8'000;
 
 Material material_of(const ActorSurface& surface) {
-  return {.color = surface.color, .roughness = surface.roughness, .metallic = surface.metallic};
+  return {.color = surface.color,
+          .roughness = surface.roughness,
+          .metallic = surface.metallic,
+          .scatter_m = surface.scatter_m};
 }
 
 std::size_t surface_count(const std::vector<Actor>& actors) {

@@ -1,0 +1,293 @@
+#include "collect/person_round.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "assets/print/color.h"
+#include "collect/drive_graph.h"
+
+namespace marketgen::collect {
+namespace {
+
+constexpr double floor_room_m = 0.52;  // from a person's middle to whatever stands on the floor
+constexpr double person_height_m = 2.0;
+constexpr double empty_handed_m = 0.40, basket_room_m = 0.50, carrying_m = 0.48;
+constexpr double shelf_distance_m = 0.58, farther_m = 0.12;  // from a shelf's edge
+constexpr int distances = 3;
+constexpr double speed_up_s = 0.6;
+constexpr double turn_piece_rad = 1.05, turn_piece_s = 0.75;
+constexpr double least_stay_s = 5;
+constexpr double least_way_m = 0.8, next_stop_m = 6;
+constexpr double pi = std::numbers::pi;
+
+bool is_free(const navigation::VisibilityGraph& graph, Vec2 at) {
+  const PointMm p{static_cast<int>(std::lround(at.x * 1e3)),
+                  static_cast<int>(std::lround(at.y * 1e3))};
+  return graph.space().on_floor(p) && graph.space().free(p);
+}
+
+// Before the middle of a shelf and to both sides of it.
+void add_places_before(const scene::Scene& scene,
+                       std::uint32_t shelf,
+                       const navigation::VisibilityGraph& graph,
+                       std::vector<StandingPlace>& places) {
+  const Pose pose = scene::world_from_shelf(scene, shelf);
+  const Vec3 inward = rotate(pose.rotation, {0, 1, 0});
+  const double heading = std::atan2(inward.y, inward.x);
+  const double half = scene.shelves[shelf].width_m / 2;
+  for (const double aside : {0.0, -0.6 * half, 0.6 * half}) {
+    for (int i = 0; i < distances; ++i) {
+      const Vec3 at = pose * Vec3{aside, -shelf_distance_m - farther_m * i, 0};
+      if (!is_free(graph, {at.x, at.y})) continue;
+      places.push_back({{at.x, at.y}, heading});
+      break;
+    }
+  }
+}
+
+bool is_till(const scene::Scene& scene, std::uint32_t fixture) {
+  const scene::SceneFixture& row = scene.fixtures[fixture];
+  const auto first = scene.parts.begin() + row.first_part;
+  return std::any_of(first, first + row.part_count, [](const scene::ScenePart& part) {
+    return part.unit == assets::UnitKind::scanner || part.unit == assets::UnitKind::terminal;
+  });
+}
+
+void add_places_beside(const RectMm& till,
+                       const navigation::VisibilityGraph& graph,
+                       std::vector<StandingPlace>& places) {
+  const double x = till.center()[0] * 1e-3, y = till.center()[1] * 1e-3;
+  const double dx = till.width() * 5e-4 + shelf_distance_m;
+  const double dy = till.depth() * 5e-4 + shelf_distance_m;
+  for (const StandingPlace& place : {StandingPlace{{x, y + dy}, -pi / 2},
+                                     StandingPlace{{x, y - dy}, pi / 2},
+                                     StandingPlace{{x - dx, y}, 0},
+                                     StandingPlace{{x + dx, y}, pi}}) {
+    if (is_free(graph, place.position)) places.push_back(place);
+  }
+}
+
+PointMm in_mm(Vec2 at) {
+  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
+}
+
+// Acts one after another.
+class RoundWriter {
+ public:
+  void stand(const StandingPlace& at, double length_s) {
+    add({now_, length_s, at.position, at.heading_rad, 0});
+  }
+  void turn(Vec2 at, double from_rad, double to_rad) {
+    const double whole = std::remainder(to_rad - from_rad, 2 * pi);
+    const int pieces = static_cast<int>(std::ceil(std::abs(whole) / turn_piece_rad));
+    for (int i = 0; i < pieces; ++i)
+      add({now_, turn_piece_s, at, from_rad + whole * i / pieces, whole / pieces});
+  }
+  void walk(const std::shared_ptr<const FloorWay>& way, double speed_m_s) {
+    const double even_s = way->length_m() / speed_m_s;
+    PersonAct act{now_, even_s + std::min(speed_up_s, even_s), {}, 0, 0};
+    act.way = way;
+    act.steps = std::max(
+        1, static_cast<int>(std::lround(way->length_m() / assets::step_length_m(speed_m_s))));
+    add(std::move(act));
+  }
+  double now() const { return now_; }
+  std::vector<PersonAct> acts() { return std::move(acts_); }
+
+ private:
+  void add(PersonAct act) {
+    now_ += act.length_s;
+    acts_.push_back(std::move(act));
+  }
+  std::vector<PersonAct> acts_;
+  double now_ = 0;
+};
+
+using Ways = std::vector<std::shared_ptr<const FloorWay>>;
+
+// From each stop to the next, and from the last to the first.
+std::optional<Ways> ways_between(const PeopleFloor& floor,
+                                 const std::vector<StandingPlace>& stops) {
+  Ways ways;
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const PointMm from = in_mm(stops[i].position);
+    const PointMm to = in_mm(stops[(i + 1) % stops.size()].position);
+    if (from == to) return {};
+    auto path = floor.graph.shortest_path(from, to);
+    if (!path.ok()) return {};
+    ways.push_back(std::make_shared<const FloorWay>(path.value()));
+  }
+  return ways;
+}
+
+// One after another not far away: who looks for something looks about there.
+std::vector<StandingPlace> draw_stops(const std::vector<StandingPlace>& places,
+                                      int count,
+                                      Stream& draw) {
+  const auto any = [&](const std::vector<StandingPlace>& from) {
+    return from[static_cast<std::size_t>(draw.integer(0, static_cast<int>(from.size()) - 1))];
+  };
+  std::vector<StandingPlace> stops{any(places)};
+  while (static_cast<int>(stops.size()) < count) {
+    const Vec2 last = stops.back().position;
+    std::vector<StandingPlace> near;
+    std::copy_if(
+        places.begin(), places.end(), std::back_inserter(near), [&](const StandingPlace& place) {
+          const double away = std::hypot(place.position.x - last.x, place.position.y - last.y);
+          return away > least_way_m && away < next_stop_m;
+        });
+    stops.push_back(any(near.empty() ? places : near));
+  }
+  return stops;
+}
+
+std::vector<PersonAct> write_round(const std::vector<StandingPlace>& stops,
+                                   const Ways& ways,
+                                   double speed_m_s,
+                                   double stay_s) {
+  RoundWriter writer;
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const StandingPlace& next = stops[(i + 1) % stops.size()];
+    const FloorWay& way = *ways[i];
+    writer.stand(stops[i], stay_s);
+    writer.turn(stops[i].position, stops[i].heading_rad, way.at(0).heading_rad);
+    writer.walk(ways[i], speed_m_s);
+    writer.turn(next.position, way.at(way.length_m()).heading_rad, next.heading_rad);
+  }
+  return writer.acts();
+}
+
+double end_of(const std::vector<PersonAct>& acts) {
+  return acts.back().begin_s + acts.back().length_s;
+}
+
+const PersonAct& act_at(const PersonRound& person, double time_s) {
+  const auto next = std::upper_bound(
+      person.acts.begin() + 1, person.acts.end(), time_s, [](double t, const PersonAct& act) {
+        return t < act.begin_s;
+      });
+  return *(next - 1);
+}
+
+// Metres walked: even speed between speeding up and slowing down.
+double walked_m(const PersonAct& act, double time_s) {
+  const double length = act.way->length_m(), ramp = std::min(speed_up_s, act.length_s / 2);
+  const double speed = length / (act.length_s - ramp);
+  const double t = std::clamp(time_s - act.begin_s, 0.0, act.length_s), left = act.length_s - t;
+  if (t < ramp) return speed * t * t / (2 * ramp);
+  if (left < ramp) return length - speed * left * left / (2 * ramp);
+  return speed * (t - ramp / 2);
+}
+
+double turned_share(const PersonAct& act, double time_s) {
+  return std::clamp((time_s - act.begin_s) / act.length_s, 0.0, 1.0);
+}
+
+}  // namespace
+
+Result<PeopleFloor> people_floor(const scene::Scene& scene) {
+  MARKETGEN_TRY(navigation::VisibilityGraph graph,
+                drive_graph(scene, {floor_room_m, person_height_m}, {}, 0));
+  PeopleFloor floor{std::move(graph), {}, {}};
+  std::set<std::pair<std::uint32_t, std::int32_t>> seen;
+  for (std::uint32_t s = 0; s < scene.shelves.size(); ++s) {
+    const scene::SceneShelf& shelf = scene.shelves[s];
+    if (seen.insert({shelf.fixture, shelf.side}).second)
+      add_places_before(scene, s, floor.graph, floor.shelves);
+  }
+  for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
+    if (is_till(scene, f))
+      add_places_beside(layout::footprint_of(scene.layout.fixtures[f]), floor.graph, floor.tills);
+  }
+  return floor;
+}
+
+PersonRound new_person(const scene::Scene& scene, int number, Seed seed) {
+  constexpr int staff_every = 5, first_staff = 2;
+  const bool staff = number % staff_every == first_staff;
+  const auto accent = assets::linear_from_hex(scene.layout.look.accent);
+  PersonRound person;
+  person.look = assets::draw_person(staff ? assets::PersonRole::staff : assets::PersonRole::shopper,
+                                    accent.ok() ? accent.value() : Vec3f{0.03F, 0.2F, 0.04F},
+                                    seed.child("look"));
+  Stream draw = seed.child("habit").stream();
+  person.basket = !staff && draw.chance(0.55);
+  person.carries = staff && draw.chance(0.6);
+  person.head_down_rad = draw.uniform(0.05, 0.40);
+  person.head_left_rad = draw.uniform(-0.25, 0.25);
+  person.room_m = person.carries ? carrying_m : person.basket ? basket_room_m : empty_handed_m;
+  return person;
+}
+
+std::optional<std::vector<PersonAct>> draw_acts(const PeopleFloor& floor,
+                                                const PersonRound& person,
+                                                bool walks,
+                                                Stream& draw) {
+  const bool at_till = person.look.role == assets::PersonRole::staff && !person.carries;
+  const std::vector<StandingPlace>& places =
+      at_till && !floor.tills.empty() ? floor.tills : floor.shelves;
+  if (places.empty()) return {};
+  const int count = walks ? draw.integer(2, 4) : 1;
+  const double speed = draw.uniform(min_walk_m_s, max_walk_m_s);
+  const std::vector<StandingPlace> stops = draw_stops(places, count, draw);
+  if (!walks) return acts_of_standing(stops[0]);
+  const std::optional<Ways> ways = ways_between(floor, stops);
+  if (!ways) return {};
+  const double busy_s = end_of(write_round(stops, *ways, speed, 0));
+  const double stay_s = (round_s - busy_s) / count;
+  if (stay_s < least_stay_s) return {};
+  return write_round(stops, *ways, speed, stay_s);
+}
+
+std::vector<PersonAct> acts_of_standing(const StandingPlace& place) {
+  return {{0, round_s, place.position, place.heading_rad, 0}};
+}
+
+assets::WayPlace place_in_round(const PersonRound& person, double time_s) {
+  const PersonAct& act = act_at(person, time_s);
+  if (act.way) return act.way->at(walked_m(act, time_s));
+  const double turned =
+      act.turn_rad == 0 ? 0 : assets::turned_rad(act.turn_rad, turned_share(act, time_s));
+  return {act.position, act.heading_rad + turned};
+}
+
+double room_in_round(const PersonRound& person, double time_s) {
+  // The foot ahead strikes 0.62 of a step before the body and reaches past its ankle.
+  constexpr double share_of_step = 0.62, past_ankle_m = 0.23;
+  const PersonAct& act = act_at(person, time_s);
+  if (!act.way) return person.room_m;
+  return std::max(person.room_m, share_of_step * act.way->length_m() / act.steps + past_ankle_m);
+}
+
+assets::PersonPose pose_in_round(const PersonRound& person, double time_s) {
+  const PersonAct& act = act_at(person, time_s);
+  const assets::PersonLook& look = person.look;
+  assets::PersonPose pose = assets::standing_pose(look);
+  if (act.way) {
+    const FloorWay& way = *act.way;
+    pose = assets::walking_pose(
+        look,
+        [&way](double s) { return way.at(s); },
+        way.length_m(),
+        act.steps,
+        walked_m(act, time_s));
+  } else if (act.turn_rad != 0) {
+    pose = assets::turning_pose(look, act.turn_rad, turned_share(act, time_s));
+  } else {  // looking along the goods, and back where it began when the stay ends
+    const double share = turned_share(act, time_s);
+    const double calm = std::min({1.0, share * act.length_s, (1 - share) * act.length_s});
+    pose.head_down_rad = calm * person.head_down_rad;
+    pose.head_left_rad = calm * person.head_left_rad * std::cos(6 * pi * share);
+  }
+  // Who never walks off may hold a hand before the belly.
+  if (person.acts.size() == 1 && person.head_left_rad > 0) pose.arms[0] = assets::ArmUse::rest;
+  if (person.basket) pose.arms[1] = assets::ArmUse::basket;
+  if (person.carries) pose.arms = {assets::ArmUse::carry, assets::ArmUse::carry};
+  return pose;
+}
+
+}  // namespace marketgen::collect
