@@ -185,7 +185,8 @@ Result<std::vector<render::Actor>> actors_of(const RenderFlags& flags, const sce
   MARKETGEN_TRY(std::vector<render::Actor> actors, render::robot_actors(robots));
   MARKETGEN_TRY(const collect::StorePeople people,
                 collect::StorePeople::make(scene, flags.people, collect::people_seed(scene)));
-  for (render::Actor& person : render::person_actors(people.at(flags.people_at_s)))
+  for (render::Actor& person : render::person_actors(people.at(flags.people_at_s),
+                                                     render::detail_of_company(people.count())))
     actors.push_back(std::move(person));
   return actors;
 }

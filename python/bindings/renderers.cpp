@@ -2,6 +2,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <optional>
 
 #include "binding.h"
 #include "collect/standing_robot.h"
@@ -29,6 +30,7 @@ struct RendererHandle {
   std::shared_ptr<const store::Store> store;  // before the renderer, which reads its scene
   std::unique_ptr<render::Renderer> renderer;
   std::vector<render::Actor> robots, people;  // in this order in the renderer
+  std::optional<collect::StorePeople> company = {};
 };
 
 std::vector<render::Actor> joined(std::vector<render::Actor> robots,
@@ -106,11 +108,13 @@ void set_robots(RendererHandle& handle, const std::vector<std::string>& texts) {
 
 void set_people(RendererHandle& handle, int count, double time_s) {
   const scene::Scene& scene = handle.store->scene;
-  const collect::StorePeople people =
-      value_or_raise(collect::StorePeople::make(scene, count, collect::people_seed(scene)));
+  if (!handle.company || handle.company->count() != static_cast<std::size_t>(count))
+    handle.company = value_or_raise(without_interpreter(
+        [&] { return collect::StorePeople::make(scene, count, collect::people_seed(scene)); }));
   std::vector<render::Actor> actors =
       value_or_raise(without_interpreter([&]() -> Result<std::vector<render::Actor>> {
-        return render::person_actors(people.at(time_s));
+        return render::person_actors(handle.company->at(time_s),
+                                     render::detail_of_company(handle.company->count()));
       }));
   check_or_raise(handle.renderer->set_actors(joined(handle.robots, actors)));
   handle.people = std::move(actors);

@@ -14,6 +14,7 @@ constexpr int window_samples = 8;
 FloorWay::FloorWay(const navigation::FloorPath& path) {
   for (const PointMm& point : path.points) {
     const Vec2 at{point[0] * 1e-3, point[1] * 1e-3};
+    if (!points_.empty() && at == points_.back()) continue;
     const double step =
         points_.empty() ? 0 : std::hypot(at.x - points_.back().x, at.y - points_.back().y);
     lengths_.push_back(points_.empty() ? 0 : lengths_.back() + step);

@@ -24,10 +24,12 @@ constexpr double least_stay_s = 5;
 constexpr double least_way_m = 0.8, next_stop_m = 6;
 constexpr double pi = std::numbers::pi;
 
+PointMm in_mm(Vec2 at) {
+  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
+}
+
 bool is_free(const navigation::VisibilityGraph& graph, Vec2 at) {
-  const PointMm p{static_cast<int>(std::lround(at.x * 1e3)),
-                  static_cast<int>(std::lround(at.y * 1e3))};
-  return graph.space().on_floor(p) && graph.space().free(p);
+  return graph.space().on_floor(in_mm(at)) && graph.space().free(in_mm(at));
 }
 
 // Before the middle of a shelf and to both sides of it.
@@ -49,11 +51,10 @@ void add_places_before(const scene::Scene& scene,
   }
 }
 
+// One with a belt: where somebody of the staff is.
 bool is_till(const scene::Scene& scene, std::uint32_t fixture) {
-  const scene::SceneFixture& row = scene.fixtures[fixture];
-  const auto first = scene.parts.begin() + row.first_part;
-  return std::any_of(first, first + row.part_count, [](const scene::ScenePart& part) {
-    return part.unit == assets::UnitKind::scanner || part.unit == assets::UnitKind::terminal;
+  return std::ranges::any_of(scene.joints, [&](const scene::SceneJoint& joint) {
+    return joint.fixture == fixture && joint.kind == assets::JointKind::belt;
   });
 }
 
@@ -69,10 +70,6 @@ void add_places_beside(const RectMm& till,
                                      StandingPlace{{x + dx, y}, pi}}) {
     if (is_free(graph, place.position)) places.push_back(place);
   }
-}
-
-PointMm in_mm(Vec2 at) {
-  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
 }
 
 // Acts one after another.

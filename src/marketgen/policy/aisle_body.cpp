@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 
 namespace marketgen::policy {
 namespace {
 
 constexpr double around_m = 1.4;  // what is farther from the robot does not count
-constexpr double walls_m = 0.35;  // of a product, what its grasps keep off
+constexpr double beside_m = 0.12, over_board_m = 0.02, max_behind_m = 0.2, faced_m = 0.02;
+constexpr std::size_t min_strays = 8, stray_share = 15;  // of measured points, one in so many
+constexpr double walls_m = 0.35;                         // of a product, what its grasps keep off
 constexpr double shoulder_height_m = 0.9;
 constexpr double let_go_wider_by_m = 0.02;  // than what was held
 constexpr double pressed_aside_m = 0.2;     // what is so near to a product gives way to fingers
@@ -20,6 +24,7 @@ constexpr int way_back_points = 16;
 // What is let go so high over the basket's floor may roll off what it lies on, and arrives with
 // 0.9 m/s; so often another place is sought.
 constexpr double max_let_go_m = 0.04;
+constexpr double over_rim_m = 0.02;
 constexpr std::size_t max_met = 3;
 constexpr double max_leave_m = 0.30, leave_step_m = 0.04;
 
@@ -37,6 +42,26 @@ std::vector<Vec3f> beyond(const std::vector<Vec3f>& points, Vec3 middle, double 
     return length(to_double(p) - middle) >= from_m;
   });
   return kept;
+}
+
+// How far what was measured beside it stands out before a product's front: packs that are left of
+// the row before it. Strays do not count, nor does what is faced a little farther.
+double stands_behind_m(const PickTarget& item, const std::vector<Vec3f>& points) {
+  const catalog::Product& product = item.known->product;
+  const Pose product_from_store = inverse(item.store_from_product);
+  std::vector<double> ahead;
+  for (const Vec3f& point : points) {
+    const Vec3 at = product_from_store * to_double(point);
+    const double before = -at.y - product.depth_m() / 2;
+    if (std::abs(at.x) < product.width_m() / 2 + beside_m && at.z > over_board_m &&
+        at.z < product.height_m() && std::abs(before) < max_behind_m)
+      ahead.push_back(before);
+  }
+  const std::size_t strays = std::max(min_strays, ahead.size() / stray_share);
+  if (ahead.size() <= strays) return 0;
+  std::ranges::nth_element(
+      ahead, ahead.begin() + static_cast<std::ptrdiff_t>(strays), std::greater<>());
+  return ahead[strays] > faced_m ? ahead[strays] : 0;
 }
 
 void add_cloud(std::vector<Vec3f> points, motion::Obstacles& obstacles) {
@@ -162,6 +187,9 @@ Result<skills::ShelfPick> AisleBody::plan_pick(const PickTarget& item,
       return may_stand(agent::base_place(base));
     };
   }
+  const double behind = stands_behind_m(item, seen);
+  question.approach_m += behind;
+  question.retreat_m += behind;
   question.speed = skills::carrying_speed;
   question.acceleration = skills::carrying_acceleration;
   return skills::plan_shelf_pick(*setup_.robot, question, next_seed());
@@ -171,6 +199,7 @@ Result<void> AisleBody::take(const PickTarget& item, skills::ShelfPick pick) {
   MARKETGEN_TRY(carried_, skills::make_store_body(item.known->product));
   put_n_ = skills::putting_force_n(item.known->product);
   met_.clear();
+  anywhere_ = false;
   pick_ = std::move(pick);
   return executor_.take(
       {.ways = static_cast<const skills::PickWays&>(pick_),
@@ -220,13 +249,14 @@ Result<bool> AisleBody::drop(const std::vector<Vec3f>& points) {
   question.tool = pick_.tool;
   question.held = &carried_;
   question.tip_from_product = inverse(pick_.grasp.product_from_tool);
-  const auto goes = let_down(question);
-  if (goes.ok()) return true;
-  if (!met_.empty()) {  // then where it was before, or anywhere
-    met_.assign(max_met, {});
+  auto goes = let_down(question);
+  if (!goes.ok() && !met_.empty()) {
+    met_.clear();
+    anywhere_ = true;
     question.inside = inside_;
-    if (let_down(question).ok()) return true;
+    goes = let_down(question);
   }
+  if (goes.ok()) return true;
   const bool last = ++lift_tried_ >= skills::drop_lifts_m.size();
   if (last) lift_tried_ = 0;
   MARKETGEN_CHECK(executor_.raise(skills::drop_lifts_m[lift_tried_], agent::Subtask::place));
@@ -250,17 +280,16 @@ Result<void> AisleBody::let_down(const skills::DropQuestion& question) {
   }
   MARKETGEN_TRY(skills::FeltDrop plan,
                 skills::plan_felt_drop(*setup_.robot, setup_.basket, question, next_seed()));
-  let_go_ = plan.base_from_tip;
   down_ = plan.down;
-  down_m_ = plan.down_m;
   executor_.let_down(std::move(plan), put_n_);
   return {};
 }
 
 // Base frame.
 skills::TurnedBox AisleBody::box_where_it_is() const {
-  Pose tip = let_go_;
-  if (down_.joints() > 0) tip.position.z += down_m_ * (1 - executor_.felt_share());
+  const robots::Robot& robot = *setup_.robot;
+  const int frame = robot.tools[static_cast<std::size_t>(pick_.tool)].frame;
+  const Pose tip = down_.joints() > 0 ? robots::frame_pose(robot, state(), frame) : let_go_;
   return skills::turned_box(carried_, tip * inverse(pick_.grasp.product_from_tool));
 }
 
@@ -268,7 +297,7 @@ Result<bool> AisleBody::lowered() {
   const skills::TurnedBox box = box_where_it_is();
   const double floor_m = setup_.basket.base_from_floor.position.z;
   const double over_m = box.middle.z - box.half.z - floor_m;
-  if (down_.joints() > 0 && over_m > max_let_go_m && met_.size() < max_met) {
+  if (down_.joints() > 0 && over_m > max_let_go_m && !anywhere_ && met_.size() < max_met) {
     met_.push_back(skills::carried_box({{box.middle.x, box.middle.y, floor_m + over_m / 2},
                                         {box.half.x, box.half.y, over_m / 2}}));
     MARKETGEN_TRY(motion::JointTrajectory up, way_up());
@@ -286,6 +315,18 @@ Result<void> AisleBody::leave_basket(const std::vector<Vec3f>& points) {
       skills::plan_basket_exit(*setup_.robot, setup_.basket, stow_question(points), next_seed());
   if (!plan.ok()) return go_home_from_above(points);
   executor_.leave_basket(std::move(*plan));
+  return {};
+}
+
+Result<void> AisleBody::rise(const std::vector<Vec3f>& points) {
+  if (down_.joints() == 0) return {};
+  const skills::TurnedBox box = box_where_it_is();
+  const double up_m = setup_.basket.base_from_floor.position.z + setup_.basket.size.z + over_rim_m -
+                      (box.middle.z - box.half.z);
+  if (up_m <= 0) return {};
+  MARKETGEN_TRY(motion::JointTrajectory up,
+                skills::plan_rise(*setup_.robot, setup_.basket, stow_question(points), up_m));
+  executor_.take_up(std::move(up));
   return {};
 }
 

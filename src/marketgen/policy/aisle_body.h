@@ -62,6 +62,8 @@ class AisleBody {
   // roll off it and fall; then it goes up again, and drop() is next, which tries another place.
   // Else true: it is let go. A robot that does not feel what it meets has let go before.
   Result<bool> lowered();
+  // Stopped on its way down: up again, over the rim. Nothing where it is not in the basket.
+  Result<void> rise(const std::vector<Vec3f>& points);
   // From where it was let go, home.
   Result<void> leave_basket(const std::vector<Vec3f>& points);
   Result<void> go_home(const std::vector<Vec3f>& points);  // the empty arm, to its stowed posture
@@ -91,7 +93,8 @@ class AisleBody {
   double down_m_ = 0;
   std::vector<skills::CarriedItem> inside_;  // of the basket, as let down
   std::vector<skills::CarriedItem> met_;     // there, by what is being let down
-  Pose let_go_;                              // base_from_tip
+  bool anywhere_ = false;                    // wherever that comes to lie
+  Pose let_go_;                              // base_from_tip, where nothing is felt
   std::size_t lift_tried_ = 0;
   std::uint64_t moves_ = 0;
 };

@@ -120,13 +120,16 @@ class ClassicalAisle : public agent::Policy {
         step_ = AisleStep::away;
         return body_.back_off();
       case AisleStep::away:
-      case AisleStep::lowered:
-      case AisleStep::let_go:
-        step_ = AisleStep::away;
         return drop();
+      case AisleStep::lowered:
+        step_ = AisleStep::away;
+        if (!body_.rise(points_).ok()) say("cannot rise out of the basket");
+        return {};
+      case AisleStep::let_go:
+        return leave_basket();
       case AisleStep::dropped:  // on its way home
-        MARKETGEN_CHECK(count());
-        return go_home();
+        if (!body_.go_home(points_).ok()) return leave_basket();
+        return {};
     }
     return {};
   }
@@ -159,7 +162,7 @@ class ClassicalAisle : public agent::Policy {
       case AisleStep::let_go:
         return leave_basket();
       case AisleStep::dropped:
-        return count();
+        return go_on();
     }
     return {};
   }
@@ -448,6 +451,7 @@ class ClassicalAisle : public agent::Policy {
   Result<void> let_go() {
     MARKETGEN_TRY(const bool lets_go, body_.lowered());
     if (!lets_go) say("came upon something: another place in the basket");
+    if (lets_go) count();
     step_ = lets_go ? AisleStep::let_go : AisleStep::away;
     return {};
   }
@@ -456,8 +460,11 @@ class ClassicalAisle : public agent::Policy {
     step_ = AisleStep::dropped;
     auto leaves = body_.leave_basket(points_);
     if (!leaves.ok()) leaves = body_.leave_basket({});
-    if (!leaves.ok()) say("no way out of the basket: " + to_string(leaves.error()));
-    done_ = !leaves.ok();
+    if (leaves.ok()) return {};
+    say("no way out of the basket: " + to_string(leaves.error()));
+    for (ShelfGoal& goal : goals_)
+      if (goal.is_due()) goal.failure = "NoPath";
+    stop("NoPath");
     return {};
   }
 
@@ -472,16 +479,21 @@ class ClassicalAisle : public agent::Policy {
     return {};
   }
 
-  Result<void> count() {
+  void count() {
     ShelfGoal& goal = goals_[finds_[find_].place.goal];
     log_find(agent::DecisionKind::place, "None");
     ++goal.fetched;
     say(fmt::format("{}: let go in the basket", goal.sku));
     goal.tries = 0;
-    const Vec3 place = finds_[find_].place.store_from_product.position;
+    taken_ = finds_[find_].place;
     finds_.refuse(find_);
-    step_ = goal.is_due() ? AisleStep::look_on : AisleStep::choose;
-    if (goal.is_due()) return turn_head(place);
+  }
+
+  // From over the basket, with both arms home.
+  Result<void> go_on() {
+    const bool more = goals_[taken_.goal].is_due();
+    step_ = more ? AisleStep::look_on : AisleStep::choose;
+    if (more) return turn_head(taken_.store_from_product.position);
     return {};
   }
 
@@ -503,6 +515,7 @@ class ClassicalAisle : public agent::Policy {
   std::vector<bool> seen_;  // of the stops
   ShelfFinds finds_;
   std::size_t find_ = 0;  // that is being taken
+  ShelfFind taken_;       // the last one that was
   bool held_ = false;     // it was in the hand when that closed
   AisleStep step_ = AisleStep::choose;
   ShelfSight sight_;

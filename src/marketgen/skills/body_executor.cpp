@@ -41,6 +41,7 @@ void BodyExecutor::start(const agent::Observation& now) {
   queue_.clear();
   retrace_.start();
   was_stopped_ = false;
+  felt_share_ = 0;
   played_s_ = 0;
   position_ = queued_position_ = now.position;
   subtask_ = played_for_ = agent::Subtask::none;
@@ -92,6 +93,7 @@ void BodyExecutor::feel(const std::vector<int>& dofs,
                         motion::JointTrajectory trajectory,
                         double max_force_n) {
   play(dofs, std::move(trajectory));
+  felt_share_ = 0;
   queue_.back().max_force_n = max_force_n;
   if (!dofs.empty()) queue_.back().arm = limit_of_dof(*robot_, dofs.back());
 }

@@ -47,7 +47,7 @@ class BodyExecutor {
   agent::Action next(const agent::Observation& now);
   // Whether what was queued last was broken off so. Says it once.
   bool take_stop() { return std::exchange(was_stopped_, false); }
-  // Of the way that was felt last, the share of its time after which it ended: 1 at its end.
+  // Of the way that was felt last, the share of its time that was gone: 1 at its end.
   double felt_share() const { return felt_share_; }
   // As its tool is told to be.
   const agent::ToolCommand& told(int tool) const { return tools_[static_cast<std::size_t>(tool)]; }
@@ -93,7 +93,7 @@ class BodyExecutor {
   agent::Subtask played_for_ = agent::Subtask::none;
   Retrace retrace_;
   bool was_stopped_ = false;
-  double felt_share_ = 1;
+  double felt_share_ = 0;
 };
 
 }  // namespace marketgen::skills

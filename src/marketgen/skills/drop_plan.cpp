@@ -248,8 +248,6 @@ class DropPlanner {
     MARKETGEN_TRY(const auto gentle, motion::motion_limits(model_, slow));
     MARKETGEN_TRY(plan.way, motion::timed_path(way, quick));
     MARKETGEN_TRY(plan.down, motion::timed_curve(down, gentle));
-    plan.down_m = over_m(descent.drop) + descent.drop.base_from_tip.position.z -
-                  plan.base_from_tip.position.z;
     return plan;
   }
 
@@ -277,6 +275,50 @@ class DropPlanner {
   std::optional<motion::ArmChecker> bare_;        // as line_, in an empty basket
   motion::Configuration start_;
   Pose base_from_arm_;
+};
+
+// An arm in its basket, of which only the walls are minded.
+struct ArmInBasket {
+  motion::ArmModel model;
+  motion::CollisionWorld walls;
+  std::optional<motion::ArmChecker> checker;
+  motion::Configuration start;
+  Pose arm_from_tip, arm_from_base;
+
+  ArmInBasket() = default;
+  ArmInBasket(const ArmInBasket&) = delete;  // its checker refers to it
+  ArmInBasket& operator=(const ArmInBasket&) = delete;
+
+  Result<void> look(const robots::Robot& robot,
+                    const CarriedBasket& basket,
+                    const StowQuestion& question) {
+    MARKETGEN_TRY(model, motion::make_arm_model(robot, question.group));
+    MARKETGEN_TRY(walls, around_robot(basket, question, {}));
+    MARKETGEN_TRY(checker,
+                  motion::ArmChecker::make(
+                      model, question.state, question.world_from_base, walls, {line_margin_m, {}}));
+    start = robots::values_of(model.group, question.state);
+    arm_from_base = inverse(
+        robots::link_poses(robot, question.state)[static_cast<std::size_t>(model.group.base)]);
+    arm_from_tip = arm_from_base * robots::frame_pose(robot, question.state, model.group.tip);
+    return {};
+  }
+  Result<motion::JointPath> up(double up_m) const {
+    Pose end = arm_from_tip;
+    end.position += rotate(arm_from_base.rotation, {0, 0, up_m});
+    return motion::tool_line(*checker, start, end);
+  }
+  Result<motion::JointPath> back() const {
+    Pose end = arm_from_tip;
+    end.position += rotate(end.rotation, {0, 0, -let_go_back_m});
+    return motion::tool_line(*checker, start, end);
+  }
+  Result<motion::JointTrajectory> slowly(const motion::JointPath& line) const {
+    motion::ArmPlanOptions slow = carrying(carrying_acceleration);
+    slow.speed *= line_speed_share;
+    MARKETGEN_TRY(const auto limits, motion::motion_limits(model, slow));
+    return motion::timed_curve(line, limits);
+  }
 };
 
 template <class Plan>
@@ -328,32 +370,29 @@ Result<BasketExit> plan_basket_exit(const robots::Robot& robot,
                                     const CarriedBasket& basket,
                                     const StowQuestion& question,
                                     Seed seed) {
-  MARKETGEN_TRY(const motion::ArmModel model, motion::make_arm_model(robot, question.group));
-  MARKETGEN_TRY(const motion::CollisionWorld empty, around_robot(basket, question, {}));
-  MARKETGEN_TRY(const motion::ArmChecker checker,
-                motion::ArmChecker::make(
-                    model, question.state, question.world_from_base, empty, {line_margin_m, {}}));
-  const motion::Configuration start = robots::values_of(model.group, question.state);
-  const Pose base_from_arm =
-      robots::link_poses(robot, question.state)[static_cast<std::size_t>(model.group.base)];
-  const Pose tip =
-      inverse(base_from_arm) * robots::frame_pose(robot, question.state, model.group.tip);
-  Pose back = tip, up = tip;
-  back.position += rotate(tip.rotation, {0, 0, -let_go_back_m});
-  up.position += rotate(inverse(base_from_arm.rotation), {0, 0, basket.size.z});
-  auto line = motion::tool_line(checker, start, back);
-  if (!line.ok()) line = motion::tool_line(checker, start, up);
+  ArmInBasket arm;
+  MARKETGEN_CHECK(arm.look(robot, basket, question));
+  auto line = arm.back();
+  if (!line.ok()) line = arm.up(basket.size.z);
   if (!line.ok()) return line.error();
-  motion::ArmPlanOptions slow = carrying(carrying_acceleration);
-  slow.speed *= line_speed_share;
-  MARKETGEN_TRY(const auto limits, motion::motion_limits(model, slow));
   BasketExit exit;
-  MARKETGEN_TRY(exit.retreat, motion::timed_curve(*line, limits));
-  MARKETGEN_TRY(motion::ArmPlan home,
-                motion::plan_arm(
-                    checker, line->back(), {question.stow}, seed, carrying(carrying_acceleration)));
+  MARKETGEN_TRY(exit.retreat, arm.slowly(*line));
+  MARKETGEN_TRY(
+      motion::ArmPlan home,
+      motion::plan_arm(
+          *arm.checker, line->back(), {question.stow}, seed, carrying(carrying_acceleration)));
   exit.home = std::move(home.trajectory);
   return exit;
+}
+
+Result<motion::JointTrajectory> plan_rise(const robots::Robot& robot,
+                                          const CarriedBasket& basket,
+                                          const StowQuestion& question,
+                                          double up_m) {
+  ArmInBasket arm;
+  MARKETGEN_CHECK(arm.look(robot, basket, question));
+  MARKETGEN_TRY(const motion::JointPath line, arm.up(up_m));
+  return arm.slowly(line);
 }
 
 Result<motion::JointTrajectory> plan_stow(const robots::Robot& robot,

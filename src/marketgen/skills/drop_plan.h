@@ -45,7 +45,6 @@ struct FeltDrop {
   motion::JointTrajectory way;   // to over the basket
   motion::JointTrajectory down;  // slowly, as far as there is room over the basket's floor
   Pose base_from_tip;            // at its end
-  double down_m = 0;
 };
 
 // Out of the basket, empty, from where the arm let go.
@@ -75,6 +74,13 @@ Result<BasketExit> plan_basket_exit(const robots::Robot& robot,
                                     const CarriedBasket& basket,
                                     const StowQuestion& question,
                                     Seed seed);
+
+// Straight up until the hand is so much higher, past the basket's walls alone. Errors: those of
+// make_arm_model and tool_line.
+Result<motion::JointTrajectory> plan_rise(const robots::Robot& robot,
+                                          const CarriedBasket& basket,
+                                          const StowQuestion& question,
+                                          double up_m);
 
 // The empty arm to its stowed posture. Errors: those of make_arm_model and plan_arm.
 Result<motion::JointTrajectory> plan_stow(const robots::Robot& robot,

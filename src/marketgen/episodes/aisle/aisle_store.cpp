@@ -8,6 +8,7 @@
 #include <set>
 
 #include "collect/collect_plan.h"
+#include "scene/placements.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -136,6 +137,7 @@ ShelfRefusal AisleStore::door_refusal(std::uint32_t product) const {
 
 ShelfRefusal AisleStore::shelf_refusal(std::uint32_t product) const {
   const scene::SceneProduct& row = scene.products[product];
+  if (row.facing == scene::no_facing) return ShelfRefusal::unshelved;
   const scene::SceneShelf& shelf = scene.shelves[scene.facings[row.facing].shelf];
   const double z = row.position_m[2];
   if ((row.flags & scene::product_front_row) == 0) return ShelfRefusal::behind_another;

@@ -22,7 +22,7 @@ constexpr double max_back_off_m = 0.30;  // from a shelf, with an item in the ha
 enum class ShelfRefusal {
   none,
   behind_another,  // not in the front row
-  unshelved,       // lies in a heap or hangs
+  unshelved,       // lies in a heap or hangs, or was put somewhere by the plan
   behind_door,     // in a drawer or under a lid, or no door of the kind that is asked for
   no_door,         // before it, and goals stand behind doors
   too_low,         // its board, for the station

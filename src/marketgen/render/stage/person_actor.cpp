@@ -6,6 +6,11 @@
 
 namespace marketgen::render {
 
+assets::PersonDetail detail_of_company(std::size_t people) {
+  constexpr std::size_t max_near = 20;
+  return people <= max_near ? assets::PersonDetail::near : assets::PersonDetail::far;
+}
+
 Actor person_actor(const assets::PlacedPerson& person, assets::PersonDetail detail) {
   ActorBody body;
   body.name = "body";
