@@ -10,7 +10,7 @@ namespace marketgen::collect {
 // Immutable. Store frame, metres.
 class FloorWay {
  public:
-  // Precondition: two points or more, no two equal ones in a row.
+  // Precondition: two points or more that differ.
   explicit FloorWay(const navigation::FloorPath& path);
 
   double length_m() const { return lengths_.back(); }

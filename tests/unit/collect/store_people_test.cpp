@@ -156,6 +156,19 @@ TEST(StorePeople, WalkWithoutAJumpAndNoFasterThanPeopleDo) {
   EXPECT_GT(fastest, collect::min_walk_m_s);  // somebody walks
 }
 
+// A path may touch a corner where it begins or ends: that point comes twice.
+TEST(FloorWay, APointThatComesTwiceIsNoStep) {
+  navigation::FloorPath path;
+  path.points = {{0, 0}, {0, 0}, {1000, 0}, {1000, 500}, {1000, 500}};
+  const collect::FloorWay way(path);
+  EXPECT_DOUBLE_EQ(way.length_m(), 1.5);
+  for (double s = 0; s <= 1.5; s += 0.1) {
+    const assets::WayPlace at = way.at(s);
+    EXPECT_TRUE(std::isfinite(at.position.x + at.position.y + at.heading_rad)) << s;
+  }
+  EXPECT_NEAR(way.at(1.5).position.y, 0.5, 1e-9);
+}
+
 TEST(StorePeople, BeginTheirRoundsAnew) {
   const StorePeople people = people_in(three_stores()[0]);
   for (std::size_t i = 0; i < people.count(); ++i) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "episodes/aisle/door_book.h"
+#include "scene/placements.h"
 #include "support/can_aisle.h"
 #include "support/can_cooler.h"
 
@@ -55,6 +56,18 @@ TEST(AisleDoors, NobodyStandsInTheOpenLeaf) {
   EXPECT_EQ(met.error().code, "motion.base_blocked");
   EXPECT_TRUE(store->ways.space().free(episodes::floor_point_mm(open->opened_from)));
   EXPECT_TRUE(open->past->space().free(episodes::floor_point_mm(open->shut_from)));
+}
+
+// A product that the plan has put somewhere stands on no shelf.
+TEST(AisleDoors, APinnedProductIsAskedForNowhere) {
+  HandMadeScene shop;
+  const std::uint32_t row = shop.add(1, {2.8F, 1.0F, 0});
+  shop.scene.products[row].facing = scene::no_facing;
+  const auto store =
+      episodes::open_aisle_store(std::filesystem::path(MARKETGEN_SOURCE_DIR) / "data", shop.scene);
+  ASSERT_TRUE(store.ok()) << to_string(store.error());
+  EXPECT_EQ((*store)->shelf_refusal(row), episodes::ShelfRefusal::unshelved);
+  EXPECT_TRUE((*store)->front_items("can-cola").empty());
 }
 
 }  // namespace
