@@ -87,10 +87,9 @@ class AisleBody {
   skills::AisleExecutor executor_;
   agent::Observation now_;
   skills::ShelfPick pick_;
-  assets::ProductBody carried_;   // what it takes, as one solid
-  double put_n_ = 0;              // that presses where it comes to lie
-  motion::JointTrajectory down_;  // into the basket, felt; empty: there was none
-  double down_m_ = 0;
+  assets::ProductBody carried_;              // what it takes, as one solid
+  double put_n_ = 0;                         // that presses where it comes to lie
+  motion::JointTrajectory down_;             // into the basket, felt; empty: there was none
   std::vector<skills::CarriedItem> inside_;  // of the basket, as let down
   std::vector<skills::CarriedItem> met_;     // there, by what is being let down
   bool anywhere_ = false;                    // wherever that comes to lie

@@ -132,6 +132,7 @@ Json move(const Json& command) {
 
 // Holds a key for some steps, as a page does.
 bool hold(const Seat& seat, const Json& command, std::uint32_t steps) {
+  if (!wait_until([&] { return !seat.page->head().is_null(); })) return false;  // its first moment
   const std::uint32_t from = seat.page->head()["step"];
   return wait_until([&] {
     seat.say(move(command));

@@ -70,13 +70,18 @@ bool is_about_the_door(const Error& error) {
 
 }  // namespace
 
-DoorStages::DoorStages(std::shared_ptr<const AisleStore> store)
+DoorStages::DoorStages(const std::shared_ptr<const AisleStore>& store)
     : store_(store), book_(store), goods_(goods_behind_doors(*store)) {}
 
-// Opened by a hand whose tool can be moved every way from each posture on its way.
 Result<DoorStages::Ready> DoorStages::ready(std::uint32_t joint) {
   const std::scoped_lock lock(mutex_);
-  if (const auto known = known_.find(joint); known != known_.end()) return known->second;
+  const auto known = known_.find(joint);
+  return known != known_.end() ? known->second
+                               : known_.emplace(joint, planned(joint)).first->second;
+}
+
+// Opened by a hand whose tool can be moved every way from each posture on its way.
+Result<DoorStages::Ready> DoorStages::planned(std::uint32_t joint) const {
   const robots::Robot& robot = store_->robot;
   MARKETGEN_TRY(skills::DoorQuestion question, store_->door_question(store_->scene, joint));
   question.least_pulled_rad = followed_rad;
@@ -91,10 +96,10 @@ Result<DoorStages::Ready> DoorStages::ready(std::uint32_t joint) {
                 skills::plan_pull_door(robot, question, Seed(0).child("pull " + question.where)));
   const skills::HandOnDoor& pull = plan.hand;
   const robots::JointGroup& arm = *robot.find_group(pull.group);
-  Ready made{pull.group,
-             skills::with_arm(arm, plan.state, before_the_bar(robot, arm, plan.state, pull.reach)),
-             floor_place_row(plan.world_from_base)};
-  return known_.emplace(joint, std::move(made)).first->second;
+  return Ready{
+      pull.group,
+      skills::with_arm(arm, plan.state, before_the_bar(robot, arm, plan.state, pull.reach)),
+      floor_place_row(plan.world_from_base)};
 }
 
 Result<std::optional<EpisodeSpec>> DoorStages::before(std::uint32_t joint,

@@ -30,7 +30,7 @@ constexpr double opened_rad = 50 * std::numbers::pi / 180;
 // Of one store that was opened for goals behind hinged doors. Any number of threads may ask.
 class DoorStages {
  public:
-  explicit DoorStages(std::shared_ptr<const AisleStore> store);
+  explicit DoorStages(const std::shared_ptr<const AisleStore>& store);
 
   // One of its doors, drawn; the robot 2 cm and 2 degrees off at most from where it is opened from.
   // Its goal is a product behind that door. Errors: episode.impossible, no door of the store is
@@ -48,7 +48,8 @@ class DoorStages {
     std::vector<double> state;  // every degree of freedom
     FloorPlaceRow stand;
   };
-  Result<Ready> ready(std::uint32_t joint);
+  Result<Ready> ready(std::uint32_t joint);  // planned once; so are errors
+  Result<Ready> planned(std::uint32_t joint) const;
   // None when the door is not opened, or no place is free before it.
   Result<std::optional<EpisodeSpec>> before(std::uint32_t joint, EpisodeSpec spec, Stream& draw);
 
@@ -56,7 +57,7 @@ class DoorStages {
   DoorBook book_;
   std::map<std::uint32_t, std::uint32_t> goods_;  // by door: a product behind it within reach
   std::mutex mutex_;
-  std::map<std::uint32_t, Ready> known_;  // by door
+  std::map<std::uint32_t, Result<Ready>> known_;  // by door
 };
 
 // The door of an episode's witness, a row of Scene::joints. Errors: those of witness_of;
