@@ -215,11 +215,11 @@ def test_doors_of_both_stores_and_both_leaves_are_drawn():
 
 
 def test_a_hand_that_is_told_to_press_on_does_not():
-    """On bar or glass, straight or aslant, with an open hand: less than a third of what stops the robot, and nothing is lost."""
+    """On bar or glass, straight or aslant, with an open hand: the world never feels what no clean episode has."""
     env = make("OpenCooler")
     for seed, along in ((0, 0.0), (3, 0.5), (4, -0.5), (6, -1.0)):
         env.reset(seed=seed)
-        hardest, touched = 0.0, False
+        hardest = 0.0
         for _ in range(40):
             *_, terminated, _, info = env.step(np.array([-1.0, along, 1.0]))
             assert not terminated and not info["robot_stopped"]

@@ -30,8 +30,8 @@ class OpenCooler(StageEnv):
     (above 0) or closes its gripper. What lies to the hinge's side is told so: doors that are hung on either side look alike. The arm
     itself keeps the tool level with the middle of the bar, and turns it by 0.69 of the leaf's turn. A hand that has both fingers on
     the door moves by 4 mm (1, 20 times a second); another the slower the nearer it is to the bar, 3 to 0.4 mm, and where it feels more
-    than 10 N it goes back only: it does not press harder than it may, whatever it is told. Base, lift and the other arm stand still.
-    It has 15 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode has.
+    than 10 N it goes back only: an open hand that is told to press on presses by less than 50 N. Base, lift and the other arm stand
+    still. It has 15 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode has.
 
     Progress: 0.25 (1 - tanh(hand to bar / 5 cm)) + 0.2 when both fingers are on the door + 0.45 (open / 50 degrees, 0 to 1); done: 1.
     """
