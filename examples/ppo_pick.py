@@ -56,7 +56,7 @@ TASKS = {
     "DriveToProduct": Task("SAC", 6_000, 1_500, SAC),
     "PickFromShelf": Task("SAC", 8_000, 2_000, SAC),
     "PlaceInBasket": Task("SAC", 6_000, 1_000, SAC),
-    "OpenCooler": Task("SAC", 8_000, 2_000, DOOR, envs=4, times=10),
+    "OpenCooler": Task("SAC", 12_000, 2_000, DOOR, envs=4, times=10),
 }
 
 

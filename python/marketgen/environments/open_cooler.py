@@ -16,7 +16,7 @@ REACH_SHARE, HELD_SHARE, OPEN_SHARE = 0.25, 0.2, 0.45
 STEP_M, STEP_RAD = 0.02, 0.1  # what 1 of the whole task's is
 PULL_M = 0.004  # in a control step, of a hand that holds the bar; at 6 mm it slips
 SLOWEST_M, FASTEST_M, NEARER, AT_BAR_M = 0.0004, 0.003, 0.12, 0.005  # of one that does not, as it nears the bar
-TOUCHED_N, STRAINED_N = 10.0, 30.0  # from which on it goes back only; one that holds the bar waits
+TOUCHED_N = 10.0  # from which on it goes back only
 LEVEL, LEVEL_STEP_M = 0.3, 0.002  # of what it is too high or low, in a control step
 AHEAD_RAD, TURNED, TURN_GAIN, TURN_RAD = math.radians(25), 0.69, 5.0, 0.02  # how the hand is turned to the leaf; in a control step
 REACH_M, TOOL_M, BEHIND_RAD, OPENING_M, FAST_RAD_S, HARD_N = 0.1, 1.0, math.radians(45), 0.0896, 1.0, 50.0  # what 1 stands for
@@ -29,9 +29,9 @@ class OpenCooler(StageEnv):
     An action moves that arm's tool as the leaf stands, 5 times a second: out of the leaf's plane and along it to the hinge, and opens
     (above 0) or closes its gripper. What lies to the hinge's side is told so: doors that are hung on either side look alike. The arm
     itself keeps the tool level with the middle of the bar, and turns it by 0.69 of the leaf's turn. A hand that has both fingers on
-    the door moves out by 4 mm (1, 20 times a second), else by 0.4 mm, and waits where it feels more than 30 N; another the slower the
-    nearer it is to the bar, 3 to 0.4 mm, and where it feels more than 10 N it goes back only: an open hand that is told to press on
-    presses by less than 50 N. Base, lift and the other arm stand still. It has 15 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode has.
+    the door moves by 4 mm (1, 20 times a second); another the slower the nearer it is to the bar, 3 to 0.4 mm, and where it feels more
+    than 10 N it goes back only: an open hand that is told to press on presses by less than 50 N. Base, lift and the other arm stand
+    still. It has 15 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode has.
 
     Progress: 0.25 (1 - tanh(hand to bar / 5 cm)) + 0.2 when both fingers are on the door + 0.45 (open / 50 degrees, 0 to 1); done: 1.
     """
@@ -79,8 +79,7 @@ class OpenCooler(StageEnv):
     def _move_m(self, numbers: np.ndarray) -> np.ndarray:
         """Of an action, in a control step: out and along."""
         if self._door["held"]:
-            pull = PULL_M if numbers[0] > 0 else SLOWEST_M
-            return (self._pressed_n() < STRAINED_N) * numbers * (pull, SLOWEST_M)
+            return PULL_M * numbers
         before_bar = -self._to_bar()[0] - AT_BAR_M
         most = float(np.clip(SLOWEST_M + NEARER * before_bar, SLOWEST_M, FASTEST_M))
         out, along = most * numbers / max(1.0, float(np.linalg.norm(numbers)))
