@@ -3,7 +3,7 @@
     pip install matplotlib
     python examples/plot_curve.py [CURVE.json ...] [PICTURE.png]
 
-A panel a curve, of which a file may have a list; bars are Wilson intervals, 95 %.
+A panel a task, of which a file may have a list, with a curve a seed; bars are Wilson intervals, 95 %.
 """
 
 import importlib.util
@@ -16,17 +16,22 @@ sources = [path for path in given if path.suffix == ".json"] or [pathlib.Path("o
 picture = next((path for path in given if path.suffix == ".png"), sources[0].with_suffix(".png"))
 
 
-def draw(axes, curve):
-    points = curve["learned"]
-    steps, shares = [p["learned_steps"] for p in points], [p["success"] for p in points]
-    axes.plot(steps, shares, "o-", label=curve["algorithm"], color="tab:blue")
-    for p in points:
-        if "within" in p:
-            axes.plot([p["learned_steps"]] * 2, p["within"], color="tab:blue", alpha=0.4)
+COLORS = ("tab:blue", "tab:orange", "tab:green", "tab:purple")  # of seeds
+
+
+def draw(axes, curves):
+    for curve, color in zip(curves, COLORS, strict=False):
+        points = curve["learned"]
+        steps, shares = [p["learned_steps"] for p in points], [p["success"] for p in points]
+        label = curve["algorithm"] if len(curves) == 1 else f"{curve['algorithm']}, seed {curve['seed']}"
+        axes.plot(steps, shares, "o-", label=label, color=color)
+        for p in points:
+            if "within" in p:
+                axes.plot([p["learned_steps"]] * 2, p["within"], color=color, alpha=0.4)
     for name, style in (("oracle", "--"), ("chance", ":")):
-        if name in curve:
-            axes.axhline(curve[name]["success"], linestyle=style, color="black", label=name)
-    title = curve["task"].removeprefix("MarketGen/")
+        if name in curves[0]:
+            axes.axhline(curves[0][name]["success"], linestyle=style, color="black", label=name)
+    title = curves[0]["task"].removeprefix("MarketGen/")
     axes.set(xlabel="steps learned", ylabel="episodes that succeed", ylim=(-0.03, 1.03), title=title)
     axes.grid(alpha=0.3)
     axes.legend(loc="best")
@@ -38,9 +43,12 @@ def draw_all(curves):
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, panels = pyplot.subplots(1, len(curves), figsize=(7 if len(curves) == 1 else 5.5 * len(curves), 4), dpi=110, squeeze=False)
-    for axes, curve in zip(panels[0], curves, strict=True):
-        draw(axes, curve)
+    tasks = {}
+    for curve in curves:
+        tasks.setdefault(curve["task"], []).append(curve)
+    figure, panels = pyplot.subplots(1, len(tasks), figsize=(7 if len(tasks) == 1 else 5.5 * len(tasks), 4), dpi=110, squeeze=False)
+    for axes, of_task in zip(panels[0], tasks.values(), strict=True):
+        draw(axes, of_task)
     figure.tight_layout()
     figure.savefig(picture)
 

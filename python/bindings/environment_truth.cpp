@@ -64,6 +64,7 @@ nb::dict door_row(const EnvironmentHandle& handle) {
   row["tool"] = std::vector<double>{seen.tool.x, seen.tool.y, seen.tool.z};
   row["to_bar"] = std::vector<double>{seen.to_bar.x, seen.to_bar.y, seen.to_bar.z};
   row["behind_rad"] = seen.behind_rad;
+  row["into_rad"] = seen.into_rad;
   row["position_rad"] = seen.position_rad;
   row["speed_rad_s"] = seen.speed_rad_s;
   row["asked_rad"] = seen.asked_rad;

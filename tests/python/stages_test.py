@@ -120,19 +120,12 @@ def placed(seen, named):
 
 
 def opened(seen, named):
-    """To the bar, first across and then ahead, closed, and along the leaf's arc: from 15 degrees, as the robot stands to the door."""
-    to = np.array([named[f"to_bar_{axis}"] for axis in "xyz"]) * 0.1 + (0.005, 0, 0)
-    share = (named["open"] + 1) / 2
-    if named["last_opening"] >= 0 and np.abs(to[:2]).max() > 0.004:
-        move = np.clip(to / 0.02, -0.8, 0.8)
-        if abs(to[1]) > 0.01 and to[0] < 0.05:
-            move[0] = min(move[0], (to[0] - 0.05) / 0.012)
-        return np.array([*np.clip(move, -1, 1), 0, 1.0])
-    if share < 0.01 and not named["held"]:
-        return np.array([0, 0, 0, 0, -1.0])
-    along = share * math.radians(50) + math.radians(15)
-    turn = named["behind"] * math.radians(45) + math.radians(25) - 0.6 * share
-    return np.array([-0.8 * math.cos(along), 0.8 * math.sin(along), 0, np.clip(5 * turn, -1, 1), -1.0])
+    """Across, then on to the bar until it is between the fingers, closed, and straight out of the leaf's plane."""
+    ahead, across = -0.1 * named["to_bar_out"], 0.1 * named["to_bar_along"]
+    if named["held"] or (abs(across) < 0.008 and ahead < -0.003):
+        return np.array([named["held"], 0, -1.0])
+    on = -ahead / 0.01 - 0.8 if abs(across) < 0.01 else (0.03 - ahead) / 0.01
+    return np.clip([on, across / 0.012, 1.0], -1, 1)
 
 
 POLICIES = {"DriveToProduct": driven, "PickFromShelf": picked, "PlaceInBasket": placed, "OpenCooler": opened}
@@ -219,6 +212,19 @@ def test_doors_of_both_stores_and_both_leaves_are_drawn():
         env.reset(seed=seed)
         doors.add((env.unwrapped.episode["store"], env.unwrapped.episode["certificate"]["witness"][0]["door"]["id"]))
     assert len(doors) == 4
+
+
+def test_a_hand_that_is_told_to_press_on_does_not():
+    """On bar or glass, straight or aslant, with an open hand: the world never feels what no clean episode has."""
+    env = make("OpenCooler")
+    for seed, along in ((0, 0.0), (3, 0.5), (4, -0.5), (6, -1.0)):
+        env.reset(seed=seed)
+        hardest = 0.0
+        for _ in range(40):
+            *_, terminated, _, info = env.step(np.array([-1.0, along, 1.0]))
+            assert not terminated and not info["robot_stopped"]
+            hardest = max(hardest, env.unwrapped.parts()["agent"]["external_force"].max())
+        assert 1 < hardest < 50
 
 
 def test_joints_keep_their_speed_whatever_is_told():

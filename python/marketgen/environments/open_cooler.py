@@ -13,29 +13,36 @@ from .stage_env import StageEnv
 
 NEAR_M = 0.05  # of the tanh by which the distance of the hand counts
 REACH_SHARE, HELD_SHARE, OPEN_SHARE = 0.25, 0.2, 0.45
-MOVE_SHARE, TURN_SHARE = 0.3, 0.2  # of the whole task's: 6 mm and 0.02 rad in a control step
-REACH_M, TOOL_M, BEHIND_RAD, OPENING_M, FAST_RAD_S = 0.1, 1.0, math.radians(45), 0.0896, 1.0  # what 1 stands for
+STEP_M, STEP_RAD = 0.02, 0.1  # what 1 of the whole task's is
+PULL_M = 0.004  # in a control step, of a hand that holds the bar; at 6 mm it slips
+SLOWEST_M, FASTEST_M, NEARER, AT_BAR_M = 0.0004, 0.003, 0.12, 0.005  # of one that does not, as it nears the bar
+TOUCHED_N = 10.0  # from which on it goes back only
+LEVEL, LEVEL_STEP_M = 0.3, 0.002  # of what it is too high or low, in a control step
+AHEAD_RAD, TURNED, TURN_GAIN, TURN_RAD = math.radians(25), 0.69, 5.0, 0.02  # how the hand is turned to the leaf; in a control step
+REACH_M, TOOL_M, BEHIND_RAD, OPENING_M, FAST_RAD_S, HARD_N = 0.1, 1.0, math.radians(45), 0.0896, 1.0, 50.0  # what 1 stands for
 
 
 class OpenCooler(StageEnv):
-    """The robot of In-Aisle Item Collection stands before a shut glass door of a cooler, an open hand 10 cm before its bar: it is to
+    """The robot of In-Aisle Item Collection stands before a shut glass door of a cooler, an open hand 6 cm before its bar: it is to
     pull the door open.
 
-    An action moves that arm's tool (x ahead, y to the hinge's side, z up: 1 = 6 mm, 20 times a second; turn as the leaf turns when it
-    opens: 1 = 0.02 rad) and opens (above 0) or closes its gripper, 10 times a second. What lies to the hinge's side is told so, too: doors
-    that are hung on the other side look alike. Base, lift and the other arm stand still. It has 10 s. Done: the door stands open by 50
-    degrees. Lost: something happened that no clean episode has.
+    An action moves that arm's tool as the leaf stands, 5 times a second: out of the leaf's plane and along it to the hinge, and opens
+    (above 0) or closes its gripper. What lies to the hinge's side is told so: doors that are hung on either side look alike. The arm
+    itself keeps the tool level with the middle of the bar, and turns it by 0.69 of the leaf's turn. A hand that has both fingers on
+    the door moves by 4 mm (1, 20 times a second); another the slower the nearer it is to the bar, 3 to 0.4 mm, and where it feels more
+    than 10 N it goes back only: an open hand that is told to press on presses by less than 50 N. Base, lift and the other arm stand
+    still. It has 15 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode has.
 
     Progress: 0.25 (1 - tanh(hand to bar / 5 cm)) + 0.2 when both fingers are on the door + 0.45 (open / 50 degrees, 0 to 1); done: 1.
     """
 
     track, stage = "aisle", "open"
     control = "pd_ee_delta_pose"
-    limit_s, hold = 10.0, 2
-    moves = ("tool_x", "tool_y", "tool_z", "tool_turn_z", "tool_opening")
+    limit_s, hold = 15.0, 4
+    moves = ("tool_out", "tool_along", "tool_opening")
     sees = (
-        "to_bar_x", "to_bar_y", "to_bar_z", "tool_x", "tool_y", "tool_z", "behind", "open", "open_speed", "opening", "held",
-        "last_x", "last_y", "last_z", "last_turn", "last_opening", "stopped",
+        "to_bar_out", "to_bar_along", "to_bar_z", "tool_x", "tool_y", "leaf", "behind", "open", "open_speed", "opening", "held",
+        "pressed", "last_out", "last_along", "last_opening", "stopped",
     )  # fmt: skip
 
     def __init__(self, *args: Any, **options: Any):
@@ -45,7 +52,7 @@ class OpenCooler(StageEnv):
 
     def _told_names(self) -> tuple[str, ...]:
         side = "left" if self._left else "right"
-        return tuple(f"{side}_{name}" for name in self.moves)
+        return tuple(f"{side}_{name}" for name in ("tool_x", "tool_y", "tool_z", "tool_turn_z", "tool_opening"))
 
     def _begin(self, text: str) -> None:
         self._left = witness_arm(json.loads(text)) == "left_arm"
@@ -54,30 +61,63 @@ class OpenCooler(StageEnv):
     def _prepare(self) -> None:
         self._door = self.environment.door()
 
+    # ---- The door's frame: out of the leaf's plane to who pulls, along it to the hinge. ----
+
+    def _axes(self) -> np.ndarray:
+        into, side = self._door["into_rad"], self._door["side"]
+        return np.array([[-math.cos(into), -math.sin(into)], [-side * math.sin(into), side * math.cos(into)]])
+
+    def _to_bar(self) -> np.ndarray:
+        return self._axes() @ self._door["to_bar"][:2]
+
+    def _share(self) -> float:
+        return float(np.clip(self._door["position_rad"] / self._door["asked_rad"], 0, 1))
+
+    def _pressed_n(self) -> float:
+        return float(self.parts()["agent"]["external_force"][0 if self._left else -1])
+
+    def _move_m(self, numbers: np.ndarray) -> np.ndarray:
+        """Of an action, in a control step: out and along."""
+        if self._door["held"]:
+            return PULL_M * numbers
+        before_bar = -self._to_bar()[0] - AT_BAR_M
+        most = float(np.clip(SLOWEST_M + NEARER * before_bar, SLOWEST_M, FASTEST_M))
+        out, along = most * numbers / max(1.0, float(np.linalg.norm(numbers)))
+        return np.array([max(out, 0), 0]) if self._pressed_n() > TOUCHED_N else np.array([out, along])
+
     def _told(self, numbers: np.ndarray) -> np.ndarray:
-        side = self._door["side"]
-        x, y, z, turn = numbers[:4] * (MOVE_SHARE, side * MOVE_SHARE, MOVE_SHARE, -side * TURN_SHARE)
-        return np.array([x, y, z, turn, 1 if numbers[4] > 0 else -1])
+        door = self._door
+        x, y = self._move_m(numbers[:2]) @ self._axes() / STEP_M
+        level = np.clip(LEVEL * door["to_bar"][2], -LEVEL_STEP_M, LEVEL_STEP_M) / STEP_M
+        behind = door["behind_rad"] + AHEAD_RAD - TURNED * door["asked_rad"] * self._share()
+        turn = TURN_RAD * float(np.clip(TURN_GAIN * behind, -1, 1)) / STEP_RAD
+        return np.array([x, y, level, -door["side"] * turn, 1 if numbers[2] > 0 else -1])
 
     def _act(self, numbers: np.ndarray) -> bool:
-        ended = super()._act(numbers)
-        self._door = self.environment.door()
-        return ended
+        self._last = numbers
+        for _ in range(self.hold):  # what the arm sees to itself goes by how the door stands now
+            full = self._still()
+            full[self._places] = self._told(numbers)
+            _, terminated, truncated = self._advance(full)
+            self._door = self.environment.door()
+            if terminated or truncated:
+                return True
+        return False
 
     def _numbers(self) -> list[float]:
-        door, mirror = self._door, np.array([1, self._door["side"], 1])
+        door, side = self._door, self._door["side"]
         opening = self.parts()["agent"]["qpos"][-2 if self._left else -1]
         return [
-            *mirror * door["to_bar"] / REACH_M, *mirror * door["tool"] / TOOL_M, door["behind_rad"] / BEHIND_RAD,
-            2 * door["position_rad"] / door["asked_rad"] - 1, door["speed_rad_s"] / FAST_RAD_S, 2 * opening / OPENING_M - 1,
-            float(door["held"]), *self._last, float(self.environment.robot_stopped()),
+            *self._to_bar() / REACH_M, door["to_bar"][2] / REACH_M, door["tool"][0] / TOOL_M, side * door["tool"][1] / TOOL_M,
+            side * door["into_rad"], door["behind_rad"] / BEHIND_RAD, 2 * door["position_rad"] / door["asked_rad"] - 1,
+            door["speed_rad_s"] / FAST_RAD_S, 2 * opening / OPENING_M - 1, float(door["held"]), self._pressed_n() / HARD_N,
+            *self._last, float(self.environment.robot_stopped()),
         ]  # fmt: skip
 
     def _progress(self) -> float:
         door = self._door
         reached = REACH_SHARE * (1 - math.tanh(float(np.linalg.norm(door["to_bar"])) / NEAR_M))
-        opened = OPEN_SHARE * float(np.clip(door["position_rad"] / door["asked_rad"], 0, 1))
-        return reached + HELD_SHARE * door["held"] + opened
+        return reached + HELD_SHARE * door["held"] + OPEN_SHARE * self._share()
 
     def _done(self) -> bool:
         return self._door["clean"] and self._door["position_rad"] >= self._door["asked_rad"]

@@ -12,7 +12,7 @@ namespace marketgen::episodes {
 namespace {
 
 constexpr double shortest_way_m = 1, longest_way_m = 4;  // of Stage::drive
-constexpr double off_m = 0.02, off_deg = 2;              // of a_little_off, along each axis
+constexpr FloorPlaceRow off_at_pick{0.02, 0.02, 2};      // of Stage::pick, along each axis
 constexpr int max_stage_starts = 2000;                   // places drawn
 constexpr int max_plans = 3;                             // each from other random postures
 
@@ -49,11 +49,12 @@ std::optional<FloorPlaceRow> anywhere_near(const AisleStore& store,
 
 std::optional<FloorPlaceRow> a_little_off(const AisleStore& store,
                                           const FloorPlaceRow& stand,
-                                          Stream& draw) {
+                                          Stream& draw,
+                                          const FloorPlaceRow& most) {
+  const auto off = [&](double at_most) { return draw.uniform(-at_most, at_most); };
   for (int i = 0; i < max_stage_starts; ++i) {
-    const FloorPlaceRow place{stand.x_m + draw.uniform(-off_m, off_m),
-                              stand.y_m + draw.uniform(-off_m, off_m),
-                              stand.heading_deg + draw.uniform(-off_deg, off_deg)};
+    const double x = stand.x_m + off(most.x_m), y = stand.y_m + off(most.y_m);
+    const FloorPlaceRow place{x, y, stand.heading_deg + off(most.heading_deg)};
     if (store.ways.space().free(axle_mm(store, place))) return place;
   }
   return std::nullopt;
@@ -78,8 +79,8 @@ Result<EpisodeSpec> aisle_stage(const AisleStore& store,
   const int last = static_cast<int>(whole.certificate.witness.size()) - 1;
   EpisodeSpec spec = of_one_goal(whole, static_cast<std::size_t>(draw.integer(0, last)));
   const FloorPlaceRow stand = spec.certificate.witness.front().base;
-  const auto start =
-      stage == Stage::drive ? anywhere_near(store, stand, draw) : a_little_off(store, stand, draw);
+  const auto start = stage == Stage::drive ? anywhere_near(store, stand, draw)
+                                           : a_little_off(store, stand, draw, off_at_pick);
   if (!start)
     return Error{"episode.impossible", whole.id, "nothing is free where the robot could begin"};
   spec.start = {start->x_m, start->y_m, std::remainder(start->heading_deg, 360)};

@@ -20,11 +20,12 @@ Result<EpisodeSpec> aisle_stage(const AisleStore& store,
                                 Stage stage,
                                 Seed seed);
 
-// A place 2 cm and 2 degrees off `stand` at most, where the robot as it drives stands free; none
-// when there is none.
+// A place off `stand` by no more than `most` along each axis, where the robot as it drives stands
+// free; none when there is none.
 std::optional<FloorPlaceRow> a_little_off(const AisleStore& store,
                                           const FloorPlaceRow& stand,
-                                          Stream& draw);
+                                          Stream& draw,
+                                          const FloorPlaceRow& most);
 
 // The first pick of its witness. Error episode.impossible: there is none.
 Result<WitnessPick> witness_of(const EpisodeSpec& spec);

@@ -17,7 +17,8 @@
 namespace marketgen::episodes {
 namespace {
 
-constexpr double before_bar_m = 0.10;
+constexpr double before_bar_m = 0.06;
+constexpr FloorPlaceRow most_off{0.01, 0.01, 1};  // from where the door is pulled from
 // The arm follows so far when the robot stands as it was planned: some is lost where it stands a
 // little off, and by a policy that turns the hand otherwise.
 constexpr double followed_rad = 62 * std::numbers::pi / 180;
@@ -111,7 +112,7 @@ Result<std::optional<EpisodeSpec>> DoorStages::before(std::uint32_t joint,
   const auto begins = ready(joint);
   if (!begins.ok() && !is_about_the_door(begins.error())) return begins.error();
   if (!begins.ok()) return std::optional<EpisodeSpec>{};
-  const auto start = a_little_off(*store_, begins->stand, draw);
+  const auto start = a_little_off(*store_, begins->stand, draw, most_off);
   if (!start) return std::optional<EpisodeSpec>{};
   const catalog::Product& product = store_->scene.catalog[store_->scene.products[row].sku];
   WitnessPick pick;
@@ -195,6 +196,8 @@ Result<DoorSeen> door_seen(const AisleWorld& world) {
   seen.behind_rad =
       door.turn() * std::remainder(std::atan2(into.y, into.x) - std::atan2(points.y, points.x),
                                    2 * std::numbers::pi);
+  const Vec3 push = rotate(base_from_world.rotation, into);
+  seen.into_rad = std::atan2(push.y, push.x);
   seen.held = world.watch().is_joint_held(world.world(), joint);
   SideEffects effects = world.side_effects();
   effects.doors_open.reset();

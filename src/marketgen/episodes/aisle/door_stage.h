@@ -32,12 +32,12 @@ class DoorStages {
  public:
   explicit DoorStages(const std::shared_ptr<const AisleStore>& store);
 
-  // One of its doors, drawn; the robot 2 cm and 2 degrees off at most from where it is opened from.
+  // One of its doors, drawn; the robot 1 cm and 1 degree off at most from where it is opened from.
   // Its goal is a product behind that door. Errors: episode.impossible, no door of the store is
   // opened, or no place is free; those of DoorBook::before.
   Result<EpisodeSpec> draw(const EpisodeOrigin& origin, Seed seed);
 
-  // Every degree of freedom, the open hand on its way to the bar, 10 cm before it or less where the
+  // Every degree of freedom, the open hand on its way to the bar, 6 cm before it or less where the
   // arm has no room for that. Errors: those of witness_of and plan_pull_door; episode.impossible,
   // its witness opens no door of this store.
   Result<std::vector<double>> hand_before_bar(const EpisodeSpec& spec);
@@ -72,6 +72,7 @@ struct DoorSeen {
   Vec3 tool;              // the hand's tip
   Vec3 to_bar;            // from there to the middle of the bar
   double behind_rad = 0;  // by how much the hand is turned less than the leaf, about the hinge
+  double into_rad = 0;    // where a straight push on the leaf points, from x to the left
   double position_rad = 0, speed_rad_s = 0;
   double asked_rad = 0;  // opened_rad
   bool held = false;     // both fingers of a hand are on it
