@@ -72,6 +72,17 @@ def test_a_copy_goes_on_alike(name):
 
 
 @pytest.mark.parametrize("name", STAGES)
+def test_what_is_no_number_is_refused_wherever_it_stands(name):
+    env = make(name)
+    for place in range(env.action_space.shape[0]):
+        env.reset(seed=3)
+        action = np.zeros(env.action_space.shape, np.float32)
+        action[place] = np.nan
+        with pytest.raises(marketgen.Error):
+            env.step(action)
+
+
+@pytest.mark.parametrize("name", STAGES)
 def test_nothing_done_is_cut_off_without_success(name):
     env = make(name)
     env.reset(seed=1)

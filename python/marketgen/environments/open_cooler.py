@@ -91,7 +91,8 @@ class OpenCooler(StageEnv):
         level = np.clip(LEVEL * door["to_bar"][2], -LEVEL_STEP_M, LEVEL_STEP_M) / STEP_M
         behind = door["behind_rad"] + AHEAD_RAD - TURNED * door["asked_rad"] * self._share()
         turn = TURN_RAD * float(np.clip(TURN_GAIN * behind, -1, 1)) / STEP_RAD
-        return np.array([x, y, level, -door["side"] * turn, 1 if numbers[2] > 0 else -1])
+        opening = numbers[2] if math.isnan(numbers[2]) else 1 if numbers[2] > 0 else -1  # what is no number is refused
+        return np.array([x, y, level, -door["side"] * turn, opening])
 
     def _act(self, numbers: np.ndarray) -> bool:
         self._last = numbers
