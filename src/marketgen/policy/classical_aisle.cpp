@@ -376,9 +376,9 @@ class ClassicalAisle : public agent::Policy {
       find.place = again;
       return take(find, goal);
     }
+    log_look(sight_, {}, goals_, log_);
     refused(goal, "NotFound");
     finds_.refuse(find_);
-    find_all();
     step_ = AisleStep::choose;
     return {};
   }
