@@ -289,7 +289,7 @@ Result<void> AisleBody::let_down(const skills::DropQuestion& question) {
 skills::TurnedBox AisleBody::box_where_it_is() const {
   const robots::Robot& robot = *setup_.robot;
   const int frame = robot.tools[static_cast<std::size_t>(pick_.tool)].frame;
-  const Pose tip = down_.joints() > 0 ? robots::frame_pose(robot, state(), frame) : let_go_;
+  const Pose tip = is_felt() ? robots::frame_pose(robot, state(), frame) : let_go_;
   return skills::turned_box(carried_, tip * inverse(pick_.grasp.product_from_tool));
 }
 
@@ -297,20 +297,20 @@ Result<bool> AisleBody::lowered() {
   const skills::TurnedBox box = box_where_it_is();
   const double floor_m = setup_.basket.base_from_floor.position.z;
   const double over_m = box.middle.z - box.half.z - floor_m;
-  if (down_.joints() > 0 && over_m > max_let_go_m && !anywhere_ && met_.size() < max_met) {
+  if (is_felt() && over_m > max_let_go_m && !anywhere_ && met_.size() < max_met) {
     met_.push_back(skills::carried_box({{box.middle.x, box.middle.y, floor_m + over_m / 2},
                                         {box.half.x, box.half.y, over_m / 2}}));
     MARKETGEN_TRY(motion::JointTrajectory up, way_up());
     executor_.take_up(std::move(up));
     return false;
   }
-  if (down_.joints() > 0) executor_.let_go(letting_go());
+  if (is_felt()) executor_.let_go(letting_go());
   inside_.push_back(skills::carried_box(box));
   return true;
 }
 
 Result<void> AisleBody::leave_basket(const std::vector<Vec3f>& points) {
-  if (down_.joints() == 0) return {};
+  if (!is_felt()) return {};
   auto plan =
       skills::plan_basket_exit(*setup_.robot, setup_.basket, stow_question(points), next_seed());
   if (!plan.ok()) return go_home_from_above(points);
@@ -319,7 +319,7 @@ Result<void> AisleBody::leave_basket(const std::vector<Vec3f>& points) {
 }
 
 Result<void> AisleBody::rise(const std::vector<Vec3f>& points) {
-  if (down_.joints() == 0) return {};
+  if (!is_felt()) return {};
   const skills::TurnedBox box = box_where_it_is();
   const double up_m = setup_.basket.base_from_floor.position.z + setup_.basket.size.z + over_rim_m -
                       (box.middle.z - box.half.z);

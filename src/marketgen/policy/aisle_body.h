@@ -74,6 +74,7 @@ class AisleBody {
   skills::StowQuestion stow_question(const std::vector<Vec3f>& points) const;
   Result<void> let_down(const skills::DropQuestion& question);
   agent::ToolCommand letting_go() const;
+  bool is_felt() const { return down_.joints() > 0; }  // the way down
   skills::TurnedBox box_where_it_is() const;
   Result<motion::JointTrajectory> way_up() const;
   Result<void> go_home_from_above(const std::vector<Vec3f>& points);

@@ -371,12 +371,11 @@ class ClassicalAisle : public agent::Policy {
                     moved.position.y,
                     yaw_of(moved.rotation) * 180 / std::numbers::pi));
     const bool is_there = again.score >= min_again * find.place.score;
+    log_look(sight_, is_there ? std::vector{again} : std::vector<ShelfFind>{}, goals_, log_);
     if (is_there) {
-      log_look(sight_, {again}, goals_, log_);
       find.place = again;
       return take(find, goal);
     }
-    log_look(sight_, {}, goals_, log_);
     refused(goal, "NotFound");
     finds_.refuse(find_);
     step_ = AisleStep::choose;

@@ -45,6 +45,14 @@ motion::ArmPlanOptions carrying(double acceleration) {
   return options;
 }
 
+// At so much of the speed.
+Result<std::vector<motion::MotionLimits>> slowed(const motion::ArmModel& model,
+                                                 motion::ArmPlanOptions options,
+                                                 double speed_share) {
+  options.speed *= speed_share;
+  return motion::motion_limits(model, options);
+}
+
 // The store, the basket and what lies in it.
 Result<motion::CollisionWorld> around_robot(const CarriedBasket& basket,
                                             const StowQuestion& question,
@@ -57,6 +65,58 @@ Result<motion::CollisionWorld> around_robot(const CarriedBasket& basket,
     all.boxes.push_back(box);
   return motion::CollisionWorld::make(all);
 }
+
+// An arm by its basket, with the walls of that and what is minded inside.
+struct ArmInBasket {
+  motion::ArmModel model;
+  motion::CollisionWorld world;
+  std::optional<motion::ArmChecker> checker;
+  motion::Configuration start;
+  Pose arm_from_tip, arm_from_base;
+
+  ArmInBasket() = default;
+  ArmInBasket(const ArmInBasket&) = delete;  // its checker refers to it
+  ArmInBasket& operator=(const ArmInBasket&) = delete;
+
+  Result<void> look(const robots::Robot& robot,
+                    const CarriedBasket& basket,
+                    const StowQuestion& question,
+                    const std::vector<CarriedItem>& inside) {
+    MARKETGEN_TRY(model, motion::make_arm_model(robot, question.group));
+    MARKETGEN_TRY(world, around_robot(basket, question, inside));
+    MARKETGEN_TRY(checker,
+                  motion::ArmChecker::make(
+                      model, question.state, question.world_from_base, world, {line_margin_m, {}}));
+    start = robots::values_of(model.group, question.state);
+    arm_from_base = inverse(
+        robots::link_poses(robot, question.state)[static_cast<std::size_t>(model.group.base)]);
+    arm_from_tip = arm_from_base * robots::frame_pose(robot, question.state, model.group.tip);
+    return {};
+  }
+  Result<motion::JointPath> up(double up_m) const {
+    Pose end = arm_from_tip;
+    end.position += rotate(arm_from_base.rotation, {0, 0, up_m});
+    return motion::tool_line(*checker, start, end);
+  }
+  Result<motion::JointPath> back() const {
+    Pose end = arm_from_tip;
+    end.position += rotate(end.rotation, {0, 0, -let_go_back_m});
+    return motion::tool_line(*checker, start, end);
+  }
+  Result<motion::JointTrajectory> stow(const motion::Configuration& from,
+                                       const StowQuestion& question,
+                                       Seed seed) const {
+    MARKETGEN_TRY(
+        motion::ArmPlan plan,
+        motion::plan_arm(*checker, from, {question.stow}, seed, carrying(carrying_acceleration)));
+    return std::move(plan.trajectory);
+  }
+  Result<motion::JointTrajectory> slowly(const motion::JointPath& line) const {
+    MARKETGEN_TRY(const auto limits,
+                  slowed(model, carrying(carrying_acceleration), line_speed_share));
+    return motion::timed_curve(line, limits);
+  }
+};
 
 struct Drop {
   Pose base_from_tip;
@@ -157,8 +217,6 @@ class DropPlanner {
     const Pose& at = question_.world_from_base;
     MARKETGEN_TRY(way_, motion::ArmChecker::make(model_, state, at, world_, {way_margin_m, held}));
     MARKETGEN_TRY(line_, motion::ArmChecker::make(model_, state, at, world_, {line_margin_m, {}}));
-    MARKETGEN_TRY(empty_, around_robot(basket_, question_, {}));
-    MARKETGEN_TRY(bare_, motion::ArmChecker::make(model_, state, at, empty_, {line_margin_m, {}}));
     return {};
   }
 
@@ -211,9 +269,7 @@ class DropPlanner {
   // With the way out, if the arm gets home by it.
   Result<DropPlan> by_way(const motion::JointPath& way, const Descent& descent, Seed seed) const {
     MARKETGEN_TRY(const auto quick, motion::motion_limits(model_, options_));
-    motion::ArmPlanOptions gentle = options_;
-    gentle.speed *= line_speed_share;
-    MARKETGEN_TRY(const auto slow, motion::motion_limits(model_, gentle));
+    MARKETGEN_TRY(const auto slow, slowed(model_, options_, line_speed_share));
     DropPlan plan;
     plan.base_from_tip = descent.drop.base_from_tip;
     MARKETGEN_TRY(plan.way, motion::timed_path(way, quick));
@@ -227,8 +283,10 @@ class DropPlanner {
     return plan;
   }
 
-  // Down as far as the basket goes.
+  // Down as far as the basket goes, whatever is taken to lie there.
   Result<FeltDrop> felt(const motion::JointPath& way, const Descent& descent, Seed) const {
+    ArmInBasket arm;
+    MARKETGEN_CHECK(arm.look(robot_, basket_, question_, {}));
     motion::JointPath down = descent.line;
     FeltDrop plan;
     plan.base_from_tip = descent.drop.base_from_tip;
@@ -236,16 +294,14 @@ class DropPlanner {
     for (const double share : felt_shares) {
       Pose end = descent.drop.base_from_tip;
       end.position.z -= std::max(0.0, rest) * share;
-      const auto on = motion::tool_line(*bare_, down.back(), inverse(base_from_arm_) * end);
+      const auto on = motion::tool_line(*arm.checker, down.back(), inverse(base_from_arm_) * end);
       if (!on.ok()) continue;
       down.insert(down.end(), on->begin() + 1, on->end());
       plan.base_from_tip = end;
       break;
     }
-    motion::ArmPlanOptions slow = options_;
-    slow.speed *= felt_speed_share;
     MARKETGEN_TRY(const auto quick, motion::motion_limits(model_, options_));
-    MARKETGEN_TRY(const auto gentle, motion::motion_limits(model_, slow));
+    MARKETGEN_TRY(const auto gentle, slowed(model_, options_, felt_speed_share));
     MARKETGEN_TRY(plan.way, motion::timed_path(way, quick));
     MARKETGEN_TRY(plan.down, motion::timed_curve(down, gentle));
     return plan;
@@ -270,55 +326,10 @@ class DropPlanner {
   const DropQuestion& question_;
   motion::ArmPlanOptions options_;
   motion::ArmModel model_;
-  motion::CollisionWorld world_, empty_;          // empty: nothing lies in the basket
+  motion::CollisionWorld world_;
   std::optional<motion::ArmChecker> way_, line_;  // with what is held, and without it
-  std::optional<motion::ArmChecker> bare_;        // as line_, in an empty basket
   motion::Configuration start_;
   Pose base_from_arm_;
-};
-
-// An arm in its basket, of which only the walls are minded.
-struct ArmInBasket {
-  motion::ArmModel model;
-  motion::CollisionWorld walls;
-  std::optional<motion::ArmChecker> checker;
-  motion::Configuration start;
-  Pose arm_from_tip, arm_from_base;
-
-  ArmInBasket() = default;
-  ArmInBasket(const ArmInBasket&) = delete;  // its checker refers to it
-  ArmInBasket& operator=(const ArmInBasket&) = delete;
-
-  Result<void> look(const robots::Robot& robot,
-                    const CarriedBasket& basket,
-                    const StowQuestion& question) {
-    MARKETGEN_TRY(model, motion::make_arm_model(robot, question.group));
-    MARKETGEN_TRY(walls, around_robot(basket, question, {}));
-    MARKETGEN_TRY(checker,
-                  motion::ArmChecker::make(
-                      model, question.state, question.world_from_base, walls, {line_margin_m, {}}));
-    start = robots::values_of(model.group, question.state);
-    arm_from_base = inverse(
-        robots::link_poses(robot, question.state)[static_cast<std::size_t>(model.group.base)]);
-    arm_from_tip = arm_from_base * robots::frame_pose(robot, question.state, model.group.tip);
-    return {};
-  }
-  Result<motion::JointPath> up(double up_m) const {
-    Pose end = arm_from_tip;
-    end.position += rotate(arm_from_base.rotation, {0, 0, up_m});
-    return motion::tool_line(*checker, start, end);
-  }
-  Result<motion::JointPath> back() const {
-    Pose end = arm_from_tip;
-    end.position += rotate(end.rotation, {0, 0, -let_go_back_m});
-    return motion::tool_line(*checker, start, end);
-  }
-  Result<motion::JointTrajectory> slowly(const motion::JointPath& line) const {
-    motion::ArmPlanOptions slow = carrying(carrying_acceleration);
-    slow.speed *= line_speed_share;
-    MARKETGEN_TRY(const auto limits, motion::motion_limits(model, slow));
-    return motion::timed_curve(line, limits);
-  }
 };
 
 template <class Plan>
@@ -371,17 +382,13 @@ Result<BasketExit> plan_basket_exit(const robots::Robot& robot,
                                     const StowQuestion& question,
                                     Seed seed) {
   ArmInBasket arm;
-  MARKETGEN_CHECK(arm.look(robot, basket, question));
+  MARKETGEN_CHECK(arm.look(robot, basket, question, {}));
   auto line = arm.back();
   if (!line.ok()) line = arm.up(basket.size.z);
   if (!line.ok()) return line.error();
   BasketExit exit;
   MARKETGEN_TRY(exit.retreat, arm.slowly(*line));
-  MARKETGEN_TRY(
-      motion::ArmPlan home,
-      motion::plan_arm(
-          *arm.checker, line->back(), {question.stow}, seed, carrying(carrying_acceleration)));
-  exit.home = std::move(home.trajectory);
+  MARKETGEN_TRY(exit.home, arm.stow(line->back(), question, seed));
   return exit;
 }
 
@@ -390,7 +397,7 @@ Result<motion::JointTrajectory> plan_rise(const robots::Robot& robot,
                                           const StowQuestion& question,
                                           double up_m) {
   ArmInBasket arm;
-  MARKETGEN_CHECK(arm.look(robot, basket, question));
+  MARKETGEN_CHECK(arm.look(robot, basket, question, {}));
   MARKETGEN_TRY(const motion::JointPath line, arm.up(up_m));
   return arm.slowly(line);
 }
@@ -399,17 +406,9 @@ Result<motion::JointTrajectory> plan_stow(const robots::Robot& robot,
                                           const CarriedBasket& basket,
                                           const StowQuestion& question,
                                           Seed seed) {
-  MARKETGEN_TRY(const motion::ArmModel model, motion::make_arm_model(robot, question.group));
-  MARKETGEN_TRY(const motion::CollisionWorld world,
-                around_robot(basket, question, question.inside));
-  MARKETGEN_TRY(const motion::ArmChecker checker,
-                motion::ArmChecker::make(
-                    model, question.state, question.world_from_base, world, {line_margin_m, {}}));
-  const motion::Configuration start = robots::values_of(model.group, question.state);
-  MARKETGEN_TRY(
-      motion::ArmPlan plan,
-      motion::plan_arm(checker, start, {question.stow}, seed, carrying(carrying_acceleration)));
-  return std::move(plan.trajectory);
+  ArmInBasket arm;
+  MARKETGEN_CHECK(arm.look(robot, basket, question, question.inside));
+  return arm.stow(arm.start, question, seed);
 }
 
 }  // namespace marketgen::skills

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "assets/people/person_frame.h"
+
 namespace marketgen::assets {
 namespace {
 
@@ -13,10 +15,9 @@ constexpr double flat_from = -0.40, heel_off = 0.10;  // steps from the footprin
 constexpr double strike_rad = 0.30, toe_off_rad = 0.75;
 constexpr double usual_step_m = 0.65;  // at which angles are these
 constexpr double lift_m = 0.035;
-constexpr double walking_width = 0.040, standing_width = 0.062;  // half, shares of stature
-constexpr double walking_yaw = 0.07, standing_yaw = 0.14;
-constexpr double swing_rad = 0.36;  // of the arms
-constexpr double arm_lead = 0.69;   // of two steps: the left foot is farthest ahead
+constexpr double walking_width = 0.040, walking_yaw = 0.07;  // as standing_width, standing_yaw
+constexpr double swing_rad = 0.36;                           // of the arms
+constexpr double arm_lead = 0.69;  // of two steps: the left foot is farthest ahead
 constexpr double lean_rad = 0.035;
 
 double smooth(double x) {

@@ -150,8 +150,8 @@ PersonPose standing_pose(const PersonLook& look) {
   PersonPose pose;
   for (std::size_t i = 0; i < 2; ++i) {
     const double side = static_cast<double>(side_of(i));
-    pose.feet[i].ball = {foot.ankle_behind_ball_m, side * 0.062 * look.stature_m, 0};
-    pose.feet[i].yaw_rad = side * 0.14;
+    pose.feet[i].ball = {foot.ankle_behind_ball_m, side * standing_width * look.stature_m, 0};
+    pose.feet[i].yaw_rad = side * standing_yaw;
   }
   return pose;
 }

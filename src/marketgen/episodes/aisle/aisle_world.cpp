@@ -384,7 +384,6 @@ SideEffects AisleWorld::side_effects() const {
   SideEffects effects = watch_.effects();
   effects.strayed = strayed();
   effects.protective_stops = controller_.stops();
-  if (spec_.doors) effects.doors_open = doors_open();
   return effects;
 }
 
@@ -423,6 +422,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   result.store = spec_.store;
   result.scene_hash = spec_.scene_hash;
   result.side_effects = side_effects();
+  if (spec_.doors) result.side_effects.doors_open = doors_open();
   add_outcome(outcome, result);
   result.steps = steps_;
   result.simulated_s = time_s();

@@ -72,7 +72,7 @@ class AisleWorld : public TrackWorld {
   double path_m() const { return path_m_; }
   // What lies outside the basket, farther from where it stood than a clean episode moves it.
   int strayed() const;
-  // The ledger so far.
+  // The ledger so far, but for doors_open(), which takes a look at every door.
   SideEffects side_effects() const;
   // Hinged doors that stand open by more than max_shut_rad.
   int doors_open() const;

@@ -199,9 +199,7 @@ Result<DoorSeen> door_seen(const AisleWorld& world) {
   const Vec3 push = rotate(base_from_world.rotation, into);
   seen.into_rad = std::atan2(push.y, push.x);
   seen.held = world.watch().is_joint_held(world.world(), joint);
-  SideEffects effects = world.side_effects();
-  effects.doors_open.reset();
-  seen.clean = is_clean(effects);
+  seen.clean = is_clean(world.side_effects());
   return seen;
 }
 
