@@ -400,6 +400,17 @@ def test_the_command_records_numbers_alone_and_checks_them(short_file, tmp_path)
     assert done.returncode == 2 and "error[store.exists]" in done.stderr
 
 
+def test_randomized_worlds_are_others_and_come_again(short_file, tmp_path):
+    """Domain randomisation: the same file and seed, other masses, friction and places in each episode, and again the same ones."""
+    folder, plain = tmp_path / "randomized", tmp_path / "plain"
+    marketgen.record(short_file, folder, "random", realism="randomized", cameras=())
+    marketgen.record(short_file, plain, "random", cameras=())
+    assert json.loads((folder / "meta/marketgen.json").read_text())["realism"] == "randomized"
+    ends = [{row["episode_id"]: row["state_hash"] for row in Reader(root).episodes} for root in (folder, plain)]
+    assert ends[0].keys() == ends[1].keys() and all(ends[0][name] != ends[1][name] for name in ends[0])
+    assert marketgen.replay_check(folder, short_file) == sum(row["length"] for row in Reader(folder).episodes)
+
+
 @pytest.mark.parametrize(
     ("argument", "value"),
     [

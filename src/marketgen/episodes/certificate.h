@@ -11,7 +11,7 @@
 #include "base/fields.h"
 #include "base/result.h"
 #include "episodes/failure_code.h"
-#include "episodes/perturbation.h"
+#include "episodes/perturbation_sizes.h"
 #include "episodes/side_effects.h"
 
 namespace marketgen::episodes {

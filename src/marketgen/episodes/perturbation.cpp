@@ -35,4 +35,9 @@ std::vector<double> Perturbation::mass_factors(
   return factors;
 }
 
+std::optional<Perturbation> perturbation_of(const PerturbationSizes& sizes, Seed seed) {
+  const bool any = sizes.place_m > 0 || sizes.turn_deg > 0 || sizes.friction > 0 || sizes.mass > 0;
+  return any ? std::optional<Perturbation>(std::in_place, sizes, seed) : std::nullopt;
+}
+
 }  // namespace marketgen::episodes

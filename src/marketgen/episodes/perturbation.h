@@ -4,28 +4,17 @@
 //
 // SI units. Immutable; any number of threads may ask.
 #pragma once
+#include <optional>
 #include <string_view>
 #include <vector>
 
-#include "base/fields.h"
 #include "base/seed.h"
 #include "catalog/product.h"
 #include "catalog/rows.h"
+#include "episodes/perturbation_sizes.h"
 #include "geometry/pose.h"
 
 namespace marketgen::episodes {
-
-// Each is drawn evenly from minus as much to plus as much.
-struct PerturbationSizes {
-  double place_m = 0.005, turn_deg = 1;
-  double friction = 0.2, mass = 0.1;
-  static constexpr auto fields = field_list(
-      field("place_m", &PerturbationSizes::place_m, "to each side, of things", range(0, 0.1)),
-      field("turn_deg", &PerturbationSizes::turn_deg, "about their upright", range(0, 45)),
-      field(
-          "friction", &PerturbationSizes::friction, "share, of pairs of materials", range(0, 0.9)),
-      field("mass", &PerturbationSizes::mass, "share, of products", range(0, 0.9)));
-};
 
 // What is drawn for a thing depends on the seed and on its own name only.
 class Perturbation {
@@ -46,5 +35,8 @@ class Perturbation {
   PerturbationSizes sizes_;
   Seed seed_;
 };
+
+// Nothing when all sizes are 0.
+std::optional<Perturbation> perturbation_of(const PerturbationSizes& sizes, Seed seed);
 
 }  // namespace marketgen::episodes

@@ -2,8 +2,9 @@
 // that is not quite as its row says. An episode is the same task at any realism; whoever runs it
 // chooses one, and results say which.
 //
-// Three are rows, data/benchmark/realism/NAME.json: `ideal` (nothing), `standard` (a robot that was
-// calibrated and maintained) and `hard` (one that was not). All that is drawn comes from named
+// Four are rows, data/benchmark/realism/NAME.json: `ideal` (nothing), `standard` (a robot that was
+// calibrated and maintained), `hard` (one that was not) and `randomized` (for learning: the goods
+// themselves are other in each episode, too). All that is drawn comes from named
 // streams of the episode's seed and the number of the control step, so the same actions give the
 // same bytes by any door, on any number of threads. What is drawn once an episode: the lamps'
 // light, each camera's error of calibration, how late commands, pictures and readings are, the
@@ -18,6 +19,7 @@
 #include "base/fields.h"
 #include "base/result.h"
 #include "base/seed.h"
+#include "episodes/perturbation_sizes.h"
 
 namespace marketgen::episodes {
 
@@ -246,6 +248,7 @@ struct Realism {
   LocalisationDials localisation;
   MapDials map;
   BasketDials basket;
+  PerturbationSizes goods{.place_m = 0, .turn_deg = 0, .friction = 0, .mass = 0};
 
   static constexpr auto fields = field_list(
       field("schema", &Realism::schema, "schema tag", constant("market-realism/1")),
@@ -262,7 +265,11 @@ struct Realism {
       field("latency", &Realism::latency, "how late commands, pictures and readings are"),
       field("localisation", &Realism::localisation, "where a robot that drives believes it is"),
       field("map", &Realism::map, "where fixtures are on the map"),
-      field("basket", &Realism::basket, "where the basket at a counter stands"));
+      field("basket", &Realism::basket, "where the basket at a counter stands"),
+      field("goods",
+            &Realism::goods,
+            "where goods lie or stand, how they rub and what they weigh, once an episode; none of "
+            "it is told"));
 };
 
 inline constexpr std::string_view own_realism = "own-";
@@ -277,6 +284,11 @@ Result<Realism> load_realism(const std::filesystem::path& data, const std::strin
 // Of all that is drawn for an episode of that seed.
 inline Seed realism_seed(std::uint64_t episode_seed) {
   return Seed(episode_seed).child("realism");
+}
+
+// Of what is drawn for its goods.
+inline Seed goods_seed(std::uint64_t episode_seed) {
+  return realism_seed(episode_seed).child("goods");
 }
 
 }  // namespace marketgen::episodes

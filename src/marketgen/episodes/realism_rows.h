@@ -5,6 +5,7 @@
 
 namespace marketgen::episodes {
 
-inline constexpr std::array<std::string_view, 3> realism_rows{"ideal", "standard", "hard"};
+inline constexpr std::array<std::string_view, 4> realism_rows{
+    "ideal", "standard", "hard", "randomized"};
 
 }  // namespace marketgen::episodes

@@ -5,13 +5,16 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <set>
+#include <string>
 
 #include "episodes/aisle/perturbed_aisle.h"
-#include "support/can_aisle.h"
-#include "support/drawn_checkout.h"
+#include "io/file.h"
+#include "support/realistic_worlds.h"
 
 namespace marketgen {
 namespace {
@@ -193,6 +196,54 @@ TEST(PerturbedAisle, RepeatsBitForBitAndInItsTwin) {
   ASSERT_TRUE(again.reset(spec).ok());
   EXPECT_NE(where(one).x, where(again).x) << "without a perturbation all stands as it was stocked";
   EXPECT_EQ(where(again).x, scene::world_from_product(store->scene.products[0]).position.x);
+}
+
+// ---- By a realism ----
+
+episodes::Realism with_goods(const char* dials) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "goods.json";
+  const std::string text =
+      std::string(R"({"schema": "market-realism/1", "name": "g", "goods": )") + dials + "}";
+  const auto written = io::write_file(file, text);
+  if (!written.ok()) fatal(to_string(written.error()).c_str());
+  return or_die(episodes::load_realism(data_rows(), file.string()));
+}
+
+TEST(RandomizedGoods, WhatIsLeftOutIsOff) {
+  const episodes::Realism rough = with_goods(R"({"friction": 0.3})");
+  EXPECT_EQ(rough.goods.friction, 0.3);
+  EXPECT_EQ(rough.goods.place_m + rough.goods.turn_deg + rough.goods.mass, 0);
+  EXPECT_FALSE(episodes::perturbation_of(realism_row("hard").goods, Seed(1)));
+  const episodes::PerturbationSizes drawn = realism_row("randomized").goods;
+  EXPECT_GT(std::min({drawn.place_m, drawn.turn_deg, drawn.friction, drawn.mass}), 0);
+}
+
+// The goods alone: nothing else of the episode is drawn otherwise.
+TEST(RandomizedGoods, AreThoseOfTheEpisodesSeedAndOtherInAnother) {
+  const episodes::Realism rough =
+      with_goods(R"({"place_m": 0.005, "turn_deg": 3, "friction": 0.3, "mass": 0.2})");
+  const episodes::EpisodeSpec spec = drawn(7, 0);
+  episodes::EpisodeSpec other = spec;
+  ++other.seed;
+  const auto one = counter_at(rough, spec), again = counter_at(rough, spec);
+  EXPECT_EQ(one->state_hash(), again->state_hash());
+  EXPECT_EQ(one->state_hash(),
+            world_of(spec, episodes::perturbation_of(rough.goods, episodes::goods_seed(spec.seed)))
+                .state_hash());
+  EXPECT_NE(one->state_hash(), counter_at(rough, other)->state_hash());
+  const auto plain = counter_at({}, spec), plain_other = counter_at({}, other);
+  EXPECT_NE(one->state_hash(), plain->state_hash());
+  EXPECT_EQ(plain->state_hash(), plain_other->state_hash());
+}
+
+TEST(RandomizedGoods, StandElsewhereInAislesAndSoDoTheyInATwin) {
+  const auto plain = can_world_at({}), rough = can_world_at(with_goods(R"({"place_m": 0.005})"));
+  const auto where = [](const episodes::AisleWorld& world) {
+    return world.world().product_pose(0).position;
+  };
+  EXPECT_GT(length(where(*rough) - where(*plain)), 1e-4);
+  const auto twin = or_die(rough->twin());
+  EXPECT_EQ(length(where(*twin) - where(*rough)), 0);
 }
 
 }  // namespace

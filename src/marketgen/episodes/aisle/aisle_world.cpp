@@ -99,7 +99,8 @@ Result<void> AisleWorld::reset(const EpisodeSpec& spec,
                                const std::optional<Perturbation>& perturbation,
                                const Realism& realism,
                                std::vector<double> posture) {
-  perturbation_ = perturbation;
+  perturbation_ =
+      perturbation ? perturbation : perturbation_of(realism.goods, goods_seed(spec.seed));
   realism_ = realism;
   posture_ = std::move(posture);
   noise_ = realism_seed(spec.seed);

@@ -113,7 +113,8 @@ Result<void> CheckoutWorld::reset(const EpisodeSpec& spec,
   place_ = lane ? std::move(lane) : room_;
   station_from_store_ = inverse(store_from_station());
   first_item_ = static_cast<std::uint32_t>(place_->surroundings.products.size());
-  perturbation_ = perturbation;
+  perturbation_ =
+      perturbation ? perturbation : perturbation_of(realism.goods, goods_seed(spec.seed));
   realism_ = realism;
   noise_ = realism_seed(spec.seed);
   basket_start_ = station_.basket_pose();

@@ -1,0 +1,62 @@
+"""The checkpoint of examples/imitate.py through other doors; run by tools/check_lerobot.
+
+    check_lerobot_served.py --args.checkpoint FOLDER --host H --port P    a model server of vla-eval, until it is ended
+    check_lerobot_served.py compare RESULTS SERVED VLA_RESULTS            what marketgen.evaluate found of it in process (RESULTS) and by
+                                                                          openpi's protocol (SERVED), and what vla-eval found
+"""
+
+import json
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "examples"))
+
+
+def rows_of(results):
+    lines = (pathlib.Path(results) / "results.jsonl").read_text().splitlines()
+    return {row["episode"]: row for row in map(json.loads, lines)}
+
+
+def compare(results, served, vla_results):
+    alone, by_openpi = rows_of(results), rows_of(served)
+    for episode, row in alone.items():
+        other = by_openpi[episode]
+        for name in ("success_strict", "failure", "steps", "path_m", "side_effects"):
+            assert other[name] == row[name], (episode, name, row[name], other[name])
+    [file] = pathlib.Path(vla_results).glob("*_aggregate.json")
+    by_vla = {task["task"]: task["episodes"][0]["metrics"]["success"] for task in json.loads(file.read_text())["tasks"]}
+    assert by_vla == {episode: row["success_strict"] for episode, row in alone.items()}, (by_vla, alone)
+    print(f"openpi's protocol and vla-eval find what marketgen.evaluate does: {sum(by_vla.values())} of {len(by_vla)} solved")
+
+
+def serve():
+    from serve_checkpoint import Policy
+    from vla_eval.model_servers.predict import PredictModelServer
+    from vla_eval.model_servers.serve import run_server
+    from vla_eval.specs import IMAGE_RGB, LANGUAGE, DimSpec
+
+    class Checkpoint(PredictModelServer):
+        def __init__(self, checkpoint: str):
+            self._policy = Policy(checkpoint)
+            super().__init__(chunk_size=self._policy.steps)
+
+        def get_action_spec(self):
+            return {"action": DimSpec("action", 5, "pd_ee_delta_pos")}
+
+        def get_observation_spec(self):
+            return {"scene_camera": IMAGE_RGB, "state": DimSpec("state", self._policy.numbers, "marketgen_state"), "language": LANGUAGE}
+
+        def predict(self, obs, ctx):
+            seen = {f"observation.images.{name}": of_planes(picture) for name, picture in obs["images"].items()}
+            return {"actions": self._policy.actions(seen | {"observation.state": obs["state"], "task": obs["task_description"]})}
+
+    return run_server(Checkpoint)
+
+
+def of_planes(picture):
+    """As LeRobot has pictures."""
+    return picture.transpose(2, 0, 1) / 255.0
+
+
+if __name__ == "__main__":
+    sys.exit(compare(*sys.argv[2:]) if sys.argv[1] == "compare" else serve())
