@@ -24,7 +24,7 @@ SKU, LIMIT_S = "canned-luncheon-meat-200g", 15.0  # the oracle moves with care: 
 MIDDLE_M, SPREAD = (-0.14, -0.54), 0.35  # of where the tin is drawn, as the episodes have it; how much of that is kept
 CAMERA, SIZE, CHUNK, EXECUTED = "scene_camera", (64, 64), 8, 4
 FIRST_TRIAL = 1_000_000  # seeds of trials are none of demonstrations
-BATCH, RATE = 8, 3e-4
+BATCH, RATE = 8, 5e-4
 READS = [*(f"tcp_pose.tool_{axis}" for axis in "xyz"), "qpos.tool_opening"]
 TOOL_STEP_M, BESIDE_M = 0.02, 0.01  # the longest way of one action; how far beside the demonstrated way it learns to come back
 OPEN, SHUT = 1.0, -1.0
@@ -152,7 +152,7 @@ def train(dataset, checkpoint, steps):
     stats = next(drawn)
     picture = next(name for name in stats if "images" in name)
     policy, (before, after) = policy_of(picture, len(stats["observation.state"]["mean"]), len(stats["action"]["mean"]), stats)
-    optimizer = torch.optim.AdamW(policy.parameters(), lr=RATE, weight_decay=1e-4)
+    optimizer = torch.optim.AdamW(policy.parameters(), lr=RATE, weight_decay=1e-4, fused=True)
     schedule = torch.optim.lr_scheduler.OneCycleLR(optimizer, RATE, total_steps=steps, pct_start=0.1)
     policy.train()
     for step in range(steps):
