@@ -25,10 +25,10 @@ from typing import Any
 from . import arguments
 from .arguments import MAX_SEED, PathLike, Progress
 from .errors import Error
-from .evaluation import Evaluation
+from .evaluation import MAX_LIMIT_S, Evaluation
 from .rankings import merge
 from .recording.outputs import alone_in, writing
-from .scaling.crew import Crew, ray_module
+from .scaling.crew import Crew, Terms, ray_module
 from .scaling.jobs import Job
 from .scaling.parcels import episodes_parcel, hash_of, packed, unpacked
 
@@ -60,7 +60,7 @@ def generate(
         _known("stores", spec, STORE_FIELDS)
     jobs = [Job("generate", f"store-{number:05}", {"prompt": "", **spec}) for number, spec in enumerate(specs)]
     into = _new_folder(folder, resume)
-    return _made_folders(into, jobs, {}, Crew(*_size(workers, cpus)), progress)
+    return _made_folders(into, jobs, {}, _crew(workers, cpus), progress)
 
 
 def draw(
@@ -95,7 +95,7 @@ def draw(
         parcels[name] = parcel
         jobs.append(Job("draw", f"store-{number:05}", {"file": "episodes.jsonl", "flags": flags}, name))
     into = _new_folder(folder, resume)
-    made = _made_folders(into, jobs, parcels, Crew(*_size(workers, cpus)), progress)
+    made = _made_folders(into, jobs, parcels, _crew(workers, cpus), progress)
     return [os.path.join(place, "episodes.jsonl") for place in made]
 
 
@@ -124,7 +124,7 @@ def evaluate(
     into = _new_folder(folder, resume)
     beside = _beside(into)
     with _kept_in(beside):
-        _work(Crew(*_size(workers, cpus)), jobs, parcels, beside, progress)
+        _work(_crew(workers, cpus), jobs, parcels, beside, progress)
         merged = merge([beside / job.key for job in jobs], into)
     shutil.rmtree(beside)
     return merged
@@ -138,13 +138,16 @@ def record(
     part: int = 10,
     workers: int = 0,
     cpus: int = 1,
+    episode_limit_s: float = 3600.0,
     resume: bool = False,
     progress: Progress | None = None,
     **options: Any,
 ) -> list[str]:
     """marketgen.record() in shards of about `part` episodes, each a dataset of its own: FOLDER/shard-00000, ...
 
-    options  of marketgen.record(): realism, cameras, size, quality, control_mode, codec, success_only
+    episode_limit_s  wall time of one episode, after which its policy, which acts in the worker itself, is taken to hang: Error
+                     episode.policy_hung. 0: none
+    options          of marketgen.record(): realism, cameras, size, quality, control_mode, codec, success_only
 
     Returns their folders; LeRobot's `lerobot-edit-dataset` joins them. Raises as marketgen.record() does; a shard none of whose
     episodes is to be kept is an Error, too (episode.impossible): make parts larger.
@@ -152,11 +155,12 @@ def record(
     _known("options", options, RECORD_OPTIONS)
     jobs, parcels = _shards("record", episodes, policy, part, options)
     into = _new_folder(folder, resume)
-    return _made_folders(into, jobs, parcels, Crew(*_size(workers, cpus)), progress)
+    return _made_folders(into, jobs, parcels, _crew(workers, cpus, episode_limit_s), progress)
 
 
-def _size(workers: int, cpus: int) -> tuple[int, int]:
-    return arguments.a_whole("workers", workers, 0, MAX_WORKERS), arguments.a_whole("cpus", cpus, 1, MAX_CPUS)
+def _crew(workers: int, cpus: int, episode_limit_s: float = 0.0) -> Crew:
+    limit_s = arguments.a_number("episode_limit_s", episode_limit_s, 0, MAX_LIMIT_S)
+    return Crew(arguments.a_whole("workers", workers, 0, MAX_WORKERS), Terms(arguments.a_whole("cpus", cpus, 1, MAX_CPUS), limit_s))
 
 
 def _known(name: str, given: Mapping[str, Any], fields: Sequence[str]) -> None:
