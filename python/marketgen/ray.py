@@ -15,11 +15,12 @@ done at once. Python of the workers needs the same version of this package.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import pathlib
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from . import arguments
@@ -125,9 +126,7 @@ def evaluate(
     beside = _beside(into)
     with _kept_in(beside):
         _work(_crew(workers, cpus), jobs, parcels, beside, progress)
-        merged = merge([beside / job.key for job in jobs], into)
-    shutil.rmtree(beside)
-    return merged
+        return merge([beside / job.key for job in jobs], into)
 
 
 def record(
@@ -200,15 +199,30 @@ def _beside(into: pathlib.Path) -> pathlib.Path:
     return into.with_name(into.name + ".unfinished")
 
 
-def _kept_in(beside: pathlib.Path) -> Any:
+@contextlib.contextmanager
+def _kept_in(beside: pathlib.Path) -> Iterator[None]:
+    """What is finished lies there until all is; where nothing is, nothing stays. Raises Error io.in_use, io.cannot_write."""
     with writing(beside):
         beside.mkdir(parents=True, exist_ok=True)
-    return alone_in(beside)
+    with alone_in(beside):
+        try:
+            yield
+        except BaseException:
+            if not _finished_in(beside):
+                shutil.rmtree(beside, ignore_errors=True)
+            raise
+    shutil.rmtree(beside)
+
+
+def _finished_in(beside: pathlib.Path) -> set[str]:
+    """Keys of jobs."""
+    return {place.name for place in beside.iterdir() if not place.name.startswith(".")}
 
 
 def _work(crew: Crew, jobs: Sequence[Job], parcels: Mapping[str, bytes], beside: pathlib.Path, progress: Progress | None) -> None:
     """Every job's outcome lies in `beside`, under its key."""
-    new = list({job.key: job for job in jobs if not (beside / job.key).exists()}.values())
+    finished = _finished_in(beside)
+    new = list({job.key: job for job in jobs if job.key not in finished}.values())
     wanted = {job.reads for job in new}
     crew.work(
         new,
@@ -233,5 +247,4 @@ def _made_folders(
                 shutil.copytree(beside / job.key, whole / job.name, copy_function=os.link)
             (whole / "jobs.json").write_text(json.dumps({job.name: job.key for job in jobs}, indent=2) + "\n", encoding="utf-8")
             whole.replace(into)
-    shutil.rmtree(beside)
     return [str(into / job.name) for job in jobs]

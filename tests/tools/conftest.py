@@ -33,29 +33,23 @@ def cluster(mark):
 
 
 @pytest.fixture(scope="session")
-def tasks(tmp_path_factory):
-    return ray_support.write_tasks(tmp_path_factory.mktemp("tasks") / "tasks.jsonl", ray_support.SHORT)
+def brief(tmp_path_factory):
+    """A file of episodes that end soon."""
+    return ray_support.write_tasks(tmp_path_factory.mktemp("brief") / "brief.jsonl", range(ray_support.BRIEF), limit_s=ray_support.BRIEF_S)
 
 
 @pytest.fixture(scope="session")
-def scenes(tasks):
-    """What is recorded."""
-    return ray_support.write_tasks(tasks.with_name("scenes.jsonl"), range(ray_support.RECORD_EPISODES), limit_s=ray_support.RECORD_S)
-
-
-@pytest.fixture(scope="session")
-def alone(tasks, tmp_path_factory):
-    """Results of one process."""
+def brief_alone(brief, tmp_path_factory):
+    """Their results of one process."""
     folder = tmp_path_factory.mktemp("alone") / "results"
-    marketgen.evaluate(tasks, ray_support.POLICY, folder)
-    assert any(result["hits"] for result in marketgen.evaluation.evaluation_in(str(folder)).results)
+    marketgen.evaluate(brief, ray_support.POLICY, folder)
     return ray_support.files_of(folder)
 
 
 @pytest.fixture(scope="session")
-def sets_alone(scenes, tmp_path_factory):
-    """Datasets of one process, one for each shard."""
-    folder, of = tmp_path_factory.mktemp("sets"), ray_support.RECORD_EPISODES // ray_support.RECORD_PART
-    for number in range(of):
-        marketgen.record(scenes, folder / f"shard-{number:05}", ray_support.POLICY, shard=f"{number + 1}/{of}", **ray_support.RECORDED)
+def sets_alone(brief, tmp_path_factory):
+    """Their datasets of one process, one for each shard."""
+    folder, of = tmp_path_factory.mktemp("sets"), len(ray_support.SHARDS)
+    for number, name in enumerate(ray_support.SHARDS):
+        marketgen.record(brief, folder / name, ray_support.POLICY, shard=f"{number + 1}/{of}", **ray_support.RECORDED)
     return ray_support.sets_in(folder)

@@ -9,7 +9,7 @@ import signal
 import subprocess
 
 import pytest
-from ray_support import EPISODES, PART, POLICY, RECORD_PART, RECORDED, After, files_of, finished_in, sets_in, stop, workers
+from ray_support import PART, POLICY, RECORDED, SHARDS, SHORT, After, files_of, finished_in, sets_in, stop, workers, write_tasks
 
 import marketgen
 import marketgen.ray
@@ -49,51 +49,54 @@ def test_episodes_are_those_of_the_program(tmp_path):
     assert pathlib.Path(file).read_bytes() == (tmp_path / "alone.jsonl").read_bytes()
 
 
-def test_results_are_those_of_one_process(tasks, alone, tmp_path):
-    scores = marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=PART)
-    assert len(scores.results) == EPISODES
-    assert files_of(tmp_path / "results") == alone
+def test_results_are_those_of_one_process(tmp_path):
+    """Of episodes that are solved."""
+    tasks = write_tasks(tmp_path / "tasks.jsonl", SHORT)
+    scores = marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=1)
+    alone = marketgen.evaluate(tasks, POLICY, tmp_path / "alone")
+    assert len(scores.results) == len(SHORT) and any(result["hits"] for result in alone.results)
+    assert files_of(tmp_path / "results") == files_of(tmp_path / "alone")
 
 
-def test_a_killed_worker_loses_and_doubles_nothing(tasks, alone, tmp_path):
+def test_a_killed_worker_loses_and_doubles_nothing(brief, brief_alone, tmp_path):
     told = KillsAll(1)
-    marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=PART, progress=told)
+    marketgen.ray.evaluate(brief, POLICY, tmp_path / "results", part=PART, progress=told)
     assert len(told.killed) >= 1
-    assert sorted(told.told) == [f"shard-{number:05}" for number in range(EPISODES // PART)]
-    assert files_of(tmp_path / "results") == alone
+    assert sorted(told.told) == SHARDS
+    assert files_of(tmp_path / "results") == brief_alone
 
 
-def test_datasets_are_those_of_one_process_also_when_a_worker_is_killed(scenes, sets_alone, tmp_path):
+def test_datasets_are_those_of_one_process_also_when_a_worker_is_killed(brief, sets_alone, tmp_path):
     """Numbers, videos, statistics and README.md, to the byte."""
     told = KillsAll(1)
-    made = marketgen.ray.record(scenes, tmp_path / "sets", POLICY, part=RECORD_PART, progress=told, **RECORDED)
+    made = marketgen.ray.record(brief, tmp_path / "sets", POLICY, part=PART, progress=told, **RECORDED)
     assert len(told.killed) >= 1
-    assert [pathlib.Path(folder).name for folder in made] == sorted(told.told) == list(sets_alone)
-    assert any(name.endswith(".mp4") for name in sets_alone["shard-00000"])
+    assert [pathlib.Path(folder).name for folder in made] == sorted(told.told) == SHARDS
+    assert all(any(name.endswith(".mp4") for name in files) for files in sets_alone.values())
     assert sets_in(tmp_path / "sets") == sets_alone
     assert not (tmp_path / "sets.unfinished").exists()
 
 
-def test_a_broken_off_run_goes_on(tasks, alone, tmp_path):
+def test_a_broken_off_run_goes_on(brief, brief_alone, tmp_path):
     with pytest.raises(KeyboardInterrupt):
-        marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=PART, progress=After(1, stop))
+        marketgen.ray.evaluate(brief, POLICY, tmp_path / "results", part=PART, progress=After(1, stop))
     assert not (tmp_path / "results").exists()
     with pytest.raises(marketgen.Error, match="store.exists"):
-        marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=PART)
+        marketgen.ray.evaluate(brief, POLICY, tmp_path / "results", part=PART)
     kept = finished_in(tmp_path / "results")
     told = After(0, stop)
-    marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=PART, resume=True, progress=told)
-    assert len(kept) >= 1 and len(told.told) == EPISODES // PART - len(kept)
-    assert files_of(tmp_path / "results") == alone
+    marketgen.ray.evaluate(brief, POLICY, tmp_path / "results", part=PART, resume=True, progress=told)
+    assert len(kept) >= 1 and len(told.told) == len(SHARDS) - len(kept)
+    assert files_of(tmp_path / "results") == brief_alone
     assert not (tmp_path / "results.unfinished").exists()
 
 
-def test_a_lost_node_loses_and_doubles_nothing(cluster, tasks, alone, tmp_path):
+def test_a_lost_node_loses_and_doubles_nothing(cluster, brief, brief_alone, tmp_path):
     node = list(cluster.worker_nodes)[0]
     told = After(1, lambda: cluster.remove_node(node, allow_graceful=False))
     try:
-        marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=PART, progress=told)
+        marketgen.ray.evaluate(brief, POLICY, tmp_path / "results", part=PART, progress=told)
     finally:
         cluster.add_node(num_cpus=1)
-    assert sorted(told.told) == [f"shard-{number:05}" for number in range(EPISODES // PART)]
-    assert files_of(tmp_path / "results") == alone
+    assert sorted(told.told) == SHARDS
+    assert files_of(tmp_path / "results") == brief_alone

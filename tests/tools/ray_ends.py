@@ -9,7 +9,7 @@ import uuid
 
 import pytest
 import ray
-from ray_support import MARK, PART, POLICY, RECORD_PART, RECORDED, After, files_of, finished_in, marked, sets_in, until
+from ray_support import MARK, PART, POLICY, RECORDED, SHARDS, After, files_of, finished_in, marked, sets_in, until
 
 import marketgen
 import marketgen.ray
@@ -35,10 +35,10 @@ def begun(mark, address, call, *words, **options):
     return script
 
 
-def test_ctrl_c_ends_everything_within_seconds(tasks, alone, tmp_path):
+def test_ctrl_c_ends_everything_within_seconds(brief, brief_alone, tmp_path):
     """Ray's own processes, too, where the script has started Ray."""
     mark = uuid.uuid4().hex
-    script = begun(mark, "local", "evaluate", tasks, POLICY, tmp_path / "results", part=PART, workers=2)
+    script = begun(mark, "local", "evaluate", brief, POLICY, tmp_path / "results", part=PART, workers=2)
     assert len(marked(mark, "ray::")) >= 1 and len(marked(mark, "raylet")) >= 1
     kept = finished_in(tmp_path / "results")
     os.killpg(script.pid, signal.SIGINT)
@@ -49,19 +49,20 @@ def test_ctrl_c_ends_everything_within_seconds(tasks, alone, tmp_path):
     assert time.monotonic() - began < SECONDS
     assert kept and kept <= finished_in(tmp_path / "results") and not (tmp_path / "results").exists()
     told = After(0, None)
-    marketgen.ray.evaluate(tasks, POLICY, tmp_path / "results", part=PART, resume=True, progress=told)
-    assert len(told.told) <= len(alone["results.jsonl"]) // PART - len(kept)
-    assert files_of(tmp_path / "results") == alone
+    marketgen.ray.evaluate(brief, POLICY, tmp_path / "results", part=PART, resume=True, progress=told)
+    assert len(told.told) <= len(SHARDS) - len(kept)
+    assert files_of(tmp_path / "results") == brief_alone
 
 
-def test_a_killed_script_leaves_no_worker_at_a_cluster(cluster, mark, scenes, sets_alone, tmp_path):
+def test_a_killed_script_leaves_no_worker_at_a_cluster(cluster, mark, brief, sets_alone, tmp_path):
     """It cannot tidy up; the cluster, which goes on, does."""
-    script = begun(mark, cluster.address, "record", scenes, tmp_path / "sets", POLICY, part=RECORD_PART, **RECORDED)
+    script = begun(mark, cluster.address, "record", brief, tmp_path / "sets", POLICY, part=PART, **RECORDED)
     kept = finished_in(tmp_path / "sets")
+    assert marked(mark, "ray::Worker")
     os.kill(script.pid, signal.SIGKILL)
     script.communicate()
     assert until(lambda: not marked(mark, "ray::Worker"), SECONDS), marked(mark)
     assert kept and finished_in(tmp_path / "sets") == kept
-    marketgen.ray.record(scenes, tmp_path / "sets", POLICY, part=RECORD_PART, resume=True, **RECORDED)
+    marketgen.ray.record(brief, tmp_path / "sets", POLICY, part=PART, resume=True, **RECORDED)
     assert sets_in(tmp_path / "sets") == sets_alone
     assert len(ray.nodes()) >= 3

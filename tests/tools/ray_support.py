@@ -8,10 +8,11 @@ import time
 import marketgen
 from marketgen.scaling.crew import SCRATCH
 
+POLICY = "oracle-plain"
 SHORT = (0, 2, 3, 7)  # episodes of the pool that the policy ends within seconds
-EPISODES, PART, POLICY = len(SHORT), 1, "oracle-plain"
+BRIEF, BRIEF_S, PART = 8, 2.0, 2  # others, of which only the first two seconds are acted out
+SHARDS = [f"shard-{number:05}" for number in range(BRIEF // PART)]
 RECORDED = {"cameras": ["wrist_camera"], "size": (64, 48)}
-RECORD_EPISODES, RECORD_PART, RECORD_S = 8, 2, 2.0  # pictures take long: the first two seconds of each
 MARK = "MARKETGEN_RAY_TEST"  # of the environment: processes that a test has begun, whoever begot them
 
 
