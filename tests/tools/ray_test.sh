@@ -19,4 +19,4 @@ trap 'rm -rf "$scratch"' EXIT
 export PYTHONPATH=${PYTHONPATH:-$repository/build/release/python} MARKETGEN_BINARY=${MARKETGEN_BINARY:-$repository/build/release/marketgen}
 export RAY_worker_niceness=0  # as the process that they are compared with, so that a busy machine does not starve them
 cd "$scratch"
-"$venv/bin/python" -m pytest -q -p no:cacheprovider --basetemp "$scratch/tests" "$repository"/tests/tools/ray_{cluster,faults,ends}.py
+"$venv/bin/python" -m pytest -q -p no:cacheprovider --basetemp "$scratch/tests" "$repository"/tests/tools/{batch_shards,ray_cluster,ray_faults,ray_ends}.py
