@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Stores, episodes and scores over a Ray cluster of two nodes on this machine are those of one process, byte for byte, also when workers
-# are killed, a node is lost, or the run is broken off (ray_cluster.py). Ray lies in an environment of its own, build/ray-venv, made the
-# first time.
+# What is made over a Ray cluster of two nodes on this machine, and by the examples for Slurm and Kubernetes, is what one process makes, byte
+# for byte, also when workers are killed, a node is lost, or the run is broken off; and what is wrong with a cluster is said. Ray lies in an
+# environment of its own, build/ray-venv, made the first time.
 set -euo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 venv=$repository/build/ray-venv
