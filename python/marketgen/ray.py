@@ -7,7 +7,7 @@
     marketgen.ray.draw(sorted(pathlib.Path("stores").iterdir()), "tasks", count=10)
     marketgen.ray.evaluate("tasks.jsonl", "oracle", "results")
 
-Stores, episodes and results are what one process makes, to the byte (wall times apart). Workers share no disk with this process: what they read
+What comes out is what one process makes, to the byte (wall times apart). Workers share no disk with this process: what they read
 and make travels through Ray. A worker or a node that dies loses the job it had, which another does anew. What is finished lies in
 FOLDER.unfinished under a hash of what it depends on; resume=True goes on with it. All raise marketgen.Error, of a job that cannot be
 done at once. Python of the workers needs the same version of this package.

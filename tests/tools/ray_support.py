@@ -52,9 +52,10 @@ def finished_in(folder):
 
 
 def workers():
-    """Process ids of actors: each has a scratch folder that is called so."""
+    """Process ids of this test's actors that have had a job: each has a scratch folder that is called so."""
+    ours = marked(os.environ[MARK])
     found = (int(folder.name.removeprefix(SCRATCH).partition("-")[0]) for folder in pathlib.Path("/tmp").glob(f"{SCRATCH}*"))
-    return [pid for pid in found if pathlib.Path("/proc", str(pid)).exists()]
+    return [pid for pid in found if pid in ours]
 
 
 def marked(mark, word=""):
