@@ -5,7 +5,8 @@
 The first EPISODES of the pool at the counter, by `oracle-plain`, ROUNDS times: by marketgen.evaluate(jobs=WORKERS), and by
 marketgen.ray.evaluate(workers=WORKERS) in parts of PART, in turn, each in a process that starts with nothing. Processor time is that of
 this process and of all that it begot, Ray's own among them. What a run takes that only starts Ray and its actors, and ends them, is
-stated apart and taken off.
+stated apart and taken off. Ray's processes also compute while nothing is to be done, by the clock: on a busy machine, where the same
+episodes last longer, that is a larger share of them, so it is measured, too (`ray_idle_cpu`).
 """
 
 import json
@@ -21,7 +22,7 @@ import uuid
 
 import marketgen
 
-WORKERS, POLICY, MARK, LOOK_UP_S = 2, "oracle-plain", "MARKETGEN_BENCH", 0.05
+WORKERS, POLICY, MARK, LOOK_UP_S, IDLE_S = 2, "oracle-plain", "MARKETGEN_BENCH", 0.05, 30
 TICK_S = 1 / os.sysconf("SC_CLK_TCK")
 RUNS = {
     "alone": "marketgen.evaluate(file, policy, folder, jobs=int(workers))",
@@ -31,6 +32,7 @@ RUNS = {
     "actors = [ray.remote(num_cpus=1)(Worker).remote() for _ in range(int(workers))]\n"
     "ray.get([actor.__ray_ready__.remote() for actor in actors])",
 }
+RUNS["idle"] = f"{RUNS['start']}; import time; time.sleep({IDLE_S})"
 HEAD = """import sys, marketgen
 file, folder, policy, part, workers, way = sys.argv[1:]
 if way != "alone":
@@ -120,6 +122,7 @@ def main(episodes=24, part=10, rounds=3):
     cpu_s = {way: [sum(kinds.values()) for _, kinds in runs] for way, runs in taken.items()}
     say("ray_start_s", wall_s["start"], "s")
     say("ray_start_cpu_s", cpu_s["start"], "s")
+    say("ray_idle_cpu", [(idle - start) / IDLE_S for idle, start in zip(cpu_s["idle"], cpu_s["start"], strict=True)], "of a core")
     say("episode_alone_cpu_s", [used_s / episodes for used_s in cpu_s["alone"]], "s")
     for name, spent in (("ray_share_cpu", cpu_s), ("ray_share_wall", wall_s)):
         start_s = statistics.median(spent["start"])
