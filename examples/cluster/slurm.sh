@@ -4,6 +4,7 @@
 #
 #   EPISODES=tasks.jsonl RESULTS=results sbatch --array=1-16 examples/cluster/slurm.sh
 #   EPISODES=tasks.jsonl RESULTS=results POLICY=classical REALISM=standard sbatch --array=1-16 examples/cluster/slurm.sh
+#   SHARDS=16 EPISODES=tasks.jsonl RESULTS=results sbatch --array=3,7 examples/cluster/slurm.sh     # two of them once more
 #
 #SBATCH --job-name=marketgen
 #SBATCH --ntasks=1
@@ -15,11 +16,15 @@ set -euo pipefail
 : "${EPISODES:?a file of marketgen episodes}" "${RESULTS:?a folder that all nodes see}"
 shards=$RESULTS.shards
 shard=$SLURM_ARRAY_TASK_ID
-of=$SLURM_ARRAY_TASK_COUNT
+of=${SHARDS:-$SLURM_ARRAY_TASK_COUNT}
+cores=${SLURM_CPUS_PER_TASK:-1}
 mkdir -p "$shards"
 
+# With a summary the shard is whole, also where eval ends with an error since some episodes could not be run: they are results, too.
+status=0
 marketgen eval --episodes "$EPISODES" --policy "${POLICY:-oracle}" --realism "${REALISM:-ideal}" --shard "$shard/$of" \
-  --jobs "${SLURM_CPUS_PER_TASK:-1}" --threads "${SLURM_CPUS_PER_TASK:-1}" --resume --quiet -o "$shards/$shard"
+  --jobs "$cores" --threads "$cores" --resume --quiet -o "$shards/$shard" || status=$?
+[ -e "$shards/$shard/summary.json" ] || exit "$status"
 touch "$shards/$shard.done"
 
 # Whoever is last joins them; the lock is there when two are last at once.
@@ -31,3 +36,4 @@ touch "$shards/$shard.done"
     marketgen merge "${folders[@]}" --quiet -o "$RESULTS"
   fi
 ) 9> "$shards/lock"
+exit "$status"

@@ -7,7 +7,7 @@
     marketgen.ray.draw(sorted(pathlib.Path("stores").iterdir()), "tasks", count=10)
     marketgen.ray.evaluate("tasks.jsonl", "oracle", "results")
 
-Stores, episodes and results are what one process makes, to the byte (wall times apart). Workers share no disk with this process: what they read
+What comes out is what one process makes, to the byte (wall times apart). Workers share no disk with this process: what they read
 and make travels through Ray. A worker or a node that dies loses the job it had, which another does anew. What is finished lies in
 FOLDER.unfinished under a hash of what it depends on; resume=True goes on with it. All raise marketgen.Error, of a job that cannot be
 done at once. Python of the workers needs the same version of this package.
@@ -15,20 +15,21 @@ done at once. Python of the workers needs the same version of this package.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import pathlib
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from . import arguments
 from .arguments import MAX_SEED, PathLike, Progress
 from .errors import Error
-from .evaluation import Evaluation
+from .evaluation import MAX_LIMIT_S, Evaluation
 from .rankings import merge
 from .recording.outputs import alone_in, writing
-from .scaling.crew import Crew, ray_module
+from .scaling.crew import Crew, Terms, ray_module
 from .scaling.jobs import Job
 from .scaling.parcels import episodes_parcel, hash_of, packed, unpacked
 
@@ -60,7 +61,7 @@ def generate(
         _known("stores", spec, STORE_FIELDS)
     jobs = [Job("generate", f"store-{number:05}", {"prompt": "", **spec}) for number, spec in enumerate(specs)]
     into = _new_folder(folder, resume)
-    return _made_folders(into, jobs, {}, Crew(*_size(workers, cpus)), progress)
+    return _made_folders(into, jobs, {}, _crew(workers, cpus), progress)
 
 
 def draw(
@@ -95,7 +96,7 @@ def draw(
         parcels[name] = parcel
         jobs.append(Job("draw", f"store-{number:05}", {"file": "episodes.jsonl", "flags": flags}, name))
     into = _new_folder(folder, resume)
-    made = _made_folders(into, jobs, parcels, Crew(*_size(workers, cpus)), progress)
+    made = _made_folders(into, jobs, parcels, _crew(workers, cpus), progress)
     return [os.path.join(place, "episodes.jsonl") for place in made]
 
 
@@ -124,10 +125,8 @@ def evaluate(
     into = _new_folder(folder, resume)
     beside = _beside(into)
     with _kept_in(beside):
-        _work(Crew(*_size(workers, cpus)), jobs, parcels, beside, progress)
-        merged = merge([beside / job.key for job in jobs], into)
-    shutil.rmtree(beside)
-    return merged
+        _work(_crew(workers, cpus), jobs, parcels, beside, progress)
+        return merge([beside / job.key for job in jobs], into)
 
 
 def record(
@@ -138,13 +137,16 @@ def record(
     part: int = 10,
     workers: int = 0,
     cpus: int = 1,
+    episode_limit_s: float = 3600.0,
     resume: bool = False,
     progress: Progress | None = None,
     **options: Any,
 ) -> list[str]:
     """marketgen.record() in shards of about `part` episodes, each a dataset of its own: FOLDER/shard-00000, ...
 
-    options  of marketgen.record(): realism, cameras, size, quality, control_mode, codec, success_only
+    episode_limit_s  wall time of one episode, after which its policy, which acts in the worker itself, is taken to hang: Error
+                     episode.policy_hung. 0: none
+    options          of marketgen.record(): realism, cameras, size, quality, control_mode, codec, success_only
 
     Returns their folders; LeRobot's `lerobot-edit-dataset` joins them. Raises as marketgen.record() does; a shard none of whose
     episodes is to be kept is an Error, too (episode.impossible): make parts larger.
@@ -152,11 +154,12 @@ def record(
     _known("options", options, RECORD_OPTIONS)
     jobs, parcels = _shards("record", episodes, policy, part, options)
     into = _new_folder(folder, resume)
-    return _made_folders(into, jobs, parcels, Crew(*_size(workers, cpus)), progress)
+    return _made_folders(into, jobs, parcels, _crew(workers, cpus, episode_limit_s), progress)
 
 
-def _size(workers: int, cpus: int) -> tuple[int, int]:
-    return arguments.a_whole("workers", workers, 0, MAX_WORKERS), arguments.a_whole("cpus", cpus, 1, MAX_CPUS)
+def _crew(workers: int, cpus: int, episode_limit_s: float = 0.0) -> Crew:
+    limit_s = arguments.a_number("episode_limit_s", episode_limit_s, 0, MAX_LIMIT_S)
+    return Crew(arguments.a_whole("workers", workers, 0, MAX_WORKERS), Terms(arguments.a_whole("cpus", cpus, 1, MAX_CPUS), limit_s))
 
 
 def _known(name: str, given: Mapping[str, Any], fields: Sequence[str]) -> None:
@@ -196,15 +199,30 @@ def _beside(into: pathlib.Path) -> pathlib.Path:
     return into.with_name(into.name + ".unfinished")
 
 
-def _kept_in(beside: pathlib.Path) -> Any:
+@contextlib.contextmanager
+def _kept_in(beside: pathlib.Path) -> Iterator[None]:
+    """What is finished lies there until all is; where nothing is, nothing stays. Raises Error io.in_use, io.cannot_write."""
     with writing(beside):
         beside.mkdir(parents=True, exist_ok=True)
-    return alone_in(beside)
+    with alone_in(beside):
+        try:
+            yield
+        except BaseException:
+            if not _finished_in(beside):
+                shutil.rmtree(beside, ignore_errors=True)
+            raise
+    shutil.rmtree(beside)
+
+
+def _finished_in(beside: pathlib.Path) -> set[str]:
+    """Keys of jobs."""
+    return {place.name for place in beside.iterdir() if not place.name.startswith(".")}
 
 
 def _work(crew: Crew, jobs: Sequence[Job], parcels: Mapping[str, bytes], beside: pathlib.Path, progress: Progress | None) -> None:
     """Every job's outcome lies in `beside`, under its key."""
-    new = list({job.key: job for job in jobs if not (beside / job.key).exists()}.values())
+    finished = _finished_in(beside)
+    new = list({job.key: job for job in jobs if job.key not in finished}.values())
     wanted = {job.reads for job in new}
     crew.work(
         new,
@@ -229,5 +247,4 @@ def _made_folders(
                 shutil.copytree(beside / job.key, whole / job.name, copy_function=os.link)
             (whole / "jobs.json").write_text(json.dumps({job.name: job.key for job in jobs}, indent=2) + "\n", encoding="utf-8")
             whole.replace(into)
-    shutil.rmtree(beside)
     return [str(into / job.name) for job in jobs]

@@ -42,13 +42,27 @@ def actions(observation, options):
 def faulty(fault, answer):
     if fault == "hangs":
         time.sleep(1000)
+    if fault == "late":
+        time.sleep(6)
     if fault == "dies":
         os._exit(3)
     if fault == "babbles":
         return b"\xc1 no msgpack"
     if fault == "pickles":
         return msgpack.packb([{"joints": {"__ndarray_class__": True, "as_npy": b"\x80\x04N."}}, {}])
-    answers = {"raises": {"error": "no such embodiment"}, "bare": answer[0], "batch": [{name: np.repeat(part, 2, axis=0) for name, part in answer[0].items()}, {}]}
+    parts = answer[0]
+    if fault == "nan":
+        parts["joints"][0, 2, 3] = np.nan
+    answers = {
+        "raises": {"error": "no such embodiment"},
+        "bare": parts,
+        "batch": [{name: np.repeat(part, 2, axis=0) for name, part in parts.items()}, {}],
+        "narrow": [parts | {"joints": parts["joints"][..., :6]}, {}],
+        "short": [{name: part[:, :0] for name, part in parts.items()}, {}],
+        "uneven": [parts | {"rest": parts["rest"][:, :3]}, {}],
+        "unnamed": [{"joints": parts["joints"]}, {}],
+        "words": [parts | {"rest": "left"}, {}],
+    }
     return packed(answers.get(fault, answer))
 
 

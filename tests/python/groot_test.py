@@ -50,11 +50,19 @@ def test_a_server_acts(tasks, tmp_path, adapter):
         ("pickles", "bad_answer", "msgpack"),
         ("bare", "bad_answer", "dict in place of a list"),
         ("batch", "bad_answer", "(2, 4, 7)"),
+        ("nan", "bad_answer", "step 2 of its actions has nan for joint4"),
+        ("narrow", "bad_answer", "8 numbers"),
+        ("short", "bad_answer", "(1, 0, 7)"),
+        ("uneven", "bad_answer", "joints (4, 7), rest (3, 2)"),
+        ("unnamed", "bad_answer", "'rest'"),
+        ("words", "bad_answer", "no array"),
+        ("late", "policy_hung", "3 s"),
     ],
 )
 def test_what_is_wrong_with_a_server_fails_its_episode(tasks, tmp_path, adapter, fault, code, said):
+    """A late answer is not taken for that to the next question."""
     with server(tmp_path, fault, tmp_path / "mark", SERVER) as address:
-        scores = marketgen.evaluate(tasks, f"groot://{address}", tmp_path / "a", adapter=adapter, jobs=1)
+        scores = marketgen.evaluate(tasks, f"groot://{address}", tmp_path / "a", adapter=adapter, jobs=1, hang_limit_s=3)
     first, then = scores.results
     assert first["failure"] == "PolicyError" and f"episode.{code}" in first["detail"] and said in first["detail"]
     assert then["failure"] == "Unknown" and then["steps"] == 2

@@ -10,6 +10,7 @@ import marketgen
 import outside_test
 from marketgen.outside.adaptation import Adaptation
 from marketgen.outside.lerobot import adapter_of
+from marketgen.policy_process import PolicyFailed
 
 CONFIG = {
     "type": "act",
@@ -42,6 +43,23 @@ def test_a_checkpoint_is_its_own_adapter(checkpoint):
     assert told["observation.state"].shape == (16,) and told["task"] == "Take it."
     assert told["observation.images.wrist_camera"].shape == (3, 4, 6) and told["observation.images.wrist_camera"].dtype == np.float32
     assert np.allclose(adaptation.actions({"actions": np.arange(9.0)[None]}), [np.arange(9)])
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        (np.full((1, 9), np.nan), "nan for joint1"),
+        (np.arange(7.0)[None], "7 numbers"),
+        (np.zeros((1, 2, 2, 9)), "(1, 2, 2, 9)"),
+        (np.array([["left"] * 9]), "array"),
+    ],
+)
+def test_what_a_checkpoint_answers_is_checked(checkpoint, answer, said):
+    """As of a server: its episode fails (outside_test.py)."""
+    adaptation = Adaptation(adapter_of(checkpoint()), outside_test.task(), outside_test.SEEN)
+    with pytest.raises(PolicyFailed) as failed:
+        adaptation.actions({"actions": answer})
+    assert failed.value.code == "episode.bad_answer" and said in failed.value.message
 
 
 @pytest.mark.parametrize(

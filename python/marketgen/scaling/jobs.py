@@ -12,6 +12,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+from collections.abc import Callable
 from typing import Any
 
 from .. import _core
@@ -37,22 +38,29 @@ class Job:
         return hash_of(self.kind, json.dumps(self.told, sort_keys=True), self.reads, _core.__version__)
 
 
-def perform(job: Job, reads: pathlib.Path, into: pathlib.Path, cpus: int) -> None:
-    """Makes the folder `into`. `reads`: what its parcel has; `cpus`: how many cores it may use, which changes no outcome.
+Beat = Callable[[], None]
+
+
+def perform(job: Job, reads: pathlib.Path, into: pathlib.Path, cpus: int, beat: Beat) -> None:
+    """Makes the folder `into`.
+
+    reads  what its parcel has
+    cpus   how many cores it may use, which changes no outcome
+    beat   called before each episode, where a kind may hang over one
 
     What is there of an earlier try goes on, where the kind can. Raises Error as the functions that it calls do.
     """
-    KINDS[job.kind](job.told, reads, into, cpus)
+    KINDS[job.kind](job.told, reads, into, cpus, beat)
 
 
-def _generate(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: int) -> None:
+def _generate(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: int, beat: Beat) -> None:
     from ..store import generate
 
     shutil.rmtree(into, ignore_errors=True)
     generate(folder=into, **told)
 
 
-def _draw(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: int) -> None:
+def _draw(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: int, beat: Beat) -> None:
     """By the program, which alone draws files of episodes."""
     into.mkdir(parents=True, exist_ok=True)
     file = into / told["file"]
@@ -63,16 +71,19 @@ def _draw(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: i
         raise _told_by_program(done.stderr)
 
 
-def _evaluate(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: int) -> None:
+def _evaluate(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: int, beat: Beat) -> None:
     from ..evaluation import evaluate
 
     evaluate(reads / told["file"], told["policy"], into, shard=told["shard"], jobs=cpus, resume=True, **told["options"])
 
 
-def _record(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: int) -> None:
+def _record(told: dict[str, Any], reads: pathlib.Path, into: pathlib.Path, cpus: int, beat: Beat) -> None:
     from ..recording import record
 
-    record(reads / told["file"], into, told["policy"], shard=told["shard"], resume=True, **told["options"])
+    def told_of(*_: Any) -> None:
+        beat()
+
+    record(reads / told["file"], into, told["policy"], shard=told["shard"], resume=True, progress=told_of, **told["options"])
 
 
 KINDS = {"generate": _generate, "draw": _draw, "evaluate": _evaluate, "record": _record}
