@@ -183,10 +183,11 @@ using SettledRow = std::tuple<std::uint32_t, std::string, std::array<double, 7>,
 std::vector<SettledRow> settle(const StoreHandle& handle,
                                const std::array<double, 4>& region_m,
                                double seconds,
+                               double lift_m,
                                bool soft,
                                const Callable& progress) {
   const scene::Scene& scene = handle.store->scene;
-  const physics::LetGoOptions options{region_m, seconds, soft, handle.catalog->frictions};
+  const physics::LetGoOptions options{region_m, seconds, lift_m, soft, handle.catalog->frictions};
   const auto ends = value_or_raise(
       telling(progress, [&](Progress& told) { return physics::let_go(scene, options, told); }));
   std::vector<SettledRow> rows;

@@ -16,7 +16,7 @@ from .errors import Error, StoreWarning
 from .pictures import Camera, Renderer
 from .views import View, show
 
-MAX_SETTLE_SECONDS = 60.0
+MAX_SETTLE_SECONDS, MAX_LIFT_M = 60.0, 0.1
 
 
 class Store:
@@ -212,12 +212,19 @@ class Store:
         return json.loads(plan)
 
     def settle(
-        self, region: Sequence[float], *, seconds: float = 2.0, soft: bool = True, progress: Progress | None = None
+        self,
+        region: Sequence[float],
+        *,
+        seconds: float = 2.0,
+        lift_m: float = 0.0,
+        soft: bool = True,
+        progress: Progress | None = None,
     ) -> list[dict[str, Any]]:
         """Lets all goods of a region go at once, in the physics that episodes run in (docs/physics.md): where each then is.
 
         region   (x0, y0, x1, y1), metres, of at most 1,024 goods by the middle of their feet; the rest of the store stands, and moves where it is pushed
         seconds  simulated, up to 60
+        lift_m   raised by so much first, up to 0.1, but for what hangs on a peg: they fall, instead of standing as they were stocked
         soft     bags and pouches bend; False: they are rigid, as exports have them
         progress as of generate()
 
@@ -231,6 +238,7 @@ class Store:
         rows = self._handle._settle(
             corners,
             arguments.a_number("seconds", seconds, 0, MAX_SETTLE_SECONDS),
+            arguments.a_number("lift_m", lift_m, 0, MAX_LIFT_M),
             arguments.a_truth("soft", soft),
             arguments.a_progress(progress),
         )

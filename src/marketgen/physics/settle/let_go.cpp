@@ -7,6 +7,7 @@
 
 #include "base/interrupt.h"
 #include "physics/goods/contact_shape.h"
+#include "physics/world/store_model.h"
 #include "physics/world/world.h"
 #include "scene/placements.h"
 
@@ -45,6 +46,13 @@ WorldOptions world_for(int count, const LetGoOptions& options) {
   return world;
 }
 
+Result<void> free_it(World& world, const scene::Scene& scene, std::uint32_t row, double lift_m) {
+  if (lift_m == 0 || hangs_on_hook(scene, row)) return world.wake(row);
+  Pose raised = scene::world_from_product(scene.products[row]);
+  raised.position.z += lift_m;
+  return world.place(row, raised);
+}
+
 bool at_rest(const ProductMotion& motion) {
   return length(motion.velocity_m_s) == 0 && length(motion.angular_rad_s) == 0;
 }
@@ -59,7 +67,7 @@ Result<std::vector<LetGoProduct>> let_go(const scene::Scene& scene,
   MARKETGEN_TRY(World world,
                 World::create(scene, world_for(static_cast<int>(rows.size()), options)));
   for (const std::uint32_t row : rows)
-    MARKETGEN_CHECK(world.wake(row));
+    MARKETGEN_CHECK(free_it(world, scene, row, options.lift_m));
   const int steps = static_cast<int>(std::lround(options.seconds / time_step_s));
   progress.begin("settle", static_cast<std::size_t>(steps));
   for (int done = 0; done < steps; done += steps_at_once) {
