@@ -15,7 +15,7 @@ struct LetGoOptions {
   std::array<double, 4> region_m{};  // x0, y0, x1, y1; by the middle of a product's foot
   double seconds = 2;
   double lift_m = 0;  // raised by so much first, but for what hangs on a peg
-  bool soft = true;  // bags and pouches bend; otherwise they are rigid, as exports have them
+  bool soft = true;   // bags and pouches bend; otherwise they are rigid, as exports have them
   std::vector<catalog::FrictionRow> frictions = {};  // as WorldOptions have them
 };
 
