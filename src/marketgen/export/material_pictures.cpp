@@ -40,14 +40,15 @@ double material_repeat_m(const scene::Scene& scene, const std::string& id) {
 }
 
 Result<MaterialPictures> material_pictures(const catalog::MaterialRow& material,
-                                           ColorCoding coding) {
+                                           MaterialCoding coding) {
   const assets::MaterialMaps relief = assets::draw_material_maps(material, relief_px);
   MaterialPictures pictures;
   const Image color = assets::draw_material(material, color_px);
-  MARKETGEN_TRY(pictures.color,
-                coding == ColorCoding::jpeg ? io::encode_jpeg(color, io::JpegUse::texture)
-                                            : io::encode_png(color));
-  MARKETGEN_TRY(pictures.normal, io::encode_png(relief.normal));
+  const auto coded = [&](const Image& image, io::JpegUse use) {
+    return coding == MaterialCoding::jpeg ? io::encode_jpeg(image, use) : io::encode_png(image);
+  };
+  MARKETGEN_TRY(pictures.color, coded(color, io::JpegUse::texture));
+  MARKETGEN_TRY(pictures.normal, coded(relief.normal, io::JpegUse::picture));
   MARKETGEN_TRY(pictures.gloss, io::encode_png(metallic_roughness(relief)));
   return pictures;
 }

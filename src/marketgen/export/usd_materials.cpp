@@ -56,7 +56,7 @@ const UsdPictures::Tiled& UsdPictures::tiled(const catalog::MaterialRow& materia
   if (!is_new) return entry->second;
   const std::string stem = usd_identifier("material_" + material.id);
   entry->second = {stem + "_color.jpg",
-                   stem + "_normal.png",
+                   stem + "_normal.jpg",
                    stem + "_gloss.png",
                    static_cast<float>(1 - material.transmission)};
   materials_.push_back(material);
@@ -65,7 +65,7 @@ const UsdPictures::Tiled& UsdPictures::tiled(const catalog::MaterialRow& materia
 
 Result<std::vector<BesideFile>> UsdPictures::take() {
   auto drawn = parallel_map(materials_.size(), [&](std::size_t i) {
-    return std::optional(material_pictures(materials_[i], ColorCoding::jpeg));
+    return std::optional(material_pictures(materials_[i], MaterialCoding::jpeg));
   });
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     MARKETGEN_TRY(MaterialPictures made, *std::move(drawn[i]));
