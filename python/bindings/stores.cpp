@@ -1,6 +1,7 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <optional>
@@ -17,6 +18,7 @@
 #include "io/json.h"
 #include "io/png.h"
 #include "layout/layout_picture.h"
+#include "physics/settle/let_go.h"
 #include "plan/patch.h"
 #include "planners/make_planner.h"
 #include "render/cameras/camera.h"
@@ -176,6 +178,29 @@ std::string shop(const StoreHandle& handle,
   })));
 }
 
+// row, id, pose (x, y, z, qw, qx, qy, qz) and whether it rests, of each product.
+using SettledRow = std::tuple<std::uint32_t, std::string, std::array<double, 7>, bool>;
+std::vector<SettledRow> settle(const StoreHandle& handle,
+                               const std::array<double, 4>& region_m,
+                               double seconds,
+                               double lift_m,
+                               bool soft,
+                               const Callable& progress) {
+  const scene::Scene& scene = handle.store->scene;
+  const physics::LetGoOptions options{region_m, seconds, lift_m, soft, handle.catalog->frictions};
+  const auto ends = value_or_raise(
+      telling(progress, [&](Progress& told) { return physics::let_go(scene, options, told); }));
+  std::vector<SettledRow> rows;
+  for (const physics::LetGoProduct& end : ends) {
+    const auto& [p, q] = end.world_from_product;
+    rows.emplace_back(end.product,
+                      scene::product_id(scene, end.product),
+                      std::array{p.x, p.y, p.z, q.w, q.x, q.y, q.z},
+                      end.rests);
+  }
+  return rows;
+}
+
 std::vector<std::string> camera_names(const StoreHandle& handle) {
   std::vector<std::string> names;
   for (const render::Camera& camera : render::standard_cameras(handle.store->scene, 16, 9))
@@ -213,6 +238,7 @@ void add_stores(nb::module_& module) {
       .def("_compliance", &compliance)
       .def("_edit", &edit)
       .def("_shop", &shop)
+      .def("_settle", &settle)
       .def("camera_names", &camera_names)
       .def("camera", [](const StoreHandle& h, const std::string& name, int width, int height) {
         return value_or_raise(render::camera_named(h.store->scene, name, width, height));

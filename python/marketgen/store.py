@@ -16,6 +16,8 @@ from .errors import Error, StoreWarning
 from .pictures import Camera, Renderer
 from .views import View, show
 
+MAX_SETTLE_SECONDS, MAX_LIFT_M = 60.0, 0.1
+
 
 class Store:
     """A store folder, opened: docs/formats.md describes its files."""
@@ -208,6 +210,39 @@ class Store:
             arguments.planner_access(planner_url, record, max_tokens, max_seconds, max_usd, usd_per_million),
         )
         return json.loads(plan)
+
+    def settle(
+        self,
+        region: Sequence[float],
+        *,
+        seconds: float = 2.0,
+        lift_m: float = 0.0,
+        soft: bool = True,
+        progress: Progress | None = None,
+    ) -> list[dict[str, Any]]:
+        """Lets all goods of a region go at once, in the physics that episodes run in (docs/physics.md): where each then is.
+
+        region   (x0, y0, x1, y1), metres, of at most 1,024 goods by the middle of their feet; the rest of the store stands, and moves where it is pushed
+        seconds  simulated, up to 60
+        lift_m   raised by so much first, up to 0.1, but for what hangs on a peg: they fall, instead of standing as they were stocked
+        soft     bags and pouches bend; False: they are rigid, as exports have them
+        progress as of generate()
+
+        One dict a product: `row` (of query("products"), as Renderer.move() takes it), `id`, `pose` (x, y, z, qw, qx, qy, qz in the
+        store's frame) and whether it `rests`. Equal stores and arguments have equal answers. Raises Error physics.bad_command
+        when more goods stand there, physics.failed.
+        """
+        x0, y0, x1, y1 = corners = arguments.numbers("region", region, 4)
+        if not (x0 < x1 and y0 < y1):
+            raise arguments.bad("region", region, "x0, y0, x1, y1 with x0 < x1 and y0 < y1")
+        rows = self._handle._settle(
+            corners,
+            arguments.a_number("seconds", seconds, 0, MAX_SETTLE_SECONDS),
+            arguments.a_number("lift_m", lift_m, 0, MAX_LIFT_M),
+            arguments.a_truth("soft", soft),
+            arguments.a_progress(progress),
+        )
+        return [{"row": row, "id": name, "pose": tuple(pose), "rests": rests} for row, name, pose, rests in rows]
 
     def camera_names(self) -> list[str]:
         """The views that every store has: top, entrance, aisle, checkout, and zone:<id> for each zone."""

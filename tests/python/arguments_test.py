@@ -95,6 +95,16 @@ CALLS = {
     "sold_out": [lambda on: on.store.shop("milk", sold_out="dairy-milk"), lambda on: on.store.shop("milk", sold_out=[3])],
     "planner": [lambda on: on.store.shop("milk", planner="opnai:m"), lambda on: on.store.shop("milk", planner=5)],
     "max_usd": [lambda on: on.store.shop("milk", planner="openai:m", max_usd=1.0)],
+    "region": [
+        lambda on: on.store.settle("1,1,2,2"),
+        lambda on: on.store.settle((1, 1, 2)),
+        lambda on: on.store.settle((2, 1, 1, 2)),
+        lambda on: on.store.settle((0, 0, float("inf"), 9)),
+        lambda on: on.store.settle((0, 0, 9, 7)),  # more than can move at once
+    ],
+    "seconds": [lambda on: on.store.settle((0, 0, 0.1, 0.1), seconds=-1), lambda on: on.store.settle((0, 0, 0.1, 0.1), seconds="long")],
+    "lift_m": [lambda on: on.store.settle((0, 0, 0.1, 0.1), lift_m=1), lambda on: on.store.settle((0, 0, 0.1, 0.1), lift_m=None)],
+    "soft": [lambda on: on.store.settle((0, 0, 0.1, 0.1), soft="no")],
     "path": [lambda on: marketgen.read_photo(5), lambda on: marketgen.read_motion(5)],
     "record_motion": [
         lambda on: marketgen.evaluate(on.tasks, record_motion="yes", folder=on.folder),
@@ -235,7 +245,7 @@ def test_every_public_function_is_tried_above():
 
     functions = [marketgen.generate, marketgen.open_store, marketgen.read_photo, marketgen.evaluate, marketgen.render_batch]
     functions += [marketgen.merge, marketgen.leaderboard, marketgen.tables, marketgen.read_motion, marketgen.write_episodes]
-    functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.compliance, marketgen.Store.shop, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
+    functions += [marketgen.Store.edit, marketgen.Store.patches, marketgen.Store.compliance, marketgen.Store.shop, marketgen.Store.settle, marketgen.Store.query, marketgen.Store.camera, marketgen.Store.renderer]
     # marketgen.record: record_test.py
     functions += [getattr(marketgen.Renderer, name) for name in ("render", "with_noise", "annotate", "set_robots", "set_people", "move")]
     tried = {name for name, _ in GENERATE} | set(CALLS) | {"progress"}  # progress: notebook_test.py

@@ -217,3 +217,20 @@ def test_shopping_says_what_it_cannot_do(store, code, where, words, arguments):
         store.shop(words, **arguments)
     assert caught.value.code == code
     assert where in caught.value.where
+
+
+def test_goods_that_are_let_go_stay_where_they_stand(store):
+    items = store.query("products")
+    middle = items[len(items) // 2]
+    region = (middle["x_m"] - 0.3, middle["y_m"] - 0.3, middle["x_m"] + 0.3, middle["y_m"] + 0.3)
+    ends = store.settle(region, seconds=1)
+    inside = [row for row, item in enumerate(items) if region[0] <= item["x_m"] <= region[2] and region[1] <= item["y_m"] <= region[3]]
+    assert [end["row"] for end in ends] == inside and [end["id"] for end in ends] == [items[row]["id"] for row in inside]
+    moved = [abs(end["pose"][2] - items[end["row"]]["z_m"]) for end in ends]
+    assert sorted(moved)[len(moved) // 2] < 0.001
+    assert store.settle(region, seconds=1) == ends
+    falling = store.settle(region, seconds=0.02, lift_m=0.02)  # 2 mm of the 20
+    raised = [end["pose"][2] - items[end["row"]]["z_m"] for end in falling]
+    assert abs(sorted(raised)[len(raised) // 2] - 0.018) < 0.0005
+    assert not any(end["rests"] for end in falling if end["pose"][2] > items[end["row"]]["z_m"] + 0.01)
+    assert store.settle((-9, -9, -8, -8)) == []

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A USD export is what it says, judged by others: OpenUSD's own validators and NVIDIA's find nothing in it, every item stands where
 # the store has it, with its mass, friction and labels; doors have their limits in degrees. And goods that are free behave as ours do:
-# MuJoCo, told of them by the USD file alone, settles them as it does from our MJCF.
+# MuJoCo, told of them by the USD file alone, settles them as our own world does, and as it does from our MJCF.
 set -euo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 program=${MARKETGEN_BINARY:-$repository/build/release/marketgen}
@@ -18,7 +18,7 @@ mkdir out
 mv out moved # the two parts may be moved together
 
 "$python" "$repository/tests/tools/usd_judge.py" moved/shop.usda shop shop.glb shop.xml summary.json
-"$python" "$repository/tests/tools/usd_physics.py" moved/shop.usda shop.xml
+PYTHONPATH=$(dirname "$program")/python "$python" "$repository/tests/tools/usd_physics.py" moved/shop.usda shop.xml shop "$region"
 "$repository/.venv/bin/nvidia_usd_validate" moved/shop.usda > nvidia.txt 2>&1 || { tail -40 nvidia.txt; exit 1; }
 grep -q "No issues found" nvidia.txt || { tail -40 nvidia.txt; exit 1; }
 echo "NVIDIA's validator: no failure, no warning"

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import collections
 import contextlib
 import dataclasses
 import json
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -22,10 +24,11 @@ from .statistics import PictureCounts
 from .video import Encoder
 
 FPS = 20  # of control, in every environment of ours
+MAX_WAITING = 8  # pictures of a camera that are not encoded yet: 1.6 MB of 256x256
 
 
 class Stopwatch:
-    """Seconds by what they were spent on: "pictures", "video", "files"; None: on all together."""
+    """Seconds by what the calling thread spent them on: "pictures", "video" (waiting for encoders), "files"."""
 
     def __init__(self) -> None:
         self.seconds: dict[str, float] = {}
@@ -109,14 +112,38 @@ def player_of(policy: Any) -> str | PolicyHere | Drives:
 
 
 class _Reel:
-    """One camera's pictures of the episode that runs."""
+    """One camera's pictures of the episode that runs: a thread of its own takes them, in their order, while the world goes on.
+
+    add() and finish() raise what the thread did.
+    """
 
     def __init__(self, new_encoder: Callable[[], Encoder]):
-        self.encoder, self.counts = new_encoder(), PictureCounts()
+        self.counts = PictureCounts()
+        self._encoder = new_encoder()
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix="video")
+        self._waiting: collections.deque[Future[None]] = collections.deque()
 
     def add(self, rgb: np.ndarray) -> None:
-        self.encoder.add(rgb)
+        """(height, width, 3) uint8, which nobody changes afterwards. Waits while MAX_WAITING others have not been taken."""
+        if len(self._waiting) == MAX_WAITING:
+            self._waiting.popleft().result()
+        self._waiting.append(self._thread.submit(self._take, rgb))
+
+    def _take(self, rgb: np.ndarray) -> None:
+        self._encoder.add(rgb)
         self.counts.add(rgb)
+
+    def finish(self) -> bytes:
+        """The video."""
+        while self._waiting:
+            self._waiting.popleft().result()
+        self._thread.shutdown()
+        return self._encoder.finish()
+
+    def close(self) -> None:
+        """Without a video."""
+        self._thread.shutdown(cancel_futures=True)
+        self._encoder.close()
 
 
 def act_out(
@@ -133,10 +160,10 @@ def act_out(
     try:
         info = _run(env, episode, player, rows, reels, watch)
         with watch.on("video"):
-            videos = {camera: reel.encoder.finish() for camera, reel in reels.items()}
+            videos = {camera: reel.finish() for camera, reel in reels.items()}
     except BaseException:
         for reel in reels.values():
-            reel.encoder.close()
+            reel.close()
         raise
     frames = len(rows[ACTION])
     rows[SUCCESS][-1] = info["success"]

@@ -44,7 +44,8 @@ class Recording:
     episodes   that are in it; `succeeded` of them reached all goals
     tried      that were acted out, in this run or before it was broken off
     frames     20 a second
-    seconds    of wall time in this run: "all", and of that on "pictures", "video" (encoding) and "files"
+    seconds    of wall time in this run: "all", and of that on "pictures", "video" (waiting for encoders, which have threads of
+               their own) and "files"
     acted_now  how many of the tried were acted out in this run
     """
 

@@ -1,7 +1,7 @@
 """Pictures as videos: one an episode while it is recorded, then as many as fit in one file, copied without loss.
 
 Frame n of a video is shown at exactly n / fps. No frame depends on a later one, and every second can be begun at, so that a reader
-that jumps about decodes two at most. One thread encodes: the bytes do not depend on how many cores there are.
+that jumps about decodes two at most. One thread encodes a video: the bytes do not depend on how many cores there are.
 """
 
 from __future__ import annotations

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "assets/materials/material_texture.h"
+#include "io/jpeg.h"
 #include "io/png.h"
 
 namespace marketgen::exporters {
@@ -38,11 +39,16 @@ double material_repeat_m(const scene::Scene& scene, const std::string& id) {
   return material == nullptr ? 1 : assets::material_extent_m(*material);
 }
 
-Result<MaterialPictures> material_pictures(const catalog::MaterialRow& material) {
+Result<MaterialPictures> material_pictures(const catalog::MaterialRow& material,
+                                           MaterialCoding coding) {
   const assets::MaterialMaps relief = assets::draw_material_maps(material, relief_px);
   MaterialPictures pictures;
-  MARKETGEN_TRY(pictures.color, io::encode_png(assets::draw_material(material, color_px)));
-  MARKETGEN_TRY(pictures.normal, io::encode_png(relief.normal));
+  const Image color = assets::draw_material(material, color_px);
+  const auto coded = [&](const Image& image, io::JpegUse use) {
+    return coding == MaterialCoding::jpeg ? io::encode_jpeg(image, use) : io::encode_png(image);
+  };
+  MARKETGEN_TRY(pictures.color, coded(color, io::JpegUse::texture));
+  MARKETGEN_TRY(pictures.normal, coded(relief.normal, io::JpegUse::picture));
   MARKETGEN_TRY(pictures.gloss, io::encode_png(metallic_roughness(relief)));
   return pictures;
 }

@@ -65,7 +65,7 @@ class GoodsWriter {
   void write_item(std::uint32_t row, const std::string& name, const std::string& id) {
     const scene::SceneProduct& item = parts_.scene.products[row];
     const Pose pose = scene::world_from_product(item);
-    // Most of a store's text: on as few lines as its grammar allows.
+    // Most of a store's text: on as few lines as its grammar allows, and not indented inside.
     out_.line(
         "def \"{}\" (displayName = {}; instanceable = true; "
         "prepend references = @./products.usda@</Products/{}>{})",
@@ -73,10 +73,9 @@ class GoodsWriter {
         usd_quoted(id),
         usd_identifier(parts_.scene.catalog[item.sku].sku),
         parts_.free[row] ? "; variants = { string physics = \"free\" }" : "");
-    out_.line("{{");
-    out_.line("    quatd xformOp:orient = {}", usd_orient(pose.rotation));
-    out_.line("    double3 xformOp:translate = {}", usd_vector(pose.position));
-    out_.line("}}");
+    out_.append(fmt::format("{{\nquatd xformOp:orient = {}\ndouble3 xformOp:translate = {}\n}}\n",
+                            usd_orient(pose.rotation),
+                            usd_vector(pose.position)));
   }
 
   bool hangs_free(std::uint32_t row) const {

@@ -1,7 +1,9 @@
 #include "export/usd_materials.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "base/parallel.h"
 #include "export/material_pictures.h"
 
 namespace marketgen::exporters {
@@ -49,16 +51,30 @@ std::string UsdPictures::add(const std::string& name, std::string_view ending, s
   return files_.back().name;
 }
 
-Result<UsdPictures::Tiled> UsdPictures::tiled(const catalog::MaterialRow& material) {
-  const auto known = tiled_.find(material.id);
-  if (known != tiled_.end()) return known->second;
-  MARKETGEN_TRY(MaterialPictures made, material_pictures(material));
-  Tiled tiled{add("material_" + material.id + "_color", ".png", std::move(made.color)),
-              add("material_" + material.id + "_normal", ".png", std::move(made.normal)),
-              add("material_" + material.id + "_gloss", ".png", std::move(made.gloss)),
-              static_cast<float>(1 - material.transmission)};
-  tiled_.emplace(material.id, tiled);
-  return tiled;
+const UsdPictures::Tiled& UsdPictures::tiled(const catalog::MaterialRow& material) {
+  const auto [entry, is_new] = tiled_.try_emplace(material.id);
+  if (!is_new) return entry->second;
+  const std::string stem = usd_identifier("material_" + material.id);
+  entry->second = {stem + "_color.jpg",
+                   stem + "_normal.jpg",
+                   stem + "_gloss.png",
+                   static_cast<float>(1 - material.transmission)};
+  materials_.push_back(material);
+  return entry->second;
+}
+
+Result<std::vector<BesideFile>> UsdPictures::take() {
+  auto drawn = parallel_map(materials_.size(), [&](std::size_t i) {
+    return std::optional(material_pictures(materials_[i], MaterialCoding::jpeg));
+  });
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    MARKETGEN_TRY(MaterialPictures made, *std::move(drawn[i]));
+    const Tiled& named = tiled_.at(materials_[i].id);
+    files_.push_back({named.color, std::move(made.color)});
+    files_.push_back({named.normal, std::move(made.normal)});
+    files_.push_back({named.gloss, std::move(made.gloss)});
+  }
+  return std::move(files_);
 }
 
 int UsdLooks::add(const assets::Surface& surface, const std::string& picture) {
@@ -82,7 +98,7 @@ Result<int> UsdLooks::add_tiled(const std::string& id) {
 }
 
 Result<int> UsdLooks::add_tiled(const catalog::MaterialRow& material) {
-  MARKETGEN_TRY(const UsdPictures::Tiled tiled, pictures_.tiled(material));
+  const UsdPictures::Tiled& tiled = pictures_.tiled(material);
   Row row;
   row.diffuse = {1, 1, 1};
   row.opacity = tiled.opacity;

@@ -25,14 +25,16 @@ class UsdPictures {
   };
   // Returns the file's name.
   std::string add(const std::string& name, std::string_view ending, std::string bytes);
-  // Of a row of Scene::materials. Errors: image.*.
-  Result<Tiled> tiled(const catalog::MaterialRow& material);
+  // Of a row of Scene::materials; they are drawn by take().
+  const Tiled& tiled(const catalog::MaterialRow& material);
   const scene::Scene& scene() const { return *scene_; }
-  std::vector<BesideFile> take() { return std::move(files_); }
+  // All of them; materials are drawn side by side. Errors: image.*.
+  Result<std::vector<BesideFile>> take();
 
  private:
   const scene::Scene* scene_;
-  std::map<std::string, Tiled> tiled_;
+  std::map<std::string, Tiled> tiled_;           // by the material's id
+  std::vector<catalog::MaterialRow> materials_;  // in the order in which they were asked for
   std::vector<BesideFile> files_;
 };
 
@@ -43,7 +45,8 @@ class UsdLooks {
 
   // `picture` is a file of UsdPictures, over the surface once; empty: none.
   int add(const assets::Surface& surface, const std::string& picture = {});
-  // A catalogue material, tiled; light plaster when the scene has no such row. Errors: image.*.
+  // A catalogue material, tiled; light plaster when the scene has no such row. No errors, but
+  // add_looks() asks for some.
   Result<int> add_tiled(const std::string& id);
   Result<int> add_tiled(const catalog::MaterialRow& material);
   bool textured(int look) const { return !rows_[static_cast<std::size_t>(look)].color.empty(); }

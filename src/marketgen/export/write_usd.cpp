@@ -41,7 +41,8 @@ Result<ExportFiles> write_usd(const scene::Scene& scene, const ExportOptions& op
   add("goods", std::move(goods));
   add("lights", usd_lights(scene));
   files.beside.push_back({usd_geometry_file, parts.geometry.finish()});
-  for (BesideFile& picture : parts.pictures.take())
+  MARKETGEN_TRY(std::vector<BesideFile> pictures, parts.pictures.take());
+  for (BesideFile& picture : pictures)
     files.beside.push_back(std::move(picture));
   files.beside.push_back(licences_file(scene));
   files.main = root_layer(scene, options.beside);

@@ -33,9 +33,14 @@ Result<void> Outputs::add(const std::vector<std::pair<std::string, fs::path>>& f
     if (twice)
       return Error{
           "usage.bad_flag", flag, file.string() + " is to be written already; name another file"};
-    drafts_.push_back({std::move(to), {}, false});
+    add_draft(std::move(to));
   }
   return {};
+}
+
+void Outputs::add_draft(Destination to) {
+  by_shown_.try_emplace(to.shown.string(), drafts_.size());
+  drafts_.push_back({std::move(to), {}, false});
 }
 
 Result<void> Outputs::add_folder(const fs::path& folder) {
@@ -52,10 +57,10 @@ Result<void> Outputs::add_folder(const fs::path& folder) {
 }
 
 Result<Outputs::Draft*> Outputs::draft_of(const fs::path& file) {
-  const auto found = std::ranges::find(drafts_, file, [](const Draft& d) { return d.to.shown; });
-  if (found != drafts_.end()) return &*found;
+  if (const auto found = by_shown_.find(file.string()); found != by_shown_.end())
+    return &drafts_[found->second];
   MARKETGEN_TRY(Destination to, destination_of(file, made_));
-  drafts_.push_back({std::move(to), {}, false});
+  add_draft(std::move(to));
   return &drafts_.back();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +50,10 @@ class Outputs {
   Result<void> put_in_place(Draft& draft);
   static void take_back(Draft& draft);
 
+  void add_draft(Destination to);
+
   std::vector<Draft> drafts_;
+  std::map<std::string, std::size_t> by_shown_;  // where in drafts_; the first of a name
   MadeFolders made_;
 };
 

@@ -1,5 +1,6 @@
 #include "render/sensor/sensor_window.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace marketgen::render::raytrace {
@@ -29,28 +30,27 @@ float TileWindows::open_share(std::size_t i,
                               Window window) const {
   const WindowCorner corner(i, window);
   const int side = static_cast<int>(window);
+  // Eight pixels of a row, of which the window has all or four.
+  const int column = std::min(corner.column, sensor_tile_side - static_cast<int>(lane_count));
+  const unsigned inside = ((1U << side) - 1) << (corner.column - column);
+  const std::array<Float8, 3> normal{normal_[0][i], normal_[1][i], normal_[2][i]};
   const auto along = [&](const std::array<Numbers, 3>& of, std::size_t q) {
-    __m128 sum = _mm_setzero_ps();
-    for (std::size_t c = 0; c < 3; ++c)
-      sum = _mm_add_ps(sum, _mm_mul_ps(_mm_loadu_ps(&of[c][q]), _mm_set1_ps(normal_[c][i])));
-    return sum;
+    return Float8::load(&of[0][q]) * normal[0] + Float8::load(&of[1][q]) * normal[1] +
+           Float8::load(&of[2][q]) * normal[2];
   };
   const float here = position_[0][i] * normal_[0][i] + position_[1][i] * normal_[1][i] +
                      position_[2][i] * normal_[2][i];
-  const __m128 plane = _mm_set1_ps(window_plane_m + window_plane_per_m * depth_[i]);
+  const Float8 plane = window_plane_m + window_plane_per_m * depth_[i];
   int count = 0, open = 0;
-  for (int part = 0; part < side * side / 4; ++part) {  // four pixels of a row
-    const int row = corner.row + part % side, column = corner.column + part / side * 4;
-    const unsigned asked = sampled.four(row, column);
+  for (int row = corner.row; row < corner.row + side; ++row) {
+    const unsigned asked = sampled.eight(row, column) & inside;
     if (asked == 0) continue;
     const std::size_t q = SensorTile::number_of(column, row);
-    const __m128 off =
-        _mm_andnot_ps(_mm_set1_ps(-0.0F), _mm_sub_ps(along(position_, q), _mm_set1_ps(here)));
-    const __m128 alike = _mm_and_ps(_mm_cmpge_ps(along(normal_, q), _mm_set1_ps(window_facing)),
-                                    _mm_cmple_ps(off, plane));
-    const unsigned counted = asked & static_cast<unsigned>(_mm_movemask_ps(alike));
+    const Float8 off = absolute(along(position_, q) - here);
+    const unsigned counted =
+        asked & ((along(normal_, q) >= Float8(window_facing)) & (plane >= off)).bits();
     count += std::popcount(counted);
-    open += std::popcount(counted & ~blocked.four(row, column));
+    open += std::popcount(counted & ~blocked.eight(row, column));
   }
   return count > 0 ? static_cast<float>(open) / static_cast<float>(count) : 1;
 }

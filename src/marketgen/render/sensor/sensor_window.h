@@ -99,6 +99,10 @@ class TilePixels {
   unsigned four(int row, int column) const {
     return static_cast<unsigned>(rows_[static_cast<std::size_t>(row)]) >> column & 15U;
   }
+  // The same for eight.
+  unsigned eight(int row, int column) const {
+    return static_cast<unsigned>(rows_[static_cast<std::size_t>(row)]) >> column & 255U;
+  }
   // Whether one of the window around a pixel is in it.
   bool near(std::size_t i, Window window) const {
     const WindowCorner corner(i, window);
