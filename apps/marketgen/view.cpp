@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "number_flags.h"
+#include "planner_flags.h"
 #include "say.h"
 #include "server/open_browser.h"
 #include "server/serve.h"
@@ -47,13 +48,16 @@ Run add_view(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("view", "Make, show and edit stores in a browser, until Ctrl-C");
   command
-      ->add_option(
-          "folders", flags->folders, "store folders; none: the page in which stores are made")
+      ->add_option("folders",
+                   flags->folders,
+                   "folders of stores and of evaluations; none: the page in which stores are made")
       ->type_name("STORE");
   command
-      ->add_option("--results",
-                   flags->serve.results,
-                   "folder of an evaluation in one of the stores; may be given several times")
+      ->add_option(
+          "--results",
+          flags->serve.results,
+          "folder of an evaluation in one of the stores, or in those of a set of episodes; "
+          "may be given several times")
       ->type_name("RESULTS");
   constexpr int max_port = 65535;
   command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
@@ -74,6 +78,8 @@ Run add_view(CLI::App& app) {
                    "folder in which stores are kept that are made in the browser")
       ->type_name("FOLDER")
       ->capture_default_str();
+  add_planner_choice(*command, flags->serve.planner.name, flags->serve.planner.access);
+  add_planner_limits(*command, flags->serve.planner.access);
   command
       ->add_option("--episodes",
                    flags->serve.episodes,
