@@ -228,11 +228,13 @@ TEST_F(MadeOnline, SaysInTheCoresWordsWhatOfItIsNone) {
 
 // The one that the server was started with is offered, and no other.
 TEST_F(MadeOnline, AModelPlansWhereTheServerWasStartedWithIt) {
+  server::OfferedPlanner planner{"http:m", {}};
+  planner.access.url = "http://127.0.0.1:9/v1";
   server::Maker with_model(
       std::make_shared<const catalog::Catalog>(committed_catalog()),
       scratch.path() / "made",
       [](const fs::path&) -> Result<int> { return 0; },
-      {"http:m", {.url = "http://127.0.0.1:9/v1"}});
+      planner);
   web::HttpAsk ask;
   ask.method = "POST";
   ask.body = Json{{"words", small_shop}, {"planner", "http:m"}}.dump();
