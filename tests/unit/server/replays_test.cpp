@@ -328,7 +328,7 @@ TEST_F(ReplaysOfTwo, OfASetAreShownInItsStores) {
   ASSERT_TRUE(opened.ok()) << to_string(opened.error());
   ASSERT_EQ(opened->stores.size(), 1U);
   EXPECT_EQ(scene::scene_hash(opened->stores[0]->scene), spec_.scene_hash);
-  EXPECT_EQ(opened->stores[0]->folder, "pool/checkout");
+  EXPECT_EQ(opened->stores[0]->folder, "pool");
   EXPECT_TRUE(runs->scenes_without(opened->stores).empty());
   const auto replays = server::Replays::open(*std::move(runs), opened->stores, opened->catalog);
   ASSERT_TRUE(replays.ok()) << to_string(replays.error());
