@@ -29,7 +29,8 @@ void tell(const ViewFlags& flags, const std::string& address) {
 }
 
 Result<void> view(const ViewFlags& flags) {
-  if (flags.folders.empty() && (flags.serve.read_only || flags.serve.embed))
+  const bool shows_something = !flags.folders.empty() || !flags.serve.results.empty();
+  if (!shows_something && (flags.serve.read_only || flags.serve.embed))
     return Error{"usage.bad_flag",
                  flags.serve.embed ? "--embed" : "--read-only",
                  "without a store there is nothing to show: name a store folder"};

@@ -59,7 +59,8 @@ TEST_F(View, ServesAStoreUntilCtrlC) {
 
 // Two policies in stores that nobody has as folders: they travel with the set.
 TEST_F(View, ShowsResultsOfASetWithoutAStore) {
-  const std::string one = (scratch_.path() / "one").string(), two = (scratch_.path() / "two").string();
+  const std::string one = (scratch_.path() / "one").string(),
+                    two = (scratch_.path() / "two").string();
   for (const std::string& folder : {one, two}) {
     const Ran ran = run({MARKETGEN_BINARY,
                          "eval",

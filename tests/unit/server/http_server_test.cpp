@@ -201,8 +201,8 @@ TEST_F(HttpServer, OutlivesRandomBytes) {
   EXPECT_TRUE(lives());
 }
 
-// Requests that were sound before some of their bytes were changed, cut off or doubled; a connection
-// that is refused is begun anew.
+// Requests that were sound before some of their bytes were changed, cut off or doubled; a
+// connection that is refused is begun anew.
 TEST_F(HttpServer, OutlivesAHundredThousandDamagedRequests) {
   server::HttpServerOptions options;
   std::tie(options.limits.burst, options.limits.requests_per_s) = std::pair(1e9, 1e9);

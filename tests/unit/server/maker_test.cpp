@@ -156,7 +156,8 @@ TEST_F(MadeOnline, DrawingsAreReadAndNamedAsTheyWereCalled) {
   EXPECT_EQ(failed["tries"][0]["state"], "waiting");
 }
 
-// As `generate --time --vary --skin --country --catalog` would: the same store, and its brief says so.
+// As `generate --time --vary --skin --country --catalog` would: the same store, and its brief says
+// so.
 TEST_F(MadeOnline, TimeAxesLookAndOwnProductsAreThoseOfGenerate) {
   constexpr std::string_view own =
       "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg\n"
