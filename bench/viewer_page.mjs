@@ -133,7 +133,7 @@ async function walk(page, round) {
     await picture(page, "standing");
   }
   say("viewer_walking", rates.reduce((a, b) => a + b) / rates.length, "pictures/s", {
-    processor_ms: each,     least: Math.round(Math.min(...rates) * 10) / 10, triangles: seen.triangles, stand_ins: seen.stand_ins, calls: seen.calls, pixels: seen.size.join(" x "),
+    processor_ms: each, least: Math.round(Math.min(...rates) * 10) / 10, triangles: seen.triangles, stand_ins: seen.stand_ins, calls: seen.calls, pixels: seen.size.join(" x "),
   });
 }
 
@@ -155,7 +155,7 @@ async function opening(browser, address, server, round) {
   const { page, faults, close } = await openPage(browser, address);
   await page.waitForFunction(() => window.marketgen?.times.picture !== undefined, null, { timeout: patience, polling: 50 });
   const first = spentSince(spent);
-  await page.waitForFunction(() => window.marketgen?.times.complete !== undefined , null, { timeout: patience });
+  await page.waitForFunction(() => window.marketgen?.times.complete !== undefined, null, { timeout: patience });
   const all = spentSince(spent);
   const seen = await page.evaluate(() => {
     const answers = performance.getEntriesByType("resource").concat(performance.getEntriesByType("navigation"));

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "number_flags.h"
+#include "planner_flags.h"
 #include "say.h"
 #include "server/open_browser.h"
 #include "server/serve.h"
@@ -28,7 +29,8 @@ void tell(const ViewFlags& flags, const std::string& address) {
 }
 
 Result<void> view(const ViewFlags& flags) {
-  if (flags.folders.empty() && (flags.serve.read_only || flags.serve.embed))
+  const bool shows_something = !flags.folders.empty() || !flags.serve.results.empty();
+  if (!shows_something && (flags.serve.read_only || flags.serve.embed))
     return Error{"usage.bad_flag",
                  flags.serve.embed ? "--embed" : "--read-only",
                  "without a store there is nothing to show: name a store folder"};
@@ -47,13 +49,16 @@ Run add_view(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("view", "Make, show and edit stores in a browser, until Ctrl-C");
   command
-      ->add_option(
-          "folders", flags->folders, "store folders; none: the page in which stores are made")
+      ->add_option("folders",
+                   flags->folders,
+                   "folders of stores and of evaluations; none: the page in which stores are made")
       ->type_name("STORE");
   command
-      ->add_option("--results",
-                   flags->serve.results,
-                   "folder of an evaluation in one of the stores; may be given several times")
+      ->add_option(
+          "--results",
+          flags->serve.results,
+          "folder of an evaluation in one of the stores, or in those of a set of episodes; "
+          "may be given several times")
       ->type_name("RESULTS");
   constexpr int max_port = 65535;
   command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
@@ -74,6 +79,8 @@ Run add_view(CLI::App& app) {
                    "folder in which stores are kept that are made in the browser")
       ->type_name("FOLDER")
       ->capture_default_str();
+  add_planner_choice(*command, flags->serve.planner.name, flags->serve.planner.access);
+  add_planner_limits(*command, flags->serve.planner.access);
   command
       ->add_option("--episodes",
                    flags->serve.episodes,

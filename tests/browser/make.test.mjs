@@ -1,7 +1,7 @@
 // Making stores in the page of `marketgen view`: Debian's Chromium describes one, compares two seeds, drops a floor plan, keeps a store and opens it.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -73,6 +73,42 @@ test("a server without stores opens the page in which they are made; words and s
   await page.getByRole("link", { name: "Start from its words" }).click();
   await page.waitForFunction((said) => document.querySelector("textarea")?.value === said, `${words}, a helicopter pad`, { timeout: patience });
   assert.equal(await page.getByLabel("First seed").inputValue(), "6");
+  await close();
+});
+
+test("time, single axes, skin and products of one's own are as generate has them; what is none is said in the core's words", { timeout: 4 * patience }, async () => {
+  const { page, faults, close } = await openPage(browser, `${address}?make`);
+  const own = "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg\nown-cola,2999999999991,Lemonade,beverages,soft drinks,can,66x66x115,0.35\n";
+  await describe(page).fill("a kiosk with cold drinks", { timeout: patience });
+  await page.locator(".ask summary").click();
+  assert.equal(await page.getByLabel("Who plans").count(), 0, "the server was started without a model");
+  await page.getByLabel("Size of the room").fill("8x7m");
+  await page.getByLabel("Time that the shelves show").fill("Blursday 9:00");
+  await page.getByLabel("What was taken").fill("9");
+  await page.getByLabel("Look over the whole store").selectOption("industrial");
+  await page.locator('input[type="file"]').setInputFiles({ name: "mine.csv", mimeType: "text/csv", buffer: Buffer.from(own) });
+  await page.getByLabel("Stores to compare").fill("1");
+  await page.getByLabel("First seed").fill("3");
+  await page.getByRole("button", { name: "Make stores" }).click();
+  const refused = page.locator(".news [role=alert]");
+  await refused.waitFor({ timeout: patience });
+  assert.match(await refused.textContent(), /Mon, Tue, Wed/);
+  await take(page, "make-refused-time");
+  await page.getByLabel("Time that the shelves show").fill("Sat 17:30");
+  await page.getByRole("button", { name: "Make stores" }).click();
+  await ready(page, 1);
+  await take(page, "make-all-fields");
+  await page.locator(".try").getByLabel("Folder").fill("kiosk");
+  await page.locator(".try").getByRole("button", { name: "Keep and open" }).click();
+  await page.waitForFunction(() => window.marketgen?.times.goods !== undefined, null, { timeout: patience });
+  const table = join(folder, "mine.csv");
+  writeFileSync(table, own);
+  execFileSync(program, ["generate", "a kiosk with cold drinks", "--size", "8x7m", "--time", "Sat 17:30", "--vary", "fill=9", "--skin", "industrial", "--catalog", table, "--seed", "3", "--no-previews", "--quiet", "-o", join(folder, "kiosk-again")]);
+  const manifest = (name) => JSON.parse(readFileSync(join(folder, name, "store.json"), "utf8"));
+  assert.equal(manifest("kiosk").scene_hash, manifest("kiosk-again").scene_hash);
+  assert.equal(manifest("kiosk").look_hash, manifest("kiosk-again").look_hash);
+  assert.equal(manifest("kiosk").own[0].sku, "own-cola");
+  assert.deepEqual(faults, []);
   await close();
 });
 

@@ -57,6 +57,55 @@ TEST_F(View, ServesAStoreUntilCtrlC) {
   EXPECT_EQ(ran.err, "");
 }
 
+// Two policies in stores that nobody has as folders: they travel with the set.
+TEST_F(View, ShowsResultsOfASetWithoutAStore) {
+  const std::string one = (scratch_.path() / "one").string(),
+                    two = (scratch_.path() / "two").string();
+  for (const std::string& folder : {one, two}) {
+    const Ran ran = run({MARKETGEN_BINARY,
+                         "eval",
+                         "--episodes",
+                         "v1/checkout",
+                         "--policy",
+                         folder == one ? "stop" : "random",
+                         "--shard",
+                         "1/1000",
+                         "--record-motion",
+                         "--quiet",
+                         "-o",
+                         folder});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+  }
+  Started server(command({one, two, "--no-open"}));
+  const int port = port_of(server);
+  ASSERT_GT(port, 0) << server.errors_so_far();
+  EXPECT_NE(server.output_so_far().find("/?store=0&replay="), std::string::npos)
+      << "the list of episodes opens";
+  const auto json = [&](const std::string& path) {
+    return nlohmann::json::parse(get(port, path).body);
+  };
+  const nlohmann::json stores = json("/api/stores")["stores"];
+  ASSERT_EQ(stores.size(), 1U);
+  EXPECT_GT(stores[0]["products"], 1000);
+  const nlohmann::json summary = json("/api/stores/0");
+  EXPECT_EQ(summary["may_edit"], false) << "it would be saved beside a folder";
+  EXPECT_EQ(summary["may_drive"], false);
+  const nlohmann::json runs = json("/api/stores/0/runs")["runs"];
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[1]["policy"], "random");
+  const nlohmann::json ids = {json("/api/stores/0/runs/0")["episodes"][0]["id"],
+                              json("/api/stores/0/runs/1")["episodes"][0]["id"]};
+  EXPECT_EQ(ids[0], ids[1]);
+  const nlohmann::json episode = json("/api/stores/0/runs/1/episodes/0");
+  EXPECT_GT(episode["steps"], 1) << episode;
+  EXPECT_FALSE(episode["things"].empty());
+  EXPECT_EQ(get(port, "/api/stores/0/runs/1/episodes/0/motion.bin").body.substr(0, 4), "MGV1");
+  EXPECT_EQ(get(port, "/api/stores/0/runs/1/episodes/0/meshes.bin").body.substr(0, 4), "MGV1");
+  EXPECT_EQ(get(port, "/api/stores/0/places/0/goods.bin").body.substr(0, 4), "MGV1");
+  server.interrupt();
+  EXPECT_EQ(server.wait().status, 0);
+}
+
 TEST_F(View, NeedsAFreePort) {
   Started first(command({small_store().string(), "--no-open"}));
   const int port = port_of(first);

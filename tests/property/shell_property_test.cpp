@@ -34,7 +34,7 @@ std::unique_ptr<render::raytrace::World> drawn_shell(const plan::Shell& shell) {
   scene::Scene scene;
   scene.layout.shell = shell;
   auto world = std::make_unique<render::raytrace::World>();
-  render::raytrace::Draft draft(scene, *world, render::PrintDetail::distant);
+  render::raytrace::Draft draft(scene, *world, {.print = render::PrintDetail::distant});
   const render::raytrace::Room room = render::raytrace::room_of(shell);
   const render::raytrace::ShellBuilder builder(draft, room);
   builder.build(draft);

@@ -28,6 +28,8 @@ test("a file's ending says what it can be for", () => {
   expect(usesOf("plan.dxf")).toEqual(["floor_plan"]);
   expect(usesOf("shop.v2.JPEG")).toEqual(["image", "floor_plan"]);
   expect(usesOf("plan.pdf")).toEqual([]);
+  expect(usesOf("own.CSV")).toEqual(["catalog"]);
+  expect(usesOf("own.json")).toEqual(["catalog"]);
   expect(usesOf("png")).toEqual(["image", "floor_plan"]); // the server says what is wrong with it
 });
 

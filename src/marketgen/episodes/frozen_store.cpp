@@ -98,15 +98,20 @@ Result<std::string> rows_hash(const fs::path& data, const EpisodeFile& file) {
   return hasher.hex();
 }
 
-Result<void> check_frozen(EpisodeFile& file,
-                          const std::string& source,
-                          const fs::path& folder,
-                          const fs::path& data) {
-  for (EpisodeStore& store : file.header.stores) {
+Result<void> find_scenes(EpisodeHeader& header, const std::string& source, const fs::path& folder) {
+  for (EpisodeStore& store : header.stores) {
     if (!store.scene) continue;
     MARKETGEN_TRY(const fs::path path, io::path_within(folder, store.scene->file, source));
     store.scene->file = path.string();
   }
+  return {};
+}
+
+Result<void> check_frozen(EpisodeFile& file,
+                          const std::string& source,
+                          const fs::path& folder,
+                          const fs::path& data) {
+  MARKETGEN_CHECK(find_scenes(file.header, source, folder));
   if (!file.header.rows_hash) return {};
   MARKETGEN_TRY(const std::string there, rows_hash(data, file));
   if (there == *file.header.rows_hash) return {};

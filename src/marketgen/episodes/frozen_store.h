@@ -38,8 +38,13 @@ Result<std::shared_ptr<const scene::Scene>> open_frozen_scene(const EpisodeStore
 // read_file.
 Result<std::string> rows_hash(const std::filesystem::path& data, const EpisodeFile& file);
 
-// Gives the stores' scenes their whole paths, `folder` being that of the file. Errors:
-// input.outside_folder; episode.other_rows when the header's rows_hash is not that of `data`.
+// Gives the stores' scenes their whole paths, `folder` being that of the file. Error
+// input.outside_folder.
+Result<void> find_scenes(EpisodeHeader& header,
+                         const std::string& source,
+                         const std::filesystem::path& folder);
+
+// The same, and error episode.other_rows when the header's rows_hash is not that of `data`.
 Result<void> check_frozen(EpisodeFile& file,
                           const std::string& source,
                           const std::filesystem::path& folder,

@@ -126,7 +126,9 @@ Result<std::unique_ptr<Renderer>> create_renderer(const scene::Scene& scene,
                                                   const std::vector<Exhibit>& exhibits,
                                                   Progress& progress,
                                                   const RendererOptions& options) {
-  MARKETGEN_TRY(std::unique_ptr<LitWorld> lit, light_world(scene, exhibits, progress, options));
+  MARKETGEN_TRY(
+      std::unique_ptr<LitWorld> lit,
+      light_world(scene, exhibits, progress, {.print = options.print}, options.keep_light));
   return std::unique_ptr<Renderer>(std::make_unique<EmbreeRenderer>(std::move(lit), scene));
 }
 

@@ -1,5 +1,7 @@
 // What somebody asked for on a page, as `marketgen generate` takes it.
 #pragma once
+#include <memory>
+
 #include "base/result.h"
 #include "catalog/catalog.h"
 #include "intake/drawn_shell.h"
@@ -7,9 +9,14 @@
 
 namespace marketgen::server {
 
-// Dropped files are read and gone again: the brief names them as they were called. Errors:
-// server.bad_request for a file's name, net.* for its bytes; brief.bad_size; those of
-// intake::with_drawing.
-Result<intake::Drawn> brief_asked(const TryAsk& ask, const catalog::Catalog& catalog);
+struct AskedStore {
+  intake::Drawn drawn;
+  std::shared_ptr<const catalog::Catalog> catalog;  // with what is the user's own
+};
+
+// Dropped files are read and gone again: the brief names them as they were called. `catalog`: the
+// program's. Errors: server.bad_request for a file's name, net.* for its bytes; brief.bad_size,
+// brief.bad_time, brief.bad_vary; those of assets::usable_catalog and intake::with_drawing.
+Result<AskedStore> store_asked(const TryAsk& ask, std::shared_ptr<const catalog::Catalog> catalog);
 
 }  // namespace marketgen::server

@@ -29,9 +29,10 @@ struct DroppedFile {
 
 // try: the words are those of `marketgen generate`, and so are the flags.
 struct TryAsk {
-  std::string words, size, profile, style, floor_plan_scale;
+  std::string words, size, profile, style, floor_plan_scale, country, time, skin, planner;
   std::optional<DroppedFile> floor_plan;
-  std::vector<DroppedFile> images;
+  std::vector<DroppedFile> images, catalogs;
+  std::vector<std::string> vary;
   std::uint64_t seed = 1;
   int count = 1;
   static constexpr auto fields = field_list(
@@ -45,6 +46,13 @@ struct TryAsk {
             &TryAsk::images,
             "photos of shops, or one drawing of zones with names on them",
             at_most_items(4)),
+      field("country", &TryAsk::country, "whose money price tags have", at_most_bytes(100)),
+      field("time", &TryAsk::time, "that the shelves show, \"Sat 17:30\"", at_most_bytes(100)),
+      field("vary", &TryAsk::vary, "\"fill=3\": an axis' own seed", at_most_items(10)),
+      field("skin", &TryAsk::skin, "a style's materials, colours and light", at_most_bytes(100)),
+      field(
+          "planner", &TryAsk::planner, "one of those offered; empty: offline", at_most_bytes(200)),
+      field("catalogs", &TryAsk::catalogs, "own products: CSV or JSON", at_most_items(4)),
       field("seed", &TryAsk::seed, "of the first store"),
       field(
           "count", &TryAsk::count, "stores, each with the next seed", range(1, max_tried_stores)));
@@ -74,12 +82,15 @@ struct KeptStore {
 struct MakeOptions {
   std::string folder;
   int max_count = max_tried_stores;
-  std::vector<std::string> profiles, styles;
+  std::vector<std::string> profiles, styles, countries, vary, planners;
   static constexpr auto fields =
       field_list(field("folder", &MakeOptions::folder, "in which stores are kept"),
                  field("max_count", &MakeOptions::max_count, "stores of one brief"),
                  field("profiles", &MakeOptions::profiles, "kinds of shops"),
-                 field("styles", &MakeOptions::styles, "looks"));
+                 field("styles", &MakeOptions::styles, "looks"),
+                 field("countries", &MakeOptions::countries, "whose money there is"),
+                 field("vary", &MakeOptions::vary, "axes that may have a seed of their own"),
+                 field("planners", &MakeOptions::planners, "who may plan, offline first"));
 };
 
 enum class TryState { waiting, working, ready, failed };

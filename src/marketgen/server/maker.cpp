@@ -9,11 +9,12 @@
 
 #include "base/call_interrupt.h"
 #include "base/interrupt.h"
+#include "catalog/country.h"
 #include "io/json.h"
 #include "io/png.h"
+#include "plan/vary.h"
 #include "render/render.h"
 #include "server/answering.h"
-#include "server/dropped_brief.h"
 #include "web/folder_name.h"
 
 namespace marketgen::server {
@@ -22,6 +23,7 @@ namespace {
 constexpr const char* body_name = "request";  // in errors
 constexpr int picture_width_px = 480, picture_height_px = 270;
 constexpr std::size_t max_name_bytes = 40;  // of a folder that is proposed
+constexpr const char* offline = "offline";  // who plans by itself
 
 SaidError said(const Error& error) {
   return {error.code, error.where, error.message};
@@ -59,7 +61,7 @@ template <class Rows>
 std::vector<std::string> ids_in(const Rows& rows) {
   std::vector<std::string> ids;
   for (const auto& row : rows)
-    ids.push_back(row.id);
+    ids.emplace_back(row.id);
   return ids;
 }
 
@@ -71,10 +73,12 @@ bool is_refused_keeping(const Error& error) {
 
 Maker::Maker(std::shared_ptr<const catalog::Catalog> catalog,
              std::filesystem::path folder,
-             ShowSaved show)
+             ShowSaved show,
+             OfferedPlanner planner)
     : catalog_(std::move(catalog)),
       folder_(std::move(folder)),
       show_(std::move(show)),
+      planner_(std::move(planner)),
       worker_([this] { work(); }) {}
 
 Maker::~Maker() {
@@ -107,7 +111,17 @@ web::HttpReply Maker::options() const {
   options.folder = folder_.string();
   options.profiles = ids_in(catalog_->profiles);
   options.styles = ids_in(catalog_->styles);
+  options.countries = ids_in(catalog::countries());
+  for (const std::string_view axis : plan::vary_axes())
+    options.vary.emplace_back(axis);
+  options.planners = planners();
   return web::json_reply(io::write_json_line(options));
+}
+
+std::vector<std::string> Maker::planners() const {
+  std::vector<std::string> names{offline};
+  if (planner_.name != offline) names.push_back(planner_.name);
+  return names;
 }
 
 web::HttpReply Maker::state() {
@@ -121,12 +135,23 @@ web::HttpReply Maker::state() {
   return web::json_reply(io::write_json_line(state));
 }
 
-Result<web::HttpReply> Maker::begin(const web::HttpAsk& ask) {
-  MARKETGEN_TRY(TryAsk body, io::read_json<TryAsk>(ask.body, body_name));
-  if (body.words.empty() && !body.floor_plan && body.images.empty())
+Result<void> Maker::check(const TryAsk& ask) const {
+  if (ask.words.empty() && !ask.floor_plan && ask.images.empty())
     return Error{"server.bad_request",
                  "words",
                  "say what the store should be, as \"a 24 x 15 m supermarket with a bakery\""};
+  const std::vector<std::string> offered = planners();
+  if (ask.planner.empty() || std::ranges::find(offered, ask.planner) != offered.end()) return {};
+  return Error{"server.bad_request",
+               "planner",
+               fmt::format("\"{}\" does not plan here: start `marketgen view` with --planner {}",
+                           ask.planner,
+                           ask.planner)};
+}
+
+Result<web::HttpReply> Maker::begin(const web::HttpAsk& ask) {
+  MARKETGEN_TRY(TryAsk body, io::read_json<TryAsk>(ask.body, body_name));
+  MARKETGEN_CHECK(check(body));
   {
     const std::scoped_lock lock(mutex_);
     *batch_.given_up = true;
@@ -143,13 +168,11 @@ Result<web::HttpReply> Maker::begin(const web::HttpAsk& ask) {
   return state();
 }
 
-Result<std::shared_ptr<const store::MadeStore>> Maker::made(const web::HttpAsk& ask,
-                                                            int batch,
-                                                            std::uint64_t seed) {
+Result<Maker::Try> Maker::made(const web::HttpAsk& ask, int batch, std::uint64_t seed) {
   const std::scoped_lock lock(mutex_);
   if (batch == batch_.number)
     for (const Try& one : batch_.tries)
-      if (one.line.seed == seed && one.made) return one.made;
+      if (one.line.seed == seed && one.made) return one;
   return Error{"server.not_found",
                ask.path,
                "no store of that brief and seed is ready; a new brief has taken its place"};
@@ -158,11 +181,11 @@ Result<std::shared_ptr<const store::MadeStore>> Maker::made(const web::HttpAsk& 
 Result<web::HttpReply> Maker::keep(const web::HttpAsk& ask) {
   MARKETGEN_TRY(const KeepAsk body, io::read_json<KeepAsk>(ask.body, body_name));
   MARKETGEN_CHECK(web::check_folder_name(body.name));
-  MARKETGEN_TRY(const auto store, made(ask, body.batch, body.seed));
+  MARKETGEN_TRY(const Try one, made(ask, body.batch, body.seed));
   const std::filesystem::path folder = folder_ / body.name;
   constexpr bool previews = false;  // whoever keeps it here has the viewer
-  MARKETGEN_CHECK(store::save_made(*store, folder, previews, *catalog_));
-  KeptStore kept{0, body.name, store->store.manifest.scene_hash};
+  MARKETGEN_CHECK(store::save_made(*one.made, folder, previews, *one.catalog));
+  KeptStore kept{0, body.name, one.made->store.manifest.scene_hash};
   MARKETGEN_TRY(kept.store, show_(folder));
   return web::json_reply(io::write_json_line(kept));
 }
@@ -176,7 +199,7 @@ Result<web::HttpReply> Maker::picture(const web::HttpAsk& ask, const std::string
   if (number.ec != std::errc() || number.ptr == end || *number.ptr != '-') return no_address(ask);
   const auto rest = std::from_chars(number.ptr + 1, end, seed);
   if (rest.ec != std::errc() || std::string_view(rest.ptr, end) != ".png") return no_address(ask);
-  MARKETGEN_TRY(const auto store, made(ask, batch, seed));
+  MARKETGEN_TRY(const Try asked, made(ask, batch, seed));
   const std::scoped_lock alone(drawing_);
   std::shared_ptr<const web::HttpBody> drawn;
   note(batch, [&](Batch& now) {
@@ -184,7 +207,7 @@ Result<web::HttpReply> Maker::picture(const web::HttpAsk& ask, const std::string
       if (one.line.seed == seed) drawn = one.picture;
   });
   if (!drawn) {
-    MARKETGEN_TRY(std::string bytes, entrance_picture(store->store.scene));
+    MARKETGEN_TRY(std::string bytes, entrance_picture(asked.made->store.scene));
     drawn = web::make_body("image/png", std::move(bytes));
     note(batch, [&](Batch& now) {
       for (Try& one : now.tries)
@@ -228,23 +251,23 @@ void Maker::work() {
 }
 
 void Maker::make(int batch, const TryAsk& ask) {
-  const Result<intake::Drawn> drawn = brief_asked(ask, *catalog_);
-  if (!drawn.ok()) {
-    note(batch, [&](Batch& now) { now.error = said(drawn.error()); });
+  const Result<AskedStore> asked = store_asked(ask, catalog_);
+  if (!asked.ok()) {
+    note(batch, [&](Batch& now) { now.error = said(asked.error()); });
     return;
   }
-  note(batch, [&](Batch& now) { now.warnings = drawn->warnings; });
+  note(batch, [&](Batch& now) { now.warnings = asked->drawn.warnings; });
   for (int i = 0; i < ask.count; ++i)
-    make_one(
-        batch, static_cast<std::size_t>(i), drawn->brief, ask.seed + static_cast<std::uint64_t>(i));
+    make_one(batch, static_cast<std::size_t>(i), *asked, ask.seed + static_cast<std::uint64_t>(i));
 }
 
-void Maker::make_one(int batch, std::size_t row, const intake::Brief& brief, std::uint64_t seed) {
+void Maker::make_one(int batch, std::size_t row, const AskedStore& asked, std::uint64_t seed) {
   if (!note(batch, [&](Batch& now) { now.tries[row].line.state = TryState::working; })) return;
   store::CreateOptions options;
-  options.brief = brief;
+  options.brief = asked.drawn.brief;
+  if (options.brief.planner != offline) options.planner = planner_.access;
   options.seed = seed;
-  Result<store::MadeStore> made = store::made_store(options, *catalog_);
+  Result<store::MadeStore> made = store::made_store(options, *asked.catalog);
   if (!made.ok()) {
     note(batch, [&](Batch& now) {
       now.tries[row].line.state = TryState::failed;
@@ -256,6 +279,7 @@ void Maker::make_one(int batch, std::size_t row, const intake::Brief& brief, std
   TriedStore store = described(*kept);
   note(batch, [&](Batch& now) {
     now.tries[row].made = kept;
+    now.tries[row].catalog = asked.catalog;
     now.tries[row].line.store = std::move(store);
     now.tries[row].line.state = TryState::ready;
   });

@@ -17,6 +17,8 @@
 
 #include "base/result.h"
 #include "catalog/catalog.h"
+#include "planners/make_planner.h"
+#include "server/dropped_brief.h"
 #include "server/make_documents.h"
 #include "server/show_saved.h"
 #include "store/made_store.h"
@@ -24,12 +26,20 @@
 
 namespace marketgen::server {
 
+// A language model that pages may let plan: none but that which the server was started with, since
+// it costs whose key it is.
+struct OfferedPlanner {
+  std::string name = "offline";
+  planners::PlannerAccess access;
+};
+
 class Maker {
  public:
   // `folder`: in which stores are kept.
   Maker(std::shared_ptr<const catalog::Catalog> catalog,
         std::filesystem::path folder,
-        ShowSaved show);
+        ShowSaved show,
+        OfferedPlanner planner = {});
   ~Maker();  // waits for the stage that is under way
   Maker(const Maker&) = delete;
   Maker& operator=(const Maker&) = delete;
@@ -43,6 +53,7 @@ class Maker {
   struct Try {
     TryLine line;
     std::shared_ptr<const store::MadeStore> made;
+    std::shared_ptr<const catalog::Catalog> catalog;  // of which it was made
     std::shared_ptr<const web::HttpBody> picture;
   };
   struct Batch {
@@ -63,18 +74,20 @@ class Maker {
 
   void work();  // of the thread
   void make(int batch, const TryAsk& ask);
-  void make_one(int batch, std::size_t row, const intake::Brief& brief, std::uint64_t seed);
+  void make_one(int batch, std::size_t row, const AskedStore& asked, std::uint64_t seed);
+  Result<void> check(const TryAsk& ask) const;
+  std::vector<std::string> planners() const;
   TriedStore described(const store::MadeStore& made) const;
   // What `change` does to the batch, unless another has taken its place: false then.
   template <class Change>
   bool note(int batch, const Change& change);
-  Result<std::shared_ptr<const store::MadeStore>> made(const web::HttpAsk& ask,
-                                                       int batch,
-                                                       std::uint64_t seed);
+  // One that is ready.
+  Result<Try> made(const web::HttpAsk& ask, int batch, std::uint64_t seed);
 
   std::shared_ptr<const catalog::Catalog> catalog_;
   std::filesystem::path folder_;
   ShowSaved show_;
+  OfferedPlanner planner_;
   std::mutex drawing_, mutex_;  // mutex_: of what follows
   std::condition_variable called_;
   Batch batch_;

@@ -45,34 +45,47 @@ RunLine line_of_run(int number, const evaluation::FinishedRun& run, const std::s
   return line;
 }
 
-// Error: it is of none of the stores.
-Result<void> check_has_store(const evaluation::FinishedRun& run,
-                             const std::vector<std::shared_ptr<const store::Store>>& stores) {
-  for (const episodes::EpisodeResult& result : run.results)
-    for (const auto& store : stores)
-      if (store->manifest.scene_hash == result.scene_hash) return {};
-  if (run.results.empty())
-    return Error{"results.incomplete", run.folder.string(), "no episode has a result yet"};
-  const episodes::EpisodeResult& first = run.results.front();
-  return Error{
-      "episode.other_store",
-      run.folder.string(),
-      fmt::format("its episodes are of the store \"{}\" (scene {}), which is none of those "
-                  "that are shown: name that store's folder, too",
-                  first.store,
-                  first.scene_hash)};
+bool has_store(const evaluation::FinishedRun& run, const ReplayRuns::Stores& stores) {
+  return std::ranges::any_of(run.results, [&](const episodes::EpisodeResult& result) {
+    return std::ranges::any_of(
+        stores, [&](const auto& store) { return store->manifest.scene_hash == result.scene_hash; });
+  });
 }
 
 }  // namespace
 
-Result<ReplayRuns> ReplayRuns::open(
-    const std::vector<std::string>& folders,
-    const std::vector<std::shared_ptr<const store::Store>>& stores) {
+Result<ReplayRuns> ReplayRuns::read(const std::vector<std::string>& folders) {
   ReplayRuns opened;
   MARKETGEN_TRY(opened.runs_, evaluation::read_runs(folders));
-  for (const evaluation::FinishedRun& run : opened.runs_)
-    MARKETGEN_CHECK(check_has_store(run, stores));
   return opened;
+}
+
+std::set<std::string> ReplayRuns::scenes_without(const Stores& stores) const {
+  std::set<std::string> scenes;
+  for (const evaluation::FinishedRun& run : runs_) {
+    if (has_store(run, stores)) continue;
+    for (const episodes::EpisodeResult& result : run.results)
+      scenes.insert(result.scene_hash);
+  }
+  return scenes;
+}
+
+Result<void> ReplayRuns::check_shown_in(const Stores& stores) const {
+  for (const evaluation::FinishedRun& run : runs_) {
+    if (run.results.empty())
+      return Error{"results.incomplete", run.folder.string(), "no episode has a result yet"};
+    if (has_store(run, stores)) continue;
+    const episodes::EpisodeResult& first = run.results.front();
+    return Error{
+        "episode.other_store",
+        run.folder.string(),
+        fmt::format("its episodes are of the store \"{}\" (scene {}), which is none of those that "
+                    "are shown, nor of a set of the program's: name that store's folder, or the "
+                    "file of its episodes with --episodes",
+                    first.store,
+                    first.scene_hash)};
+  }
+  return {};
 }
 
 RunList ReplayRuns::of_store(const std::string& scene_hash) const {

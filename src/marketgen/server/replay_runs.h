@@ -1,6 +1,8 @@
 // Evaluations as a page lists them beside the stores in which they happened.
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -82,10 +84,14 @@ struct RunEpisodes {
 // Runs that were read, in order. Immutable.
 class ReplayRuns {
  public:
-  // Every folder must have an episode of one of the stores. Errors: those of read_runs;
-  // episode.other_store.
-  static Result<ReplayRuns> open(const std::vector<std::string>& folders,
-                                 const std::vector<std::shared_ptr<const store::Store>>& stores);
+  using Stores = std::vector<std::shared_ptr<const store::Store>>;
+  // Errors: those of read_runs.
+  static Result<ReplayRuns> read(const std::vector<std::string>& folders);
+
+  // Scenes of the runs that have no episode in any of the stores.
+  std::set<std::string> scenes_without(const Stores& stores) const;
+  // Error episode.other_store: a run has no episode in any of them.
+  Result<void> check_shown_in(const Stores& stores) const;
 
   std::size_t size() const { return runs_.size(); }
   const evaluation::FinishedRun& run(std::size_t number) const { return runs_[number]; }

@@ -31,10 +31,10 @@ std::shared_ptr<const store::Store> store_of(const store::Store& of,
 }  // namespace
 
 Result<std::unique_ptr<Replays>> Replays::open(
-    const std::vector<std::string>& folders,
+    ReplayRuns runs,
     std::vector<std::shared_ptr<const store::Store>> stores,
     const catalog::Catalog& catalog) {
-  MARKETGEN_TRY(ReplayRuns runs, ReplayRuns::open(folders, stores));
+  MARKETGEN_CHECK(runs.check_shown_in(stores));
   return std::unique_ptr<Replays>(new Replays(std::move(runs), std::move(stores), catalog));
 }
 

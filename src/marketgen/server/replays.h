@@ -21,9 +21,9 @@ namespace marketgen::server {
 // Thread-safe.
 class Replays {
  public:
-  // `catalog` outlives it. Errors: those of ReplayRuns::open.
+  // `catalog` outlives it. Errors: those of ReplayRuns::check_shown_in.
   static Result<std::unique_ptr<Replays>> open(
-      const std::vector<std::string>& folders,
+      ReplayRuns runs,
       std::vector<std::shared_ptr<const store::Store>> stores,
       const catalog::Catalog& catalog);
 

@@ -15,13 +15,12 @@ constexpr int max_tile_px = 512;  // of a material's repeat, half a metre to two
 constexpr int max_print_px = 1024;
 constexpr float over_the_edge = 1e-3F;  // of UVs of a print
 
-PictureSize size_of(const render::raytrace::Texture& texture, int max_px) {
-  const double larger = std::max(texture.width(), texture.height());
-  const double scale = std::min(1.0, max_px / larger);
+PictureSize size_within(int width, int height, int max_px) {
+  const double scale = std::min(1.0, static_cast<double>(max_px) / std::max(width, height));
   const auto scaled = [&](int px) {
     return std::max(1, static_cast<int>(std::lround(px * scale)));
   };
-  return {scaled(texture.width()), scaled(texture.height())};
+  return {scaled(width), scaled(height)};
 }
 
 Result<ViewFile> jpeg_file(std::size_t number, const Image& image) {
@@ -50,7 +49,8 @@ RoomTextures::RoomTextures(const render::raytrace::World& world)
     look_at(mesh.glass);
   }
   for (std::size_t t = 0; t < uses_.size(); ++t) {
-    if (uses_[t] == Use::print) prints_[t] = size_of(world.textures[t], max_print_px);
+    if (uses_[t] == Use::print)
+      prints_[t] = size_within(world.textures[t].width(), world.textures[t].height(), max_print_px);
     if (uses_[t] != Use::repeats) continue;
     file_of_[t] = static_cast<int>(repeating_.size());
     repeating_.push_back(static_cast<int>(t));
@@ -97,12 +97,28 @@ Vec2f RoomTextures::uv_in_file(std::uint16_t material, Vec2f uv) const {
   return {u0 + u * (u1 - u0), v0 + v * (v1 - v0)};
 }
 
+PictureSize RoomTextures::tile_size(std::size_t texture) const {
+  const auto whole = world_.whole_tiles.find(texture);
+  if (whole != world_.whole_tiles.end())
+    return size_within(whole->second.width, whole->second.height, max_tile_px);
+  const render::raytrace::Texture& tile = world_.textures[texture];
+  return size_within(tile.width(), tile.height(), max_tile_px);
+}
+
+// Tiles that the world has coarsely are drawn whole, one at a time.
+Result<Image> RoomTextures::tile_picture(std::size_t texture) const {
+  const auto whole = world_.whole_tiles.find(texture);
+  if (whole == world_.whole_tiles.end())
+    return picture_of(world_.textures[texture], tile_size(texture));
+  MARKETGEN_TRY(const render::raytrace::Texture tile, whole->second.draw());
+  return picture_of(tile, tile_size(texture));
+}
+
 Result<std::vector<ViewFile>> RoomTextures::files() const {
   std::vector<ViewFile> files;
   for (const int texture : repeating_) {
-    const render::raytrace::Texture& tile = world_.textures[static_cast<std::size_t>(texture)];
-    MARKETGEN_TRY(ViewFile file,
-                  jpeg_file(files.size(), picture_of(tile, size_of(tile, max_tile_px))));
+    MARKETGEN_TRY(const Image picture, tile_picture(static_cast<std::size_t>(texture)));
+    MARKETGEN_TRY(ViewFile file, jpeg_file(files.size(), picture));
     files.push_back(std::move(file));
   }
   for (std::size_t p = 0; p < pages_.pages.size(); ++p) {
@@ -126,7 +142,7 @@ nlohmann::ordered_json RoomTextures::list() const {
                     {"kind", repeats ? "tile" : "print"}});
   };
   for (const int texture : repeating_)
-    add(size_of(world_.textures[static_cast<std::size_t>(texture)], max_tile_px), true);
+    add(tile_size(static_cast<std::size_t>(texture)), true);
   for (const PictureSize& page : pages_.pages)
     add(page, false);
   return list;

@@ -23,7 +23,8 @@ class RoomTextures {
   int file_of(std::uint16_t material) const;
   Vec2f uv_in_file(std::uint16_t material, Vec2f uv) const;
 
-  // In the order of their numbers: "textures/0.jpg" and on. Errors: image.*.
+  // In the order of their numbers: "textures/0.jpg" and on. Errors: image.*; those of
+  // what draws a material.
   Result<std::vector<ViewFile>> files() const;
   nlohmann::ordered_json list() const;  // of the head of room.bin
 
@@ -31,6 +32,8 @@ class RoomTextures {
   enum class Use { none, repeats, print };
   void look_at(const render::raytrace::TriangleSet& set);
   int texture_of(std::uint16_t material) const;
+  PictureSize tile_size(std::size_t texture) const;
+  Result<Image> tile_picture(std::size_t texture) const;
 
   const render::raytrace::World& world_;
   std::vector<Use> uses_;            // by texture

@@ -8,8 +8,11 @@
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include "base/interrupt.h"
+#include "evaluation/run_record.h"
+#include "planners/make_planner.h"
 #include "server/http_server.h"
 #include "server/page_files.h"
 #include "server/viewer.h"
@@ -19,6 +22,7 @@ namespace {
 
 constexpr std::chrono::milliseconds between_looks{50};
 constexpr std::size_t min_token_bytes = 16;
+constexpr int max_heaps = 2;  // every thread that answers would keep what it has used in its own
 
 // Only numeric addresses: what a name stands for, others may change.
 Result<bool> is_loopback(const std::string& host) {
@@ -54,6 +58,29 @@ Result<void> check_folders(const ServeOptions& options) {
   return check_is_folder("--drives", options.drives);
 }
 
+// Folders of stores, and of results, which have another file at their top.
+struct NamedFolders {
+  std::vector<std::string> stores, results;
+};
+
+NamedFolders told_apart(const std::vector<std::string>& folders) {
+  NamedFolders named;
+  std::error_code failed;
+  for (const std::string& folder : folders) {
+    const bool is_run = std::filesystem::exists(evaluation::record_path(folder), failed);
+    (is_run ? named.results : named.stores).push_back(folder);
+  }
+  return named;
+}
+
+// What opens: where results alone were named, the list of their episodes.
+std::string first_page(const ServeOptions& options, bool has_stores) {
+  const bool list = !has_stores && !options.results.empty();
+  std::string page = list ? "?store=0&replay=" : "";
+  if (!options.token.empty()) page += (list ? "&token=" : "?token=") + options.token;
+  return page;
+}
+
 }  // namespace
 
 // The server goes first: its threads ask the viewer. Before it, who sends through it.
@@ -79,12 +106,14 @@ Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& option
   MARKETGEN_CHECK(check_folders(options));
   MARKETGEN_TRY(const std::filesystem::path page, page_folder());
   const bool may_edit = !options.read_only && !options.embed;
+  const bool has_stores = !stores.stores.empty();
   auto parts = std::make_unique<Parts>();
   MARKETGEN_TRY(parts->viewer,
                 Viewer::open(std::move(stores),
                              page,
                              {.may_edit = may_edit,
                               .make_in = options.make_in,
+                              .planner = options.planner,
                               .results = options.results,
                               .episodes = options.episodes,
                               .drives = options.drives,
@@ -101,8 +130,7 @@ Result<std::unique_ptr<ViewServer>> ViewServer::start(const ServeOptions& option
           http,
           [&viewer = *parts->viewer](const web::HttpAsk& ask) { return viewer.answer(ask); },
           [&viewer = *parts->viewer](const web::HttpAsk& ask) { return viewer.socket(ask); }));
-  std::string address =
-      parts->server->address() + (options.token.empty() ? "" : "?token=" + options.token);
+  std::string address = parts->server->address() + first_page(options, has_stores);
   return std::unique_ptr<ViewServer>(new ViewServer(std::move(parts), std::move(address)));
 }
 
@@ -112,10 +140,15 @@ Result<void> serve(const ServeOptions& options,
                    const std::function<void(const std::string&)>& opened) {
   MARKETGEN_CHECK(check_host(options));
   MARKETGEN_CHECK(check_folders(options));
+  MARKETGEN_CHECK(planners::open_planner_model(options.planner.name, options.planner.access));
   if (const auto page = page_folder(); !page.ok()) return page.error();  // before any work
-  MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(folders, std::move(rows)));
+  mallopt(M_ARENA_MAX, max_heaps);
+  const NamedFolders named = told_apart(folders);
+  ServeOptions shown = options;
+  shown.results.insert(shown.results.end(), named.results.begin(), named.results.end());
+  MARKETGEN_TRY(store::OpenedStores stores, store::open_stores(named.stores, std::move(rows)));
   MARKETGEN_TRY(const std::unique_ptr<ViewServer> server,
-                ViewServer::start(options, std::move(stores)));
+                ViewServer::start(shown, std::move(stores)));
   opened(server->address());
   while (check_interrupt().ok())
     std::this_thread::sleep_for(between_looks);

@@ -8,12 +8,13 @@
 #include "base/result.h"
 #include "catalog/catalog.h"
 #include "server/drive.h"
+#include "server/maker.h"
 #include "store/open_stores.h"
 
 namespace marketgen::server {
 
 struct ServeOptions {
-  std::vector<std::string> results;  // folders of evaluations in the stores
+  std::vector<std::string> results;  // folders of evaluations
   std::string episodes;              // file of those that are driven; empty: they are drawn
   std::string drives = "drives";     // where logs of drives are kept
   std::string host = "127.0.0.1";
@@ -21,6 +22,7 @@ struct ServeOptions {
   std::string token;          // needed for a host other than loopback
   bool read_only = false;     // nothing is edited, made or driven
   std::string make_in = ".";  // where stores are kept that a page has made
+  OfferedPlanner planner;     // for stores that are made, beside the offline one
   bool embed = false;  // pages of this machine, as a notebook's, may show it in a frame; no edits
   bool watch = false;  // pages look on at an episode in the first store that a program steps
 };
@@ -35,8 +37,9 @@ class ViewServer {
   ViewServer& operator=(const ViewServer&) = delete;
   ~ViewServer();
 
-  const std::string& address() const { return address_; }  // with the token
-  Drive& watched();                                        // precondition: ServeOptions::watch
+  // With the token; without a store, of the list of episodes that the results have.
+  const std::string& address() const { return address_; }
+  Drive& watched();  // precondition: ServeOptions::watch
 
  private:
   struct Parts;
@@ -46,7 +49,8 @@ class ViewServer {
 };
 
 // `marketgen view`: calls `opened` with the address once it answers, then serves until it is
-// interrupted, its orderly end. Errors: of ViewServer::start, open_stores; internal.interrupted.
+// interrupted, its orderly end. `folders`: of stores, and of evaluations, which are results.
+// Errors: of ViewServer::start, open_stores; internal.interrupted.
 Result<void> serve(const ServeOptions& options,
                    const std::vector<std::string>& folders,
                    catalog::Catalog rows,

@@ -23,6 +23,9 @@ namespace {
 constexpr std::string_view entry_kind = "view/1";
 constexpr const char* index_name = "index";
 constexpr std::chrono::milliseconds look_again{100};
+// Of mip levels: what probes meet is blurred over 0.2 m, and a texel of the fourth level is at most
+// 3 cm.
+constexpr int levels_unseen = 3;
 
 // Over the bytes that the store is drawn from, and the program that draws it.
 std::string key_of(const store::Store& store) {
@@ -89,6 +92,7 @@ void ViewBuild::run(std::mutex& alone) {
 Result<void> ViewBuild::build() {
   MARKETGEN_CHECK(check_interrupt());
   if (take_kept()) return {};
+  malloc_trim(0);  // what opening the store took
   MARKETGEN_CHECK(make_room());
   malloc_trim(0);  // the renderer's world is gone: its memory goes back
   MARKETGEN_CHECK(make_goods());
@@ -116,15 +120,18 @@ void ViewBuild::add_all(std::vector<ViewFile> files) {
 }
 
 Result<void> ViewBuild::make_room() {
-  MARKETGEN_TRY(
-      const std::unique_ptr<render::raytrace::LitWorld> lit,
-      render::raytrace::light_world(store_->scene,
-                                    {},
-                                    *reports_,
-                                    {.print = render::PrintDetail::distant, .keep_light = true},
-                                    assets::Detail::far));
+  MARKETGEN_TRY(const std::unique_ptr<render::raytrace::LitWorld> lit,
+                render::raytrace::light_world(store_->scene,
+                                              {},
+                                              *reports_,
+                                              {.print = render::PrintDetail::distant,
+                                               .goods = assets::Detail::far,
+                                               .coarser = levels_unseen},
+                                              true));
   MARKETGEN_CHECK(check_interrupt());
   reports_->begin("room", 1);
+  render::raytrace::drop_bvhs(*lit->world);  // all light is stored by now
+  malloc_trim(0);
   MARKETGEN_TRY(std::vector<ViewFile> files, room_files(*lit, store_->scene));
   files.push_back(goods_light(*lit, store_->scene));
   add_all(std::move(files));

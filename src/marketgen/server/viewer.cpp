@@ -19,6 +19,7 @@
 #include "server/editor.h"
 #include "server/page_files.h"
 #include "server/store_summary.h"
+#include "server/travelling_stores.h"
 #include "server/view_files.h"
 
 namespace marketgen::server {
@@ -58,6 +59,7 @@ class Turn {
 
 struct Viewer::Opened {
   int number = 0;
+  PageRights rights;
   std::shared_ptr<const store::Store> store;
   web::HttpReply summary, goods;
   std::once_flag begun;
@@ -86,29 +88,34 @@ Viewer::~Viewer() = default;
 Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
                                              std::filesystem::path page,
                                              const ViewerOptions& options) {
+  MARKETGEN_TRY(ReplayRuns runs, ReplayRuns::read(options.results));
+  const std::size_t given = stores.stores.size();
+  std::set<std::string> elsewhere = runs.scenes_without(stores.stores);
+  MARKETGEN_TRY(stores,
+                with_travelling_stores(std::move(stores), std::move(elsewhere), options.episodes));
   std::vector<std::shared_ptr<const store::Store>> opened = std::move(stores.stores);
   std::unique_ptr<Viewer> viewer(new Viewer(std::move(stores), std::move(page), options));
   MARKETGEN_TRY(viewer->search_, StoreSearch::open(viewer->catalog_));
   MARKETGEN_TRY(viewer->grasps_, read_grasp_facts());
-  MARKETGEN_TRY(viewer->replays_, Replays::open(options.results, opened, viewer->catalog_));
-  viewer->given_ = opened.size();
-  for (std::shared_ptr<const store::Store>& store : opened)
-    viewer->add(std::move(store));
+  MARKETGEN_TRY(viewer->replays_, Replays::open(std::move(runs), opened, viewer->catalog_));
+  for (std::size_t i = 0; i < opened.size(); ++i)
+    viewer->add(std::move(opened[i]), viewer->rights_in(i < given));
   if (options.may_edit) MARKETGEN_CHECK(viewer->offer_drives());
   if (options.watch) {
     DriveGround ground = viewer->ground_of(*viewer->stores_.front());
     ground.watched = true;
     viewer->stores_.front()->drive = std::make_unique<Drive>(std::move(ground));
   }
-  for (const std::unique_ptr<Opened>& store : viewer->stores_)
-    viewer->build_of(*store);
+  for (std::size_t i = 0; i < given; ++i)  // others may be seen in their episodes' places alone
+    viewer->build_of(*viewer->stores_[i]);
   if (options.may_edit)
-    viewer->maker_ =
-        std::make_unique<Maker>(viewer->rows_,
-                                std::filesystem::absolute(options.make_in).lexically_normal(),
-                                [made = viewer.get()](const std::filesystem::path& folder) {
-                                  return made->add_saved(folder, *made->rows_);
-                                });
+    viewer->maker_ = std::make_unique<Maker>(
+        viewer->rows_,
+        std::filesystem::absolute(options.make_in).lexically_normal(),
+        [made = viewer.get()](const std::filesystem::path& folder) {
+          return made->add_saved(folder, *made->rows_);
+        },
+        options.planner);
   return viewer;
 }
 
@@ -117,6 +124,7 @@ std::unique_ptr<Viewer::Opened> Viewer::made(int number,
                                              const PageRights& rights) {
   auto opened = std::make_unique<Opened>();
   opened->number = number;
+  opened->rights = rights;
   opened->summary = web::json_reply(
       io::write_json_line(summary_of(number, *store, grasps_, rows_->frictions, rights)));
   ViewFile goods = goods_table(store->scene);
@@ -139,6 +147,7 @@ Result<void> Viewer::offer_drives() {
     MARKETGEN_TRY(file, environments::EpisodeGround::of_file(options_.episodes));
   }
   for (const std::unique_ptr<Opened>& opened : stores_) {
+    if (!opened->rights.drive) continue;
     DriveGround ground = ground_of(*opened);
     ground.file = file;
     opened->drive = std::make_unique<Drive>(std::move(ground));
@@ -169,13 +178,18 @@ void Viewer::stop_driving() {
     if (opened->drive) opened->drive->stop();
 }
 
-int Viewer::add(std::shared_ptr<const store::Store> store) {
+// One of no folder is not edited, which saves beside it; and driven in for its own episodes alone,
+// since what it sells may be of another catalogue.
+PageRights Viewer::rights_in(bool has_folder) const {
+  const bool may = options_.may_edit;
+  return {may && has_folder, may && (has_folder || !options_.episodes.empty())};
+}
+
+int Viewer::add(std::shared_ptr<const store::Store> store, const PageRights& rights) {
   const std::unique_lock lock(listing_);
-  const bool drives = options_.may_edit && stores_.size() < given_;
-  auto opened =
-      made(static_cast<int>(stores_.size()), std::move(store), {options_.may_edit, drives});
+  auto opened = made(static_cast<int>(stores_.size()), std::move(store), rights);
   const auto rows = rows_of(*opened->store);
-  if (options_.may_edit)
+  if (rights.edit)
     opened->editor = std::make_unique<Editor>(
         opened->store, rows, grasps_, [this, rows](const std::filesystem::path& folder) {
           return add_saved(folder, *rows);
@@ -186,7 +200,7 @@ int Viewer::add(std::shared_ptr<const store::Store> store) {
 
 Result<int> Viewer::add_saved(const std::filesystem::path& folder, const catalog::Catalog& rows) {
   MARKETGEN_TRY(store::Store store, store::open_store(folder, rows));
-  return add(std::make_shared<const store::Store>(std::move(store)));
+  return add(std::make_shared<const store::Store>(std::move(store)), {options_.may_edit, false});
 }
 
 web::HttpReply Viewer::answer(const web::HttpAsk& ask) {
@@ -276,7 +290,8 @@ Result<web::HttpReply> Viewer::of_edit(Opened& store, const web::HttpAsk& ask, c
   if (!store.editor)
     return Error{"server.refused",
                  ask.path,
-                 "stores are not edited here: start `marketgen view` without --read-only"};
+                 "it is not edited here: name the store's folder, and start `marketgen view` "
+                 "without --read-only"};
   if (ask.method == "POST") {
     Result<web::HttpReply> reply = store.editor->post(words.size() == 1 ? words[0] : "", ask);
     if (reply.ok()) return reply;

@@ -18,6 +18,7 @@
 #include "server/maker.h"
 #include "server/replays.h"
 #include "server/store_search.h"
+#include "server/store_summary.h"
 #include "server/view_build.h"
 #include "server/web_socket.h"
 #include "store/open_stores.h"
@@ -28,6 +29,7 @@ namespace marketgen::server {
 struct ViewerOptions {
   bool may_edit = true;                     // and make, and drive
   std::filesystem::path make_in = ".";      // where stores are kept that a page has made
+  OfferedPlanner planner = {};              // beside the offline one
   std::vector<std::string> results = {};    // folders of evaluations in the stores
   std::string episodes = {};                // file of those that are driven; empty: they are drawn
   std::filesystem::path drives = "drives";  // where logs of drives are kept
@@ -36,9 +38,10 @@ struct ViewerOptions {
 
 class Viewer {
  public:
-  // Begins to build what the page draws. Errors: those of StoreSearch::open, read_grasp_facts(),
-  // Replays::open and EpisodeGround::of_file; episode.other_store, none of the stores has an
-  // episode of the file.
+  // Begins to build what the page draws. Behind the stores are those that travel with the episodes
+  // of the results (travelling_stores.h). Errors: those of ReplayRuns::read,
+  // with_travelling_stores, StoreSearch::open, read_grasp_facts(), Replays::open and
+  // EpisodeGround::of_file; episode.other_store, none of the stores has an episode of the file.
   static Result<std::unique_ptr<Viewer>> open(store::OpenedStores stores,
                                               std::filesystem::path page,
                                               const ViewerOptions& options = {});
@@ -91,7 +94,8 @@ class Viewer {
   Result<web::HttpReply> state(Opened& store);
   ViewBuild& build_of(Opened& store);
   // A store that takes part from now on; its number.
-  int add(std::shared_ptr<const store::Store> store);
+  int add(std::shared_ptr<const store::Store> store, const PageRights& rights);
+  PageRights rights_in(bool has_folder) const;
   Result<int> add_saved(const std::filesystem::path& folder, const catalog::Catalog& rows);
 
   catalog::Catalog catalog_;
@@ -105,7 +109,6 @@ class Viewer {
   std::unique_ptr<Replays> replays_;
   mutable std::shared_mutex listing_;  // of stores_, which grows when an edit is saved
   std::vector<std::unique_ptr<Opened>> stores_;
-  std::size_t given_ = 0;  // of these, the first ones, that it was opened with
   std::mutex opening_;
   std::map<std::uint32_t, std::unique_ptr<Opened>> places_;  // by number, once they are asked for
   std::unique_ptr<Maker> maker_;  // goes first: what it keeps is added to stores_

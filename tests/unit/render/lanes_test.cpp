@@ -114,7 +114,7 @@ TEST(Lanes, EightSurfacesAreThoseOfSingleRays) {
   scene.products.resize(2);
   scene.products[0].position_m = {3, 1.7F, 1.1F};
   scene.products[1].position_m = {3.2F, 1.9F, 1.1F};
-  const auto world = build_world(scene, {}, silent_progress(), render::PrintDetail::near);
+  const auto world = build_world(scene, {}, silent_progress(), {});
   ASSERT_TRUE(world.ok());
   for (std::uint32_t i = 0; i < 2; ++i)
     (*world)->instances[(*world)->first_product_instance + i].look = {{1.08F, 0.97F, 0.9F}, 0.8F};

@@ -9,10 +9,12 @@
 #include <random>
 #include <thread>
 
+#include "assets/usable_catalog.h"
 #include "io/gzip.h"
 #include "io/png.h"
 #include "net/http.h"
 #include "scene/scene.h"
+#include "store/made_store.h"
 #include "store/open_stores.h"
 #include "support/committed_catalog.h"
 #include "support/run_program.h"
@@ -152,6 +154,101 @@ TEST_F(MadeOnline, DrawingsAreReadAndNamedAsTheyWereCalled) {
   EXPECT_EQ(failed["error"].dump().find("marketgen-dropped"), std::string::npos)
       << "where it was for a moment is nobody's business";
   EXPECT_EQ(failed["tries"][0]["state"], "waiting");
+}
+
+// As `generate --time --vary --skin --country --catalog` would: the same store, and its brief says
+// so.
+TEST_F(MadeOnline, TimeAxesLookAndOwnProductsAreThoseOfGenerate) {
+  constexpr std::string_view own =
+      "sku,ean,name,category,subcategory,archetype,size_mm,mass_kg\n"
+      "own-cola,2999999999991,Lemonade,beverages,soft drinks,can,66x66x115,0.35\n";
+  const Json options = Json::parse(text_of(*get({})));
+  EXPECT_EQ(options["planners"], Json{"offline"});
+  EXPECT_EQ(options["vary"].size(), 5U);
+  EXPECT_FALSE(options["countries"].empty());
+  const std::string words = "a kiosk with cold drinks";
+  const Json ask{{"words", words},
+                 {"seed", 3},
+                 {"size", "8x7m"},
+                 {"time", "Sat 17:30"},
+                 {"vary", {"fill=9", "prices=2"}},
+                 {"skin", "industrial"},
+                 {"country", "us"},
+                 {"planner", "offline"},
+                 {"catalogs", {{{"name", "mine.csv"}, {"base64", net::base64_of(own)}}}}};
+  ASSERT_TRUE(post("try", ask.dump()).ok());
+  const Json made = finished();
+  ASSERT_EQ(made["tries"][0]["state"], "ready") << made.dump();
+  ASSERT_TRUE(post("keep", Json{{"batch", 1}, {"seed", 3}, {"name", "own"}}.dump()).ok());
+  const auto opened = store::open_store(shown.at(0), committed_catalog());
+  ASSERT_TRUE(opened.ok()) << to_string(opened.error());
+  EXPECT_EQ(opened->manifest.brief.time, "Sat 17:30");
+  EXPECT_EQ(opened->manifest.brief.vary->fill, 9U);
+  EXPECT_EQ(opened->manifest.brief.skin, "industrial");
+  ASSERT_TRUE(opened->manifest.own.has_value());
+  EXPECT_EQ(opened->manifest.own->at(0).sku, "own-cola");
+
+  const fs::path file = scratch.path() / "mine.csv";
+  std::ofstream(file) << own;
+  const auto rows = assets::usable_catalog({file});
+  ASSERT_TRUE(rows.ok()) << to_string(rows.error());
+  store::CreateOptions plain;
+  plain.brief.prompt = words;
+  plain.brief.size_mm = {8000, 7000};
+  plain.brief.time = "Sat 17:30";
+  plain.brief.vary.emplace();
+  plain.brief.vary->fill = 9;
+  plain.brief.vary->prices = 2;
+  plain.brief.skin = "industrial";
+  plain.brief.country = "us";
+  plain.seed = 3;
+  const auto generated = store::made_store(plain, *rows);
+  ASSERT_TRUE(generated.ok()) << to_string(generated.error());
+  EXPECT_EQ(opened->manifest.scene_hash, generated->store.manifest.scene_hash);
+  EXPECT_EQ(opened->manifest.look_hash, generated->store.manifest.look_hash);
+}
+
+TEST_F(MadeOnline, SaysInTheCoresWordsWhatOfItIsNone) {
+  const auto error_of = [&](const char* what, const Json& value) {
+    Json ask{{"words", small_shop}};
+    ask[what] = value;
+    const auto reply = post("try", ask.dump());
+    return reply.ok() ? finished()["error"]["code"].get<std::string>() : reply.error().code;
+  };
+  EXPECT_EQ(error_of("time", "Blursday 9:00"), "brief.bad_time");
+  EXPECT_EQ(error_of("vary", {"weather=3"}), "brief.bad_vary");
+  EXPECT_EQ(error_of("vary", {"fill=3", "fill=4"}), "brief.bad_vary");
+  EXPECT_EQ(error_of("planner", "openai:gpt"), "server.bad_request") << "costs whose key it is";
+  EXPECT_EQ(error_of("planner", "replay:/etc"), "server.bad_request");
+  const Json broken = {{{"name", "mine.csv"}, {"base64", net::base64_of("no,table\n1\n")}}};
+  ASSERT_TRUE(post("try", Json{{"words", small_shop}, {"catalogs", broken}}.dump()).ok());
+  const Json error = finished()["error"];
+  EXPECT_NE(error["where"].get<std::string>().find("mine.csv"), std::string::npos) << error;
+  EXPECT_EQ(error.dump().find("marketgen-dropped"), std::string::npos) << error;
+}
+
+// The one that the server was started with is offered, and no other.
+TEST_F(MadeOnline, AModelPlansWhereTheServerWasStartedWithIt) {
+  server::OfferedPlanner planner{"http:m", {}};
+  planner.access.url = "http://127.0.0.1:9/v1";
+  server::Maker with_model(
+      std::make_shared<const catalog::Catalog>(committed_catalog()),
+      scratch.path() / "made",
+      [](const fs::path&) -> Result<int> { return 0; },
+      planner);
+  web::HttpAsk ask;
+  ask.method = "POST";
+  ask.body = Json{{"words", small_shop}, {"planner", "http:m"}}.dump();
+  EXPECT_EQ(Json::parse(text_of(*with_model.get(ask, {})))["planners"],
+            Json::parse(R"(["offline", "http:m"])"));
+  ASSERT_TRUE(with_model.post("try", ask).ok());
+  Json now;
+  for (int i = 0; i < 3000 && (now.is_null() || now["working"] == true); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    now = Json::parse(text_of(*with_model.get(ask, {"tries"})));
+  }
+  ASSERT_EQ(now["tries"][0]["state"], "ready") << "nobody answers there: " << now.dump();
+  EXPECT_EQ(now["tries"][0]["store"]["report"]["planner"]["kept"], "offline planner");
 }
 
 TEST_F(MadeOnline, WhatMakesNoSenseIsRefusedAndWhatWasMadeStays) {

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "episodes/checkout/checkout_lanes.h"
+#include "episodes/episode_header.h"
 #include "episodes/track_view.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/motion_recorder.h"
@@ -16,6 +18,7 @@
 #include "io/gzip.h"
 #include "io/jpeg.h"
 #include "render/stage/robot_actor.h"
+#include "server/travelling_stores.h"
 #include "support/committed_catalog.h"
 #include "support/drawn_checkout.h"
 #include "support/packed_container.h"
@@ -60,12 +63,18 @@ void evaluate_in(const fs::path& folder,
   if (!done.ok()) fatal(to_string(done.error()).c_str());
 }
 
+Result<std::unique_ptr<server::Replays>> opened_replays(const std::vector<std::string>& folders,
+                                                        std::vector<SharedStore> stores) {
+  MARKETGEN_TRY(server::ReplayRuns runs, server::ReplayRuns::read(folders));
+  return server::Replays::open(std::move(runs), std::move(stores), committed_catalog());
+}
+
 struct Shown {
   SharedStore store;
   std::unique_ptr<server::Replays> replays;
 
   Shown(Track track, const std::vector<std::string>& folders) : store(pool_store(track)) {
-    auto opened = server::Replays::open(folders, {store}, committed_catalog());
+    auto opened = opened_replays(folders, {store});
     if (!opened.ok()) fatal(to_string(opened.error()).c_str());
     replays = std::move(opened).value();
   }
@@ -308,14 +317,51 @@ TEST_F(ReplaysOfTwo, AtALaneTheyStandInTheStore) {
   EXPECT_EQ(place->scene.layout.shell.width_mm, store->scene.layout.shell.width_mm);
 }
 
+// The pool's store is in no folder: its plan travels with the episodes.
+TEST_F(ReplaysOfTwo, OfASetAreShownInItsStores) {
+  auto runs = server::ReplayRuns::read({recorded_.string(), plain_.string()});
+  ASSERT_TRUE(runs.ok()) << to_string(runs.error());
+  const std::set<std::string> scenes = runs->scenes_without({});
+  EXPECT_EQ(scenes, std::set<std::string>{spec_.scene_hash});
+  auto opened = server::with_travelling_stores(
+      store::opened_stores({}, catalog::Catalog(committed_catalog())), scenes, "");
+  ASSERT_TRUE(opened.ok()) << to_string(opened.error());
+  ASSERT_EQ(opened->stores.size(), 1U);
+  EXPECT_EQ(scene::scene_hash(opened->stores[0]->scene), spec_.scene_hash);
+  EXPECT_EQ(opened->stores[0]->folder, "pool");
+  EXPECT_TRUE(runs->scenes_without(opened->stores).empty());
+  const auto replays = server::Replays::open(*std::move(runs), opened->stores, opened->catalog);
+  ASSERT_TRUE(replays.ok()) << to_string(replays.error());
+  for (const std::string run : {"0", "1"})
+    EXPECT_TRUE((*replays)->answer(0, {}, {run}).ok());
+  EXPECT_TRUE((*replays)->answer(0, {}, {"0", "episodes", "0"}).ok());
+}
+
+// The scenes themselves travel with frozen sets; a store that was named comes first.
+TEST(TravellingStores, AreOpenedAsTheyWereFrozen) {
+  const auto header = episodes::read_episode_header("v1/checkout", data_rows());
+  ASSERT_TRUE(header.ok()) << to_string(header.error());
+  ASSERT_GT(header->stores.size(), 2U);
+  const SharedStore named = pool_store(Track::checkout);
+  const std::string first = header->stores[0].scene_hash, third = header->stores[2].scene_hash;
+  const auto opened = server::with_travelling_stores(
+      store::opened_stores({named}, catalog::Catalog(committed_catalog())),
+      {third, first, "0123"},
+      "v1/checkout");
+  ASSERT_TRUE(opened.ok()) << to_string(opened.error());
+  ASSERT_EQ(opened->stores.size(), 3U) << "nobody has 0123";
+  EXPECT_EQ(opened->stores[0], named);
+  EXPECT_EQ(scene::scene_hash(opened->stores[1]->scene), first);
+  EXPECT_EQ(scene::scene_hash(opened->stores[2]->scene), third);
+}
+
 TEST_F(ReplaysOfTwo, OfAnotherStoreAreRefused) {
   auto other = std::make_shared<store::Store>(*pool_store(Track::checkout));
   other->manifest.scene_hash = "0123";
-  const auto opened = server::Replays::open({recorded_.string()}, {other}, committed_catalog());
+  const auto opened = opened_replays({recorded_.string()}, {other});
   ASSERT_FALSE(opened.ok());
   EXPECT_EQ(opened.error().code, "episode.other_store");
-  auto both = server::Replays::open(
-      {recorded_.string()}, {other, pool_store(Track::checkout)}, committed_catalog());
+  auto both = opened_replays({recorded_.string()}, {other, pool_store(Track::checkout)});
   ASSERT_TRUE(both.ok());
   const auto reply = (*both)->answer(0, {}, {"0", "episodes", "0"});
   ASSERT_FALSE(reply.ok());

@@ -180,5 +180,28 @@ TEST_F(WebSocket, LivesThroughRandomBytes) {
   open(client);
 }
 
+// Frames that are in order, of whatever bytes, and some that are not.
+TEST_F(WebSocket, LivesThroughAHundredThousandRandomFrames) {
+  constexpr int connections = 500, each = 200;
+  std::mt19937 random(8);
+  for (int c = 0; c < connections; ++c) {
+    RawClient client(port_);
+    open(client);
+    std::string bytes;
+    for (int i = 0; i < each; ++i) {
+      std::string text(random() % 40, ' ');
+      for (char& letter : text)  // now and then a letter that is none
+        letter = static_cast<char>(random() % 200 == 0 ? random() % 256 : 32 + random() % 95);
+      std::string one = frame(text_frame, text);
+      if (random() % 500 == 0) one[random() % one.size()] = static_cast<char>(random());
+      bytes += one;
+    }
+    client.send(bytes);
+  }
+  EXPECT_TRUE(all_gone());
+  RawClient client(port_);
+  open(client);
+}
+
 }  // namespace
 }  // namespace marketgen

@@ -3,7 +3,7 @@ import { element } from "../ui/dom";
 import type { Speech } from "../ui/speech";
 import type { Ask, DroppedFile, MakeOptions } from "./contract";
 import { acceptedFiles, maxFilesBytes, readDropped, usesOf, type Use } from "./dropped";
-import { say, type MakeKey } from "./strings";
+import { isMakeKey, say, type MakeKey } from "./strings";
 
 // As one types them; they are read in English.
 export const examples = [
@@ -11,6 +11,8 @@ export const examples = [
   "a 9 x 7 m corner shop with drinks, snacks and sweets, one checkout",
   "a 24 x 16 m organic market with produce at the entrance, wide aisles and a cheese counter",
 ] as const;
+
+const textOfUse = { image: "asImage", floor_plan: "asFloorPlan", catalog: "asCatalog" } as const satisfies Record<Use, MakeKey>;
 
 interface Dropped {
   readonly file: File;
@@ -24,6 +26,11 @@ export class AskForm {
   private readonly size = element("input", { attributes: { autocomplete: "off", maxlength: "40" } });
   private readonly profile = element("select");
   private readonly style = element("select");
+  private readonly country = element("select");
+  private readonly skin = element("select");
+  private readonly planner = element("select");
+  private readonly time = element("input", { attributes: { autocomplete: "off", maxlength: "40" } });
+  private readonly vary = new Map<string, HTMLInputElement>(); // by axis
   private readonly seed = element("input", { attributes: { type: "number", min: "0", max: "9007199254740991", step: "1", required: "" } });
   private readonly count = element("input", { attributes: { type: "number", min: "1", step: "1", required: "" } });
   private readonly button = element("button", { class: "main", attributes: { type: "submit" } });
@@ -42,7 +49,14 @@ export class AskForm {
     this.count.max = String(options.max_count);
     const labelled = (key: MakeKey, input: HTMLElement): HTMLElement => element("label", {}, this.text("span", key), input);
     const figures = element("div", { class: "figures" }, labelled("count", this.count), labelled("seed", this.seed));
-    const more = element("details", {}, this.text("summary", "more"), element("div", { class: "figures" }, labelled("size", this.size), labelled("profile", this.profile), labelled("style", this.style)));
+    const plans = options.planners.length > 1 ? [labelled("planner", this.planner)] : [];
+    const more = element(
+      "details",
+      {},
+      this.text("summary", "more"),
+      element("div", { class: "figures" }, labelled("size", this.size), labelled("profile", this.profile), labelled("style", this.style), labelled("skin", this.skin), labelled("time", this.time), labelled("country", this.country), ...plans),
+      this.varied(labelled),
+    );
     this.root.append(labelled("describe", this.words), this.tryOne(), this.dropZone(), more, figures, this.button, this.fault);
     this.root.addEventListener("submit", (event) => {
       event.preventDefault();
@@ -63,11 +77,20 @@ export class AskForm {
     this.button.setAttribute("aria-busy", String(working));
   }
 
+  private varied(labelled: (key: MakeKey, input: HTMLElement) => HTMLElement): HTMLElement {
+    const inputs = this.options.vary.map((axis) => {
+      const input = element("input", { attributes: { type: "number", min: "0", max: "9007199254740991", step: "1" } });
+      this.vary.set(axis, input);
+      return isMakeKey(axis) ? labelled(axis, input) : element("label", {}, element("span", { text: axis }), input);
+    });
+    return element("fieldset", {}, this.text("legend", "vary"), element("p", { class: "muted" }, this.text("span", "varyHint")), element("div", { class: "figures" }, ...inputs));
+  }
+
   private say(key: MakeKey, values?: Readonly<Record<string, string | number>>): string {
     return say(this.speech.language, key, values);
   }
 
-  private text<K extends "span" | "summary">(tag: K, key: MakeKey): HTMLElementTagNameMap[K] {
+  private text<K extends "span" | "summary" | "legend">(tag: K, key: MakeKey): HTMLElementTagNameMap[K] {
     const made = element(tag);
     this.speech.bind(() => (made.textContent = this.say(key)));
     return made;
@@ -76,13 +99,21 @@ export class AskForm {
   private translate(): void {
     this.words.placeholder = this.say("describeHint");
     this.size.placeholder = this.say("sizeHint");
-    for (const [select, ids] of [[this.profile, this.options.profiles], [this.style, this.options.styles]] as const) {
-      const chosen = select.value;
-      select.replaceChildren(element("option", { text: this.say("asSaid"), attributes: { value: "" } }), ...ids.map((id) => element("option", { text: id, attributes: { value: id } })));
-      select.value = chosen;
-    }
+    this.time.placeholder = this.say("timeHint");
+    const { profiles, styles, countries, planners } = this.options;
+    this.offer(this.profile, "asSaid", profiles);
+    this.offer(this.style, "asSaid", styles);
+    this.offer(this.skin, "noSkin", styles);
+    this.offer(this.country, "asSaid", countries);
+    this.offer(this.planner, "offline", planners.slice(1));
     this.busy(this.button.getAttribute("aria-busy") === "true");
     this.listFiles();
+  }
+
+  private offer(select: HTMLSelectElement, otherwise: MakeKey, ids: readonly string[]): void {
+    const chosen = select.value;
+    select.replaceChildren(element("option", { text: this.say(otherwise), attributes: { value: "" } }), ...ids.map((id) => element("option", { text: id, attributes: { value: id } })));
+    select.value = chosen;
   }
 
   private tryOne(): HTMLElement {
@@ -130,7 +161,7 @@ export class AskForm {
 
   private fileLine(each: Dropped): HTMLElement {
     const { name } = each.file;
-    const use = element("select", { attributes: { "aria-label": this.say("useOf", { name }) } }, ...usesOf(name).map((as) => element("option", { text: this.say(as === "image" ? "asImage" : "asFloorPlan"), attributes: { value: as } })));
+    const use = element("select", { attributes: { "aria-label": this.say("useOf", { name }) } }, ...usesOf(name).map((as) => element("option", { text: this.say(textOfUse[as]), attributes: { value: as } })));
     use.value = each.use;
     const label = this.say("scaleOf", { name });
     const scale = element("input", { attributes: { "aria-label": label, title: label, placeholder: this.say("scaleHint"), autocomplete: "off", maxlength: "100" } });
@@ -170,18 +201,21 @@ export class AskForm {
 
   private async ask(): Promise<Ask> {
     const read = (wanted: Use): Promise<DroppedFile[]> => Promise.all(this.dropped.filter(({ use }) => use === wanted).map(({ file }) => readDropped(file)));
-    const [plans, images] = await Promise.all([read("floor_plan"), read("image")]);
+    const [plans, images, catalogs] = await Promise.all([read("floor_plan"), read("image"), read("catalog")]);
+    const said = { size: this.size, profile: this.profile, style: this.style, country: this.country, time: this.time, skin: this.skin, planner: this.planner };
+    const filled = Object.entries(said).flatMap(([name, { value }]) => (value.trim() ? [[name, value.trim()]] : []));
+    const vary = [...this.vary].flatMap(([axis, { value }]) => (value === "" ? [] : [`${axis}=${value}`]));
     const scale = this.dropped.find(({ use }) => use === "floor_plan")?.scale.trim();
     return {
       words: this.words.value.trim(),
       seed: Number(this.seed.value),
       count: Number(this.count.value),
-      ...(this.size.value.trim() && { size: this.size.value.trim() }),
-      ...(this.profile.value && { profile: this.profile.value }),
-      ...(this.style.value && { style: this.style.value }),
+      ...(Object.fromEntries(filled) as Partial<Record<keyof typeof said, string>>),
+      ...(vary.length > 0 && { vary }),
       ...(plans[0] && { floor_plan: plans[0] }),
       ...(scale && { floor_plan_scale: scale }),
       ...(images.length > 0 && { images }),
+      ...(catalogs.length > 0 && { catalogs }),
     };
   }
 }

@@ -6,6 +6,9 @@ export interface MakeOptions {
   readonly max_count: number;
   readonly profiles: readonly string[];
   readonly styles: readonly string[];
+  readonly countries: readonly string[];
+  readonly vary: readonly string[]; // axes that may have a seed of their own
+  readonly planners: readonly string[]; // the offline one first
 }
 
 export interface DroppedFile {
@@ -18,6 +21,12 @@ export interface Ask {
   readonly size?: string;
   readonly profile?: string;
   readonly style?: string;
+  readonly country?: string;
+  readonly time?: string;
+  readonly vary?: readonly string[]; // "fill=3"
+  readonly skin?: string;
+  readonly planner?: string;
+  readonly catalogs?: readonly DroppedFile[];
   readonly floor_plan?: DroppedFile;
   readonly floor_plan_scale?: string;
   readonly images?: readonly DroppedFile[];
@@ -88,13 +97,4 @@ export interface Kept {
   readonly store: number;
   readonly folder: string;
   readonly scene_hash: string;
-}
-
-export interface StoreLine {
-  readonly store: number;
-  readonly name: string;
-  readonly folder: string;
-  readonly seed: number;
-  readonly prompt: string;
-  readonly products: number;
 }

@@ -1,6 +1,6 @@
 // Asks the server to make stores.
 import { got, posted, withToken } from "../store/client";
-import type { Ask, Kept, MakeOptions, StoreLine, Tries } from "./contract";
+import type { Ask, Kept, MakeOptions, Tries } from "./contract";
 
 export class MakeClient {
   constructor(readonly token: string | null) {}
@@ -10,9 +10,6 @@ export class MakeClient {
   }
   tries(): Promise<Tries> {
     return this.read("api/make/tries");
-  }
-  async stores(): Promise<readonly StoreLine[]> {
-    return (await this.read<{ stores: readonly StoreLine[] }>("api/stores")).stores;
   }
   async begin(ask: Ask): Promise<Tries> {
     return (await (await posted(withToken("api/make/try", this.token), ask, "try")).json()) as Tries;

@@ -6,7 +6,9 @@ import type { Status } from "../ui/status";
 import { Theme } from "../ui/theme";
 import { makeLink, type MakePlace } from "./addresses";
 import { AskForm } from "./ask_form";
-import type { Ask, MakeOptions, StoreLine, Tries } from "./contract";
+import { storesOf } from "../store/client";
+import type { StoreLine } from "../store/contract";
+import type { Ask, MakeOptions, Tries } from "./contract";
 import { MakeClient } from "./make_client";
 import { say, type MakeKey } from "./strings";
 import { TryCard } from "./try_card";
@@ -137,7 +139,7 @@ export class StartPage {
 
 export async function startMaking(place: MakePlace, speech: Speech, status: Status): Promise<void> {
   const client = new MakeClient(place.token);
-  const [options, stores] = await Promise.all([client.options(), client.stores()]);
+  const [options, stores] = await Promise.all([client.options(), storesOf(place.token)]);
   document.body.classList.add("listing");
   const start = new StartPage(place, speech, status, options, stores);
   document.body.append(start.page);

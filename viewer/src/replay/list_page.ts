@@ -1,7 +1,8 @@
 // The episodes of all evaluations of a store, to choose one from.
 import { element } from "../ui/dom";
+import type { StoreLine } from "../store/contract";
 import type { EpisodeLine, RunEpisodes } from "./contract";
-import { episodeLink, storeLink, type ReplayPlace } from "./addresses";
+import { episodeLink, listLink, storeLink, type ReplayPlace } from "./addresses";
 import { Gallery } from "./gallery";
 import type { ReplayClient } from "./replay_client";
 import { failureText, timeText, type ReplayWords } from "./words";
@@ -22,12 +23,14 @@ export class ListPage {
   private readonly inPictures = element("input", { attributes: { type: "checkbox" }, on: { change: () => this.fill() } });
   private readonly gallery: Gallery;
   private readonly runChoice = element("select", { on: { change: () => this.fill() } });
+  private readonly storeChoice = element("select", { on: { change: () => location.assign(listLink({ ...this.place, store: Number(this.storeChoice.value) })) } });
 
   constructor(
     private readonly words: ReplayWords,
     private readonly place: ReplayPlace,
     client: ReplayClient,
     private readonly runs: readonly RunEpisodes[],
+    private readonly stores: readonly StoreLine[],
     tools: readonly HTMLElement[],
   ) {
     this.gallery = new Gallery(words, place, client);
@@ -36,12 +39,15 @@ export class ListPage {
     const home = element("a", { attributes: { href: storeLink(place) } });
     const show = element("span");
     const run = element("span");
-    this.page.append(element("header", {}, element("nav", { class: "links" }, home, ...tools), title, element("div", { class: "choices" }, element("label", {}, run, this.runChoice), element("label", {}, show, this.choice), element("label", {}, this.inPictures, pictures))), this.rows);
+    const store = element("span");
+    const ofStores = stores.length > 1 ? [element("label", {}, store, this.storeChoice)] : [];
+    this.page.append(element("header", {}, element("nav", { class: "links" }, home, ...tools), title, element("div", { class: "choices" }, ...ofStores, element("label", {}, run, this.runChoice), element("label", {}, show, this.choice), element("label", {}, this.inPictures, pictures))), this.rows);
     words.speech.bind(() => {
       title.textContent = words.say("episodes");
       home.textContent = words.say("toStore");
       show.textContent = words.say("show");
       run.textContent = words.say("run");
+      store.textContent = words.say("ofStore");
       pictures.textContent = words.say("gallery");
       this.offer();
       this.fill();
@@ -62,6 +68,8 @@ export class ListPage {
       if (entries.some(([value]) => value === before)) select.value = before;
     };
     put(this.choice, options);
+    put(this.storeChoice, this.stores.map(({ store, name, folder, seed }) => [String(store), words.say("storeOf", { name, folder, seed })]));
+    this.storeChoice.value = String(this.place.store);
     put(this.runChoice, [["", words.say("allEpisodes")], ...runs.map(({ run }) => [String(run.run), nameOfRun(run)])]);
   }
 

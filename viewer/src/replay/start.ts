@@ -1,6 +1,8 @@
 // Starts pages of replays: the list of a store's episodes, or one of them.
 import { loadGoods, loadRest } from "../loader";
 import { Stage } from "../stage/stage";
+import { storesOf } from "../store/client";
+import type { StoreLine } from "../store/contract";
 import { element } from "../ui/dom";
 import type { Speech } from "../ui/speech";
 import type { Status } from "../ui/status";
@@ -35,6 +37,13 @@ export async function startReplay(place: ReplayPlace, speech: Speech, status: St
   return showEpisode(client, place, words, status, place.run, place.episode);
 }
 
+// An evaluation may have episodes in several stores, each of which has its list.
+async function storesWithRuns(token: string | null): Promise<StoreLine[]> {
+  const stores = await storesOf(token);
+  const runs = await Promise.all(stores.map(({ store }) => new ReplayClient(store, token).runs()));
+  return stores.filter((_, i) => runs[i]!.length > 0);
+}
+
 async function showList(client: ReplayClient, place: ReplayPlace, words: ReplayWords): Promise<void> {
   const { speech } = words;
   const theme = new Theme(() => undefined);
@@ -44,9 +53,9 @@ async function showList(client: ReplayClient, place: ReplayPlace, words: ReplayW
     return button;
   };
   const tools = [tool("theme", () => theme.toggle()), tool("language", () => speech.toggle())];
-  const runs = await ListPage.load(client);
+  const [runs, stores] = await Promise.all([ListPage.load(client), storesWithRuns(place.token)]);
   document.body.classList.add("listing");
-  document.body.append(new ListPage(words, place, client, runs, tools).page);
+  document.body.append(new ListPage(words, place, client, runs, stores, tools).page);
   speech.bind(() => (document.title = `${words.say("episodes")} · MarketGen`));
 }
 

@@ -1,5 +1,5 @@
 // Asks the server. Whatever goes wrong becomes a ServerError whose message is for a person.
-import type { FixtureCard, Hit, ProductCard, Progress, Summary } from "./contract";
+import type { FixtureCard, Hit, ProductCard, Progress, StoreLine, Summary } from "./contract";
 import { Packed } from "./packed";
 
 export class ServerError extends Error {
@@ -63,6 +63,12 @@ export async function got(address: string, where: string, signal?: AbortSignal):
   }
   if (!answer.ok) throw await errorOf(answer);
   return answer;
+}
+
+// Which stores the server shows.
+export async function storesOf(token: string | null): Promise<readonly StoreLine[]> {
+  const answer = await got(withToken("api/stores", token), "/api/stores");
+  return ((await answer.json()) as { stores: readonly StoreLine[] }).stores;
 }
 
 export class Client {

@@ -22,6 +22,15 @@ export interface Summary {
   readonly skus: readonly Sku[];
 }
 
+export interface StoreLine {
+  readonly store: number;
+  readonly name: string;
+  readonly folder: string;
+  readonly seed: number;
+  readonly prompt: string;
+  readonly products: number;
+}
+
 export interface StoreCamera {
   readonly name: string;
   readonly from_m: Triple;

@@ -17,11 +17,10 @@ LitWorld::LitWorld(std::unique_ptr<World> built, const scene::Scene& scene, bool
 Result<std::unique_ptr<LitWorld>> light_world(const scene::Scene& scene,
                                               const std::vector<Exhibit>& exhibits,
                                               Progress& progress,
-                                              const RendererOptions& options,
-                                              assets::Detail goods) {
-  MARKETGEN_TRY(std::unique_ptr<World> world,
-                build_world(scene, exhibits, progress, options.print, goods));
-  return std::make_unique<LitWorld>(std::move(world), scene, options.keep_light);
+                                              const WorldDetail& detail,
+                                              bool keep_light) {
+  MARKETGEN_TRY(std::unique_ptr<World> world, build_world(scene, exhibits, progress, detail));
+  return std::make_unique<LitWorld>(std::move(world), scene, keep_light);
 }
 
 }  // namespace marketgen::render::raytrace

@@ -4,12 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "assets/product_model.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "render/light/irradiance.h"
 #include "render/light/light_grid.h"
-#include "render/render.h"
+#include "render/stage/draft.h"
 #include "render/stage/exhibit.h"
 #include "render/stage/world.h"
 #include "scene/scene.h"
@@ -24,16 +23,15 @@ struct LitWorld {
   IrradianceField field;
 };
 
-// Builds the world, bakes its light (or takes it from the disk: options.keep_light) and sets
+// Builds the world, bakes its light (or takes it from the disk: `keep_light`) and sets
 // World::exposure by it: a white sheet in the light on the goods (IrradianceField::goods_median())
 // is 1, or on the floor of a store without shelves. All cameras of a store have the same exposure.
-// `goods`: how finely packs are shaped. Far ones need much less memory (the server's first opening:
-// docs/figures.md), and the light differs by a byte of 255 in the mean.
-// Errors: as build_world.
+// Packs that are shaped as from afar need much less memory (the server's first opening:
+// docs/figures.md), and the light differs by a byte of 255 in the mean. Errors: as build_world.
 Result<std::unique_ptr<LitWorld>> light_world(const scene::Scene& scene,
                                               const std::vector<Exhibit>& exhibits,
                                               Progress& progress,
-                                              const RendererOptions& options,
-                                              assets::Detail goods = assets::Detail::near);
+                                              const WorldDetail& detail,
+                                              bool keep_light);
 
 }  // namespace marketgen::render::raytrace

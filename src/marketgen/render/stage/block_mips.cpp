@@ -134,6 +134,15 @@ __m128 bilinear_in_blocks(const std::uint64_t* blocks,
 
 }  // namespace
 
+BlockMips BlockMips::coarser(int levels) const {
+  if (empty()) return {};
+  const MipChain::Level& first =
+      levels_[std::min(static_cast<std::size_t>(levels), levels_.size() - 1)];
+  return {first.width,
+          first.height,
+          {blocks_.begin() + static_cast<std::ptrdiff_t>(first.offset), blocks_.end()}};
+}
+
 std::size_t BlockMips::block_count(int width, int height) {
   const MipChain::Level last = block_levels(width, height).back();
   return last.offset + 1;

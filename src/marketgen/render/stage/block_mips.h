@@ -22,6 +22,9 @@ class BlockMips {
   __m128 sample(float u, float v, float lod) const;
   __m128 sample_level(float u, float v, float lod) const;
 
+  // Without its finest levels; the last stays.
+  BlockMips coarser(int levels) const;
+
   bool empty() const { return blocks_.empty(); }
   int width() const { return empty() ? 1 : levels_[0].width; }
   int height() const { return empty() ? 1 : levels_[0].height; }

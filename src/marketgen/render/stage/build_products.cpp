@@ -40,7 +40,7 @@ Material material_of(Draft& draft,
   if (surface.metallic > 0 && surface.metallic < 1) material.coat = 1;  // lacquered metal
   if (is_grown(product)) material.scatter_m = flesh_reach_m;
   if (surface.texture == "label")
-    material.texture = draft.print_texture(
+    material.texture = draft.label_texture(
         label_content(product, draft.print()),
         [&product, print = draft.print()] { return library_label(product, print); });
   else if (surface.texture == "contents")

@@ -28,21 +28,15 @@ void add_exhibits(World& world,
   }
 }
 
-}  // namespace
-
-Result<std::unique_ptr<World>> build_world(const scene::Scene& scene,
-                                           const std::vector<Exhibit>& exhibits,
-                                           Progress& progress,
-                                           PrintDetail print,
-                                           assets::Detail goods) {
-  auto world = std::make_unique<World>();
-  world->device.reset(rtcNewDevice(nullptr));
-  if (!world->device)
-    return Error{"io.out_of_memory", "renderer", "Embree could not be started on this machine"};
-
-  Draft draft(scene, *world, print);
+// All but the search trees. What has built it is gone with it, before these are made.
+Result<void> furnish(World& world,
+                     const scene::Scene& scene,
+                     const std::vector<Exhibit>& exhibits,
+                     Progress& progress,
+                     const WorldDetail& detail) {
+  Draft draft(scene, world, detail);
   const Room room = room_of(scene.layout.shell);
-  MARKETGEN_TRY(const ProductBuilder products, ProductBuilder::begin(draft, goods));
+  MARKETGEN_TRY(const ProductBuilder products, ProductBuilder::begin(draft, detail.goods));
   FixtureBuilder fixtures(draft);
   const ShellBuilder shell(draft, room);
   const LightBuilder light(draft);
@@ -64,7 +58,22 @@ Result<std::unique_ptr<World>> build_world(const scene::Scene& scene,
   decor.build(draft);
   fixtures.build(draft);
   products.build(draft);
-  add_exhibits(*world, exhibits, exhibited);
+  add_exhibits(world, exhibits, exhibited);
+  return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<World>> build_world(const scene::Scene& scene,
+                                           const std::vector<Exhibit>& exhibits,
+                                           Progress& progress,
+                                           const WorldDetail& detail) {
+  auto world = std::make_unique<World>();
+  world->device.reset(rtcNewDevice(nullptr));
+  if (!world->device)
+    return Error{"io.out_of_memory", "renderer", "Embree could not be started on this machine"};
+
+  MARKETGEN_CHECK(furnish(*world, scene, exhibits, progress, detail));
   progress.advance();
   commit(*world);
   progress.advance();

@@ -52,12 +52,17 @@ std::int32_t Draft::texture(const std::string& content, std::function<Result<Ima
 
 std::int32_t Draft::relief_texture(const std::string& content,
                                    std::function<Result<Image>()> draw) {
-  return add_order({content, std::move(draw), true, {}});
+  return add_order({content, std::move(draw), true, {}, detail_.coarser});
 }
 
 std::int32_t Draft::print_texture(const std::string& content,
                                   std::function<Result<assets::PrintedPicture>()> draw) {
   return add_order({content, {}, false, std::move(draw)});
+}
+
+std::int32_t Draft::label_texture(const std::string& content,
+                                  std::function<Result<assets::PrintedPicture>()> draw) {
+  return add_order({content, {}, false, std::move(draw), detail_.coarser});
 }
 
 std::uint16_t Draft::material(const Material& material) {
@@ -165,19 +170,38 @@ Result<void> Draft::carry_out(std::size_t order) {
   const Order& wanted = orders_[order];
   if (wanted.print) {
     MARKETGEN_TRY(Print print, cached_print(wanted.content, wanted.print));
-    world_.textures[order] = Texture(std::move(print.blocks), print.bars);
+    world_.textures[order] = wanted.coarser > 0 ? Texture(print.blocks.coarser(wanted.coarser))
+                                                : Texture(std::move(print.blocks), print.bars);
     return {};
   }
   MARKETGEN_TRY(const Image image, cached_picture(wanted.content, wanted.draw));
-  world_.textures[order] = Texture(image);
-  if (wanted.relief) world_.reliefs[order] = ReliefTexture(image, 3);
+  Texture texture(image);
+  world_.textures[order] =
+      wanted.coarser > 0 ? texture.coarser(wanted.coarser) : std::move(texture);
+  if (!wanted.relief) return {};
+  ReliefTexture relief(image, 3);
+  world_.reliefs[order] = wanted.coarser > 0 ? relief.coarser(wanted.coarser) : std::move(relief);
   return {};
+}
+
+void Draft::remember_whole_tiles(std::size_t from) {
+  for (std::size_t order = from; order < orders_.size(); ++order) {
+    const Order& tile = orders_[order];
+    if (!tile.relief || tile.coarser == 0) continue;
+    world_.whole_tiles[order] = {material_texture_px,
+                                 material_texture_px,
+                                 [content = tile.content, draw = tile.draw]() -> Result<Texture> {
+                                   MARKETGEN_TRY(const Image image, cached_picture(content, draw));
+                                   return Texture(image);
+                                 }};
+  }
 }
 
 Result<void> Draft::draw_textures(Progress& progress) {
   const std::size_t done = world_.textures.size();
   world_.textures.resize(orders_.size());
   world_.reliefs.resize(orders_.size());
+  remember_whole_tiles(done);
   std::vector<std::optional<Error>> errors(orders_.size());
   progress.begin("labels", orders_.size() - done);
   parallel_for(orders_.size() - done, [&](std::size_t k) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "assets/print/label.h"
+#include "assets/product_model.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "render/render.h"
@@ -16,14 +17,23 @@
 
 namespace marketgen::render::raytrace {
 
+// How finely a world is drawn. What only light is baked in needs far less memory: rays of probes
+// meet surfaces a hand wide (docs/figures.md, the server's first opening).
+struct WorldDetail {
+  PrintDetail print = PrintDetail::near;
+  assets::Detail goods = assets::Detail::near;  // shapes of packs
+  int coarser = 0;  // mip levels that tiled materials and labels of packs lack
+};
+
 class Draft {
  public:
-  Draft(const scene::Scene& scene, World& world, PrintDetail print)
-      : scene_(scene), world_(world), print_(print) {}
+  Draft(const scene::Scene& scene, World& world, const WorldDetail& detail)
+      : scene_(scene), world_(world), detail_(detail) {}
 
   const scene::Scene& scene() const { return scene_; }
   World& world() const { return world_; }
-  PrintDetail print() const { return print_; }
+  PrintDetail print() const { return detail_.print; }
+  const WorldDetail& detail() const { return detail_; }
 
   // The texture drawn by `draw` from `content` (which decides its pixels). Equal contents share one
   // texture.
@@ -33,6 +43,9 @@ class Draft {
   std::int32_t relief_texture(const std::string& content, std::function<Result<Image>()> draw);
   // The same for print: kept in blocks, its bars drawn at every look-up.
   std::int32_t print_texture(const std::string& content,
+                             std::function<Result<assets::PrintedPicture>()> draw);
+  // The same for the label of a pack, WorldDetail::coarser levels coarser.
+  std::int32_t label_texture(const std::string& content,
                              std::function<Result<assets::PrintedPicture>()> draw);
   // Number of a material; equal ones share it, except glowing ones, whose light is measured later.
   std::uint16_t material(const Material& material);
@@ -51,15 +64,17 @@ class Draft {
  private:
   const scene::Scene& scene_;
   World& world_;
-  PrintDetail print_;
+  WorldDetail detail_;
   struct Order {
     std::string content;
     std::function<Result<Image>()> draw;
     bool relief = false;
     std::function<Result<assets::PrintedPicture>()> print;  // instead of `draw`
+    int coarser = 0;
   };
   std::int32_t add_order(Order wanted);
   Result<void> carry_out(std::size_t order);  // into the textures of the same number
+  void remember_whole_tiles(std::size_t from);
   std::uint16_t pane(const catalog::MaterialRow& row);
   std::uint16_t missing_material(std::string_view id);
 

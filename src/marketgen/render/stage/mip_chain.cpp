@@ -19,6 +19,14 @@ MipChain::MipChain(int width, int height) : levels_(mip_levels(width, height)) {
   texels_.resize(levels_.back().offset + 1);
 }
 
+MipChain MipChain::coarser(int levels) const {
+  if (empty()) return {};
+  const std::size_t first = std::min(static_cast<std::size_t>(levels), levels_.size() - 1);
+  MipChain chain(levels_[first].width, levels_[first].height);
+  std::copy(texels(levels_[first]), texels_.data() + texels_.size(), chain.texels_.begin());
+  return chain;
+}
+
 namespace {
 
 inline __m128 bilinear_in_bytes(const std::uint32_t* texels,

@@ -27,6 +27,9 @@ class MipChain {
   // From the nearest level alone: half the work.
   __m128 sample_level(float u, float v, float lod) const;
 
+  // Without its finest levels, as a chain of its own; the last level stays.
+  MipChain coarser(int levels) const;
+
   bool empty() const { return levels_.empty(); }
   const std::vector<Level>& levels() const { return levels_; }
   std::uint32_t* texels(const Level& level) { return texels_.data() + level.offset; }

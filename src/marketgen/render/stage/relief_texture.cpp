@@ -85,6 +85,14 @@ Relief ReliefTexture::decoded(const std::array<float, 4>& bytes) {
       (bytes[0] - middle) / 127.5F, (bytes[1] - middle) / 127.5F, bytes[2] / 255, bytes[3] / 255};
 }
 
+ReliefTexture ReliefTexture::coarser(int levels) const {
+  ReliefTexture texture;
+  texture.mips_ = mips_.coarser(levels);
+  texture.mean_ = mean_;
+  texture.flat_lod_ = std::max(0.0F, flat_lod_ - static_cast<float>(levels));
+  return texture;
+}
+
 Relief ReliefTexture::sample(float u, float v, float lod) const {
   if (mips_.empty()) return {};
   alignas(16) std::array<float, 4> bytes;

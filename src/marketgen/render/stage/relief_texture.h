@@ -23,6 +23,9 @@ class ReliefTexture {
   // MaterialMaps has them.
   ReliefTexture(const Image& image, int first);
 
+  // Without its finest mip levels: as it is seen from afar.
+  ReliefTexture coarser(int levels) const;
+
   Relief sample(float u, float v, float lod) const;
   const Relief& mean() const { return mean_; }  // of the whole texture
   const MipChain& mips() const { return mips_; }

@@ -64,6 +64,13 @@ Texture::Texture(BlockMips blocks, const std::optional<assets::LabelBars>& bars)
   if (bars) bars_ = std::make_shared<const PrintedBars>(*bars, width(), height());
 }
 
+Texture Texture::coarser(int levels) const {
+  Texture texture;
+  texture.mips_ = mips_.coarser(levels);
+  texture.blocks_ = blocks_.coarser(levels);
+  return texture;
+}
+
 BlockMips blocks_of(const Image& image) {
   const Texture plain(image);
   return plain.mips_.empty() ? BlockMips() : BlockMips(plain.mips_);

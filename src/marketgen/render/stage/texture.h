@@ -33,6 +33,8 @@ class Texture {
   // From the nearest level alone: half the work, and levels change in steps.
   Float4 filtered_in_level(float u, float v, float lod) const;
   Vec3f mean() const { return sample(0.5F, 0.5F, 1e9F); }
+  // Without its finest mip levels, and without bars: as it is seen from afar.
+  Texture coarser(int levels) const;
   bool empty() const { return mips_.empty() && blocks_.empty(); }
   int width() const { return mips_.empty() ? blocks_.width() : mips_.width(); }
   int height() const { return mips_.empty() ? blocks_.height() : mips_.height(); }

@@ -226,6 +226,13 @@ void commit(World& world) {
   world.actors.first_material = world.materials.size();
 }
 
+void drop_bvhs(World& world) {
+  world.actors.bvh.reset();
+  world.bvh.reset();
+  for (TracedMesh& mesh : world.meshes)
+    mesh.bvh.reset();
+}
+
 void commit_actors(World& world) {
   ActorRows& actors = world.actors;
   actors.bvh.reset();

@@ -8,11 +8,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "geometry/mesh.h"
 #include "geometry/pose.h"
 #include "render/embree_handle.h"
@@ -142,10 +145,18 @@ struct HiddenRows {
   }
 };
 
+// A texture that the world has without its finest levels, as it would be drawn whole. Errors: of
+// what draws it.
+struct WholeTexture {
+  int width = 0, height = 0;
+  std::function<Result<Texture>()> draw;
+};
+
 struct World {
   Device device;
   std::string art_key;  // over what decides the textures' pixels
   std::vector<Texture> textures;
+  std::map<std::size_t, WholeTexture> whole_tiles;  // by texture: of tiled materials kept coarse
   std::vector<ReliefTexture> reliefs;
   std::vector<Material> materials;
   TriangleSet shell, shell_glass, ceiling;  // in the store frame
@@ -179,6 +190,8 @@ void append(TriangleSet& solid,
 
 // Builds the BVHs. Nothing but actors may be added to the world afterwards.
 void commit(World& world);
+// Frees them: no ray meets anything afterwards.
+void drop_bvhs(World& world);
 // Builds the BVHs of the actors' meshes and instances; none when there are no instances.
 void commit_actors(World& world);
 // Takes over where these of the actors' instances stand now.
