@@ -57,7 +57,7 @@ TEST_F(View, ServesAStoreUntilCtrlC) {
   EXPECT_EQ(ran.err, "");
 }
 
-// Two policies in stores that nobody has as folders: they travel with the set.
+// Two runs in a store that nobody has as a folder: it travels with the set.
 TEST_F(View, ShowsResultsOfASetWithoutAStore) {
   const std::string one = (scratch_.path() / "one").string(),
                     two = (scratch_.path() / "two").string();
@@ -67,7 +67,7 @@ TEST_F(View, ShowsResultsOfASetWithoutAStore) {
                          "--episodes",
                          "v1/checkout",
                          "--policy",
-                         folder == one ? "stop" : "random",
+                         "stop",
                          "--shard",
                          "1/1000",
                          "--record-motion",
@@ -92,7 +92,7 @@ TEST_F(View, ShowsResultsOfASetWithoutAStore) {
   EXPECT_EQ(summary["may_drive"], false);
   const nlohmann::json runs = json("/api/stores/0/runs")["runs"];
   ASSERT_EQ(runs.size(), 2U);
-  EXPECT_EQ(runs[1]["policy"], "random");
+  EXPECT_EQ(runs[1]["folder"], "two");
   const nlohmann::json ids = {json("/api/stores/0/runs/0")["episodes"][0]["id"],
                               json("/api/stores/0/runs/1")["episodes"][0]["id"]};
   EXPECT_EQ(ids[0], ids[1]);
