@@ -100,6 +100,27 @@ class Clone:
         return list(np.concatenate([steps, fingers, np.full((CHUNK, 1), -1.0)], axis=1))  # -1: it does not say that it has done
 
 
+class Served:
+    """The same for servers (serve_policy.py), who are told nothing of episodes: where the tool begins, with open fingers, it looks."""
+
+    steps = CHUNK
+
+    def __init__(self, file):
+        learned = dict(np.load(file))
+        self.columns, self.start, self.numbers = learned["columns"], learned["start"], int(learned["numbers"])
+        self.clone = Clone(learned)
+        self.clone.told = OPEN
+
+    def actions(self, seen):
+        """(CHUNK, 5), of all that the robot reads of itself and the picture (height, width, 3)."""
+        tool = np.asarray(seen["observation.state"], float)[self.columns]
+        if np.linalg.norm(tool - self.start) < BESIDE_M:
+            self.clone.begin(None, {"sensor_data": {CAMERA: {"rgb": seen[f"observation.images.{CAMERA}"]}}})
+        chunk = self.clone.next_actions(np.append(tool, self.clone.told))
+        self.clone.told = chunk[-1][3]
+        return np.stack(chunk)
+
+
 def inputs(read, grasp):
     """Tool, what the fingers were told last, and how far the tool is from where the tin is taken."""
     return np.concatenate([read, grasp, grasp - read[:, :3]], axis=1)
@@ -110,12 +131,17 @@ def ways(places, told, read):
     return np.concatenate([places - read[:, None, :3], told[:, :, None]], axis=2).reshape(len(read), -1)
 
 
+def tool_columns(dataset):
+    """Where the tool's place stands in the state, and how many numbers that has."""
+    names = json.loads((dataset / "meta/info.json").read_text())["features"]["observation.state"]["names"]
+    return [names.index(f"tcp_pose.tool_{axis}") for axis in "xyz"], len(names)
+
+
 def demonstrated(dataset):
     """Of each frame: where the tool is and what the fingers were told last; where it is in the next ones, and what they are told; its
     episode. Of each episode its first picture and where the fingers began to close."""
     states, actions, pictures, last = frames_of(dataset)
-    names = json.loads((dataset / "meta/info.json").read_text())["features"]["observation.state"]["names"]
-    tool = states[:, [names.index(f"tcp_pose.tool_{axis}") for axis in "xyz"]].astype(float)
+    tool = states[:, tool_columns(dataset)[0]].astype(float)
     fingers, ends = np.where(actions[:, -2] > 0, OPEN, SHUT), np.unique(last)
     firsts = np.concatenate([[0], ends[:-1] + 1])
     before = np.roll(fingers, 1)
@@ -134,10 +160,13 @@ def train(dataset, steps):
     things = np.stack([thing(picture, empty) for picture in shown])
     where = np.linalg.solve(things.T @ things + 1e-6 * np.eye(things.shape[1]), things.T @ grasps)
     print(f"where the tin is taken: {1000 * np.abs(things @ where - grasps).mean():.1f} mm off in the mean", flush=True)
+    columns, numbers = tool_columns(dataset)
+    begins = np.unique(episode, return_index=True)[1]
     grasp, y = grasps[episode], ways(places, told, read)
     x = inputs(read, grasp)
     kept = {"empty": empty, "where": where, "middle": x.mean(axis=0), "scale": x.std(axis=0) + 1e-3}
     kept |= {"mean": y.mean(axis=0), "spread": y.std(axis=0) + 1e-3}
+    kept |= {"columns": np.array(columns), "numbers": numbers, "start": read[begins, :3].mean(axis=0)}
     rng = np.random.default_rng(1)
     net = Net((x.shape[1], HIDDEN, HIDDEN, y.shape[1]), rng)
     for step in range(steps):

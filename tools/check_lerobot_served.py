@@ -1,6 +1,6 @@
-"""The checkpoint of examples/imitate.py through other doors; run by tools/check_lerobot.
+"""A policy of examples/imitate.py or clone.py through other doors; run by tools/check_lerobot.
 
-    check_lerobot_served.py --args.checkpoint FOLDER --host H --port P    a model server of vla-eval, until it is ended
+    check_lerobot_served.py --args.policy PATH --host H --port P          a model server of vla-eval, until it is ended
     check_lerobot_served.py compare RESULTS SERVED VLA_RESULTS            what marketgen.evaluate found of it in process (RESULTS) and by
                                                                           openpi's protocol (SERVED), and what vla-eval found
 """
@@ -30,32 +30,29 @@ def compare(results, served, vla_results):
 
 
 def serve():
-    from serve_checkpoint import Policy
+    from serve_policy import policy_of
     from vla_eval.model_servers.predict import PredictModelServer
     from vla_eval.model_servers.serve import run_server
     from vla_eval.specs import IMAGE_RGB, LANGUAGE, DimSpec
 
-    class Checkpoint(PredictModelServer):
-        def __init__(self, checkpoint: str):
-            self._policy = Policy(checkpoint)
+    class Policy(PredictModelServer):
+        def __init__(self, policy: str):
+            self._policy = policy_of(pathlib.Path(policy))
             super().__init__(chunk_size=self._policy.steps)
 
         def get_action_spec(self):
-            return {"action": DimSpec("action", 5, "pd_ee_delta_pos")}
+            moves = self._policy.space == "tool_moves"
+            return {"action": DimSpec("action", 5 if moves else 9, "pd_ee_delta_pos" if moves else "pd_joint_pos")}
 
         def get_observation_spec(self):
-            return {"scene_camera": IMAGE_RGB, "state": DimSpec("state", self._policy.numbers, "marketgen_state"), "language": LANGUAGE}
+            state = DimSpec("state", self._policy.numbers, "marketgen_state")
+            return {self._policy.camera: IMAGE_RGB, "state": state, "language": LANGUAGE}
 
         def predict(self, obs, ctx):
-            seen = {f"observation.images.{name}": of_planes(picture) for name, picture in obs["images"].items()}
+            seen = {f"observation.images.{name}": picture for name, picture in obs["images"].items()}
             return {"actions": self._policy.actions(seen | {"observation.state": obs["state"], "task": obs["task_description"]})}
 
-    return run_server(Checkpoint)
-
-
-def of_planes(picture):
-    """As LeRobot has pictures."""
-    return picture.transpose(2, 0, 1) / 255.0
+    return run_server(Policy)
 
 
 if __name__ == "__main__":

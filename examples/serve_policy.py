@@ -1,16 +1,17 @@
-"""Serves a checkpoint of LeRobot the way openpi's servers do, so that it acts in marketgen.evaluate from another process or machine.
+"""Serves a policy the way openpi's servers do, so that it acts in marketgen.evaluate from another process or machine.
 
-    pip install lerobot websockets msgpack
-    python examples/serve_checkpoint.py out/examples/imitate/policy --port 8000
-    python -m marketgen.evaluate --episodes out/examples/imitate/trials.jsonl --policy openpi://localhost:8000 \\
-        --adapter out/examples/imitate/adapter.yaml -o served
+    pip install websockets msgpack
+    python examples/serve_policy.py out/clone/policy.npz --port 8000      # of clone.py; a folder: a checkpoint of LeRobot (imitate.py)
+    python -m marketgen.evaluate --episodes out/clone/trials.jsonl --policy openpi://localhost:8000 \\
+        --adapter out/clone/policy.yaml -o served
 
-Take it as the pattern for a server of your own: a message with names of the model (metadata), then for every observation the next actions,
-all by msgpack with arrays as openpi-client packs them. Needs a policy that goes by one observation (ACT, pi0, SmolVLA).
-Without a checkpoint it says what it would serve and ends.
+Take it as the pattern for a server of your own: first a message about the model, then for every observation the next actions, all by
+msgpack with arrays as openpi-client packs them. A checkpoint must go by one observation (ACT, pi0, SmolVLA). Beside the policy it
+leaves the row that says what is sent and what the answers mean (docs/remote.md). Without a policy it says what it wants and ends.
 """
 
 import argparse
+import json
 import pathlib
 import traceback
 
@@ -38,7 +39,7 @@ def unpacked(message):
     return msgpack.unpackb(message, object_hook=array_of)
 
 
-class Policy:
+class Checkpoint:
     """A checkpoint with its processors, on the CPU."""
 
     def __init__(self, folder):
@@ -50,18 +51,41 @@ class Policy:
         config = PreTrainedConfig.from_pretrained(folder)
         config.device = "cpu"
         self.torch, self.steps, self.numbers = torch, config.n_action_steps, config.input_features["observation.state"].shape[0]
+        [(picture, feature)] = config.image_features.items()
+        self.camera, self.size, self.space = picture.removeprefix("observation.images."), feature.shape[:0:-1], "joint_targets"
         self.policy = get_policy_class(config.type).from_pretrained(folder, config=config).eval()
         self.before, self.after = make_pre_post_processors(config, pretrained_path=str(folder))
 
     def actions(self, seen):
-        """(steps, numbers), of one observation by the checkpoint's own names."""
+        """(steps, numbers), of one observation by the checkpoint's own names, pictures (height, width, 3) of bytes."""
         batch = {name: self.tensor(value) for name, value in seen.items()}
         with self.torch.no_grad():
             chunk = self.policy.predict_action_chunk(self.before(batch))[0, : self.steps]
             return np.stack([self.after(step[None])[0].cpu().numpy() for step in chunk])
 
     def tensor(self, value):
-        return self.torch.from_numpy(np.array(value, np.float32)[None]) if isinstance(value, np.ndarray) else [value]
+        if not isinstance(value, np.ndarray):
+            return [value]
+        value = value.transpose(2, 0, 1) / 255.0 if value.ndim == 3 else value
+        return self.torch.from_numpy(np.array(value, np.float32)[None])
+
+
+def policy_of(path):
+    """What answers: actions(seen), steps of an answer, numbers of a state, camera, size of its pictures, space of its actions."""
+    if path.suffix == ".npz":
+        import clone
+
+        policy = clone.Served(path)
+        policy.camera, policy.size, policy.space = clone.CAMERA, clone.SIZE, "tool_moves"
+        return policy
+    return Checkpoint(path)
+
+
+def row_of(policy):
+    """Of an adapter, docs/remote.md. JSON is YAML."""
+    seen = {"observation.state": {"numbers": "all"}, f"observation.images.{policy.camera}": {"picture": policy.camera}}
+    row = {"about": "examples/serve_policy.py", "observation": seen | {"task": {"words": "instruction"}}, "pictures": {"size": policy.size}}
+    return json.dumps({"served": row | {"action": {"keys": ["actions"], "space": policy.space, "numbers": "all"}}}, indent=1)
 
 
 def serve(policy, host, port, name):
@@ -82,14 +106,16 @@ def serve(policy, host, port, name):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("checkpoint", nargs="?", type=pathlib.Path, default=pathlib.Path("out/examples/imitate/policy"))
+    parser.add_argument("policy", nargs="?", type=pathlib.Path, default=pathlib.Path("out/clone/policy.npz"))
     parser.add_argument("--host", default="localhost")
     parser.add_argument("--port", type=int, default=8000, help="0: any that is free")
     given = parser.parse_args()
-    if not (given.checkpoint / "config.json").exists():
-        print(f"there is no checkpoint at {given.checkpoint}: examples/imitate.py trains one where LeRobot is installed")
+    if not given.policy.exists():
+        print(f"there is no policy at {given.policy}: examples/clone.py trains one in minutes")
         return
-    serve(Policy(given.checkpoint), given.host, given.port, given.checkpoint.name)
+    policy = policy_of(given.policy)
+    given.policy.with_suffix(".yaml").write_text(row_of(policy))
+    serve(policy, given.host, given.port, given.policy.stem)
 
 
 if __name__ == "__main__":
