@@ -112,22 +112,22 @@ def driven(seen, named):
 
 
 def picked(seen, named):
-    """Ahead until the product is between the fingers, closed, and straight out."""
-    to = np.array([named[f"to_product_{axis}"] for axis in "xyz"]) * 0.2
+    """Beside first, then ahead until the product is between the fingers, closed, and straight back."""
+    ahead, aside = named["ahead"] * 0.12, named["aside"] * 0.12
     if named["held"] or named["last_opening"] < 0:
-        return np.array([-1.0 if named["held"] else 0.0, 0, 0.2 if named["held"] else 0, -1])
-    move = np.clip(to / 0.02, -0.5, 0.5)
-    return np.append(move, -1.0 if np.abs(to[:2]).max() < 0.012 else 1.0)
+        return np.array([-1.0 if named["held"] else 0.0, 0, -1.0])
+    before = abs(aside) < 0.003
+    on = (ahead if before else ahead - 0.1) / 0.032
+    return np.clip([on, aside / 0.016, -1.0 if before and ahead < 0.006 else 1.0], -1, 1)
 
 
 def placed(seen, named):
     """High over the basket, down into it, open, up again."""
-    to = np.array([named[f"box_to_basket_{axis}"] for axis in "xyz"]) * 0.5
-    above = np.abs(to[:2]).max() < 0.04
-    if named["last_opening"] > 0 or (above and to[2] > 0):
-        return np.array([0, 0, 0.3 if to[2] > 0 and named["opening"] > 0.9 else 0, 1.0])
-    height = to[2] - 0.03 if above else to[2] + 0.22
-    return np.append(np.clip([*to[:2] / 0.04, height / 0.06], -1, 1), -1.0)
+    to = np.array([named["box_to_basket_x"], named["box_to_basket_y"]]) * 0.4
+    if named["last_opening"] > 0.5 or named["low"]:
+        return np.array([0, 0, 0.3 if named["opening"] > 0.9 else 0, 1.0])
+    height = (0.02 if named["outside"] <= 0 else 0.2) - named["height"] * 0.3
+    return np.append(np.clip([*to / 0.05, height / 0.05], -1, 1), -1.0)
 
 
 def opened(seen, named):
@@ -135,8 +135,8 @@ def opened(seen, named):
     ahead, across = -0.1 * named["to_bar_out"], 0.1 * named["to_bar_along"]
     if named["held"] or (abs(across) < 0.008 and ahead < -0.003):
         return np.array([named["held"], 0, -1.0])
-    on = -ahead / 0.01 - 0.8 if abs(across) < 0.01 else (0.03 - ahead) / 0.01
-    return np.clip([on, across / 0.012, 1.0], -1, 1)
+    on = -(ahead + 0.0045) / 0.004 if abs(across) < 0.01 else (0.03 - ahead) / 0.02
+    return np.clip([on, across / 0.024, 1.0], -1, 1)
 
 
 POLICIES = {"DriveToProduct": driven, "PickFromShelf": picked, "PlaceInBasket": placed, "OpenCooler": opened}

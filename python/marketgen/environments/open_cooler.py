@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from .led_hand import STEP_M, STEP_RAD
 from .pick_from_shelf import witness_arm
-from .stage_env import StageEnv
+from .stage_env import StageEnv, opened_above
 
 WITHIN_M = 0.004  # of the fingertips, when they hold the bar: shut 4 mm before it they slip
 REACH_SHARE, NEAR_M, AT_SHARE, FINE_M = 0.15, 0.05, 0.15, 0.008  # of the hand's distance to there, two tanhs
 HELD_SHARE, OPEN_SHARE = 0.15, 0.45
-STEP_M, STEP_RAD = 0.02, 0.1  # what 1 of the whole task's is
 PULL_M = 0.004  # in a control step, of a hand that holds the bar; at 6 mm it slips
 SLOWEST_M, FASTEST_M, NEARER, AT_BAR_M = 0.0004, 0.004, 0.12, 0.005  # of one that does not, as it nears the bar
 TOUCHED_N = 10.0  # from which on it goes back only
@@ -62,7 +62,7 @@ class OpenCooler(StageEnv):
         super()._begin(text)
 
     def _prepare(self) -> None:
-        self._door = self.environment.door()
+        self._look()
 
     # ---- The door's frame: out of the leaf's plane to who pulls, along it to the hinge. ----
 
@@ -100,19 +100,10 @@ class OpenCooler(StageEnv):
         level = np.clip(LEVEL * door["to_bar"][2], -LEVEL_STEP_M, LEVEL_STEP_M) / STEP_M
         behind = door["behind_rad"] + AHEAD_RAD - TURNED * door["asked_rad"] * self._share()
         turn = TURN_RAD * float(np.clip(TURN_GAIN * behind, -1, 1)) / STEP_RAD
-        opening = numbers[2] if math.isnan(numbers[2]) else 1 if numbers[2] > 0 else -1  # what is no number is refused
-        return np.array([x, y, level, -door["side"] * turn, opening])
+        return np.array([x, y, level, -door["side"] * turn, opened_above(numbers[2], 0)])
 
-    def _act(self, numbers: np.ndarray) -> bool:
-        self._last = numbers
-        for _ in range(self.hold):  # what the arm sees to itself goes by how the door stands now
-            full = self._still()
-            full[self._places] = self._told(numbers)
-            _, terminated, truncated = self._advance(full)
-            self._door = self.environment.door()
-            if terminated or truncated:
-                return True
-        return False
+    def _look(self) -> None:
+        self._door = self.environment.door()
 
     def _numbers(self) -> list[float]:
         door, side = self._door, self._door["side"]
@@ -137,4 +128,4 @@ class OpenCooler(StageEnv):
 
     def _take_own_state(self, state: dict[str, Any]) -> None:
         super()._take_own_state(state)
-        self._door = self.environment.door()
+        self._look()

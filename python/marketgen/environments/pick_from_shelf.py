@@ -8,13 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from .stage_env import StageEnv
+from .led_hand import LedHand
+from .stage_env import StageEnv, opened_above
 
 OUT_M, LOST_M = 0.15, 0.15  # out of the shelf when it is taken; below its board when it has fallen
 LYING_COS = math.cos(math.radians(45))  # of how far it leans, when it has fallen over
 AHEAD_M, ASIDE_M, UP_M, LIFTED_M = 0.006, 0.004, 0.001, 0.02  # 1, in a control step; what is held is raised by itself, so far
-FASTER_M = 0.001  # of the tool's speed, from one control step to the next: what is reversed at once shakes the arm
-STEP_M, STEP_RAD, LEAD_M = 0.02, 0.1, 0.008  # what 1 of the whole task's is; by which the tool is led at most
 ALIGN_SHARE, REACH_SHARE, HELD_SHARE, OUT_SHARE = 0.1, 0.25, 0.15, 0.4
 BESIDE_M, NEAR_M, SQUEEZED_M = 0.01, 0.06, 0.004  # of the tanhs; a hand so much narrower than the product does not reach it
 REACH_M, FINE_M, SIZE_M, OPENING_M, FAST_M_S, HARD_N = 0.12, 0.015, 0.1, 0.0896, 0.3, 50.0  # what 1 stands for
@@ -24,13 +23,6 @@ def witness_arm(episode: dict[str, Any]) -> str | None:
     """Which arm takes its product; None when nobody knows, which reset() then says."""
     witness = episode["certificate"].get("witness")
     return witness[0]["arm"] if witness else None
-
-
-def turn_between(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The small rotation vector, axes of their parent, that brings quaternion a (w, x, y, z) to b."""
-    w, v, u, x = a[0], a[1:], b[0], b[1:]
-    part, turn = u * w + x @ v, w * x - u * v - np.cross(x, v)
-    return 2 * math.copysign(1, part) * turn
 
 
 class PickFromShelf(StageEnv):
@@ -59,8 +51,7 @@ class PickFromShelf(StageEnv):
         self._left = True
         super().__init__(*args, **options)
         self._stood = np.zeros(3)  # where the product stood, in the frame of the base
-        self._wanted, self._speed = np.zeros(3), np.zeros(3)  # of the tool: where in the frame of the base, how far in a control step
-        self._height, self._turned, self._axes = 0.0, np.array([1.0, 0, 0, 0]), np.eye(3)  # of the tool, at first
+        self._hand = LedHand(np.array([0, 0, 0, 0.5, 0.5, 0.5, 0.5]))
 
     def _told_names(self) -> tuple[str, ...]:
         side = "left" if self._left else "right"
@@ -72,16 +63,7 @@ class PickFromShelf(StageEnv):
 
     def _prepare(self) -> None:
         self._stood = self._item("pose")[:3].astype(float)
-        self._hold_level(self._tool().astype(float))
-
-    def _hold_level(self, tool: np.ndarray) -> None:
-        """That it has this turn and height from here on."""
-        self._speed = np.zeros(3)
-        self._wanted, self._turned, self._height = tool[:3], tool[3:], float(tool[2])
-        w, x, y, z = tool[3:]
-        ahead = np.array([x * z + w * y, y * z - w * x])
-        ahead = ahead / np.linalg.norm(ahead)
-        self._axes = np.array([[*ahead, 0], [-ahead[1], ahead[0], 0], [0, 0, 1]])  # rows: ahead, to the left, up
+        self._hand = LedHand(self._tool())
 
     def _item(self, what: str) -> np.ndarray:
         return self.parts()["privileged"][f"item_{what}"][0]
@@ -90,7 +72,7 @@ class PickFromShelf(StageEnv):
         return self.parts()["extra"]["tcp_pose"].reshape(-1, 7)[0 if self._left else 1]
 
     def _to_product(self) -> np.ndarray:
-        return self._axes @ self.parts()["privileged"]["tcp_to_item"][0 if self._left else 1, 0]
+        return self._hand.axes @ self.parts()["privileged"]["tcp_to_item"][0 if self._left else 1, 0]
 
     def _moved(self) -> np.ndarray:
         return self._item("pose")[:3] - self._stood
@@ -112,25 +94,10 @@ class PickFromShelf(StageEnv):
     # ---- What it does and sees. ----
 
     def _told(self, numbers: np.ndarray) -> np.ndarray:
-        tool = self._tool().astype(float)
-        raises = self._held() and self._wanted[2] < self._height + LIFTED_M
-        asked = np.array([AHEAD_M * numbers[0], ASIDE_M * numbers[1], UP_M * raises])
-        self._speed = self._speed + np.clip(asked - self._speed, -FASTER_M, FASTER_M)
-        before = tool[:3] if self.environment.robot_stopped() else self._wanted
-        lead = np.clip(before + self._speed @ self._axes - tool[:3], -LEAD_M, LEAD_M)  # nothing is pressed against on and on
-        self._wanted = tool[:3] + lead
-        opening = numbers[2] if math.isnan(numbers[2]) else 1 if numbers[2] > 0 else -1  # what is no number is refused
-        return np.array([*lead / STEP_M, *turn_between(tool[3:], self._turned) / STEP_RAD, opening])
-
-    def _act(self, numbers: np.ndarray) -> bool:
-        self._last = numbers
-        for _ in range(self.hold):
-            full = self._still()
-            full[self._places] = self._told(numbers)
-            _, terminated, truncated = self._advance(full)
-            if terminated or truncated:
-                return True
-        return False
+        raises = self._held() and self._hand.place[2] < self._hand.height_m + LIFTED_M
+        asked_m = np.array([AHEAD_M * numbers[0], ASIDE_M * numbers[1], UP_M * raises])
+        move = self._hand.told(self._tool(), asked_m, stopped=self.environment.robot_stopped())
+        return np.append(move, opened_above(numbers[2], 0))
 
     def _numbers(self) -> list[float]:
         ahead, aside, up = self._to_product()
@@ -138,7 +105,7 @@ class PickFromShelf(StageEnv):
         force = self.parts()["agent"]["external_force"][0 if self._left else -1]
         return [
             ahead / REACH_M, aside / REACH_M, aside / FINE_M, up / REACH_M, *size / SIZE_M - 0.5, (opening - size[1]) / SIZE_M,
-            *self._axes @ self._moved() / REACH_M, 2 * self._upright() - 1, self._out_m() / OUT_M,
+            *self._hand.axes @ self._moved() / REACH_M, 2 * self._upright() - 1, self._out_m() / OUT_M,
             float(np.linalg.norm(self._item("velocity"))) / FAST_M_S, 2 * opening / OPENING_M - 1, float(self._held()), force / HARD_N,
             *self._last, float(self.environment.robot_stopped()),
         ]  # fmt: skip
@@ -160,8 +127,8 @@ class PickFromShelf(StageEnv):
         return bool(self._moved()[2] < -LOST_M or self._upright() < LYING_COS)
 
     def _own_state(self) -> dict[str, Any]:
-        return {**super()._own_state(), "stood": self._stood.tolist(), "height": self._height}
+        return {**super()._own_state(), "stood": self._stood.tolist(), "hand": self._hand.state()}
 
     def _take_own_state(self, state: dict[str, Any]) -> None:
         super()._take_own_state(state)
-        self._stood, self._height = np.array(state["stood"]), state["height"]
+        self._stood, self._hand = np.array(state["stood"]), LedHand.of_state(state["hand"])

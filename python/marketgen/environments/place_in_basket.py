@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from .. import _core
-from .stage_env import StageEnv
+from .led_hand import STEP_M
+from .stage_env import StageEnv, opened_above
 
-TOOL_STEP_M = 0.02  # what 1 of an action is
 AT_M, MAX_STEPS, CLOSING_STEPS, TRIES = 0.008, 40, 8, 2  # of the hand that takes the box beforehand
 MAX_DRAWS = 20  # of episodes, until it has hold of one's box
 ABOVE_M = 0.10  # its middle, before the hand goes down
@@ -87,7 +87,7 @@ class PlaceInBasket(StageEnv):
 
     def _move(self, by_m: np.ndarray, opening: float) -> None:
         if self.environment.running():  # a box that slips out of the hand may end it
-            self._advance(np.append(np.clip(by_m / TOOL_STEP_M, -1, 1), opening))
+            self._advance(np.append(np.clip(by_m / STEP_M, -1, 1), opening))
 
     def _bring(self, to: np.ndarray, opening: float) -> None:
         for _ in range(MAX_STEPS):
@@ -97,8 +97,7 @@ class PlaceInBasket(StageEnv):
             self._move(way, opening)
 
     def _told(self, numbers: np.ndarray) -> np.ndarray:
-        opening = numbers[3] if math.isnan(numbers[3]) else 1 if numbers[3] > LETS_GO else -1  # what is no number is refused
-        return np.append(SLOW * numbers[:3], opening)
+        return np.append(SLOW * numbers[:3], opened_above(numbers[3], LETS_GO))
 
     # ---- How the box stands to the basket. ----
 
