@@ -1,12 +1,12 @@
-"""PPO or SAC of Stable-Baselines3 learns a task from its state; how it does it beside chance, and where there is one, the oracle.
+"""A robot learns a task from its state, by PPO of Stable-Baselines3 or SAC of sac.py; how it does it beside chance, and the oracle.
 
-    pip install "marketgen[rl]"
+    pip install "marketgen[rl]"       # for CheckoutOneItem alone; the stages need no more than marketgen[gymnasium]
     python examples/ppo_pick.py [STEPS [OUT]] [--task CheckoutOneItem|DriveToProduct|PickFromShelf|PlaceInBasket|OpenCooler] [--seed 1]
 
-Without --task it brings one product to the unloading area. Without Stable-Baselines3 it measures chance and the oracle alone. Leaves
-in OUT (out/examples/ppo_pick) curve.json, policy.zip and, of PPO, normalize.pkl (the means and spreads that the policy's observations
-need). The policy kept is that which did best between, on seeds that are not learned from; the 50 episodes at the end are of yet other
-seeds. docs/learning.md shows such curves.
+Without --task it brings one product to the unloading area; without Stable-Baselines3 it then measures chance and the oracle alone.
+Leaves in OUT (out/examples/ppo_pick) curve.json and the policy: of PPO policy.zip and normalize.pkl (the means and spreads that its
+observations need), of SAC policy.npz, which sac.load() reads. Kept is the policy that did best on trials between, of seeds that are
+not learned from; the 50 trials at the end are of yet other seeds. docs/learning.md shows such curves.
 """
 
 import argparse
@@ -20,41 +20,36 @@ from dataclasses import dataclass, field
 
 import gymnasium
 import numpy as np
+import sac
 
 import marketgen
 
 FIRST_TRIAL, FIRST_FINAL = 1_000_000, 2_000_000  # seeds of trials are none that are learned from
-CHANCE_TRIALS, FINAL_TRIALS = 20, 50
+CHANCE_TRIALS, FINAL_TRIALS = 10, 50
 PPO = {
     "n_steps": 256, "batch_size": 256, "n_epochs": 10, "gamma": 0.98, "learning_rate": 5e-4,
     "policy_kwargs": {"net_arch": [128, 128], "log_std_init": -0.5},
-}  # fmt: skip
-SAC = {
-    "learning_starts": 300, "ent_coef": "auto_0.1", "batch_size": 256, "gamma": 0.95, "learning_rate": 5e-4, "tau": 0.01,
-    "policy_kwargs": {"net_arch": [128, 128], "optimizer_kwargs": {"fused": True}},
 }  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Task:
-    """How one is learned: by what, in how many steps, measured how often."""
+    """How one is learned: by what, in how many steps at most, measured how often."""
 
     algorithm: str
     steps: int
     between: int
     settings: dict = field(default_factory=dict)
-    trials: int = 20  # between; FINAL_TRIALS at the end
-    envs: int = 1
+    trials: int = 10  # between; FINAL_TRIALS at the end
     oracle: bool = False
-    times: float = 1  # the reward, to learn from; measures are of the environment's own
 
 
 TASKS = {
-    "CheckoutOneItem": Task("PPO", 400_000, 25_000, PPO, envs=8, oracle=True),
-    "DriveToProduct": Task("SAC", 12_000, 1_000, SAC | {"gamma": 0.98}, times=10),
-    "PickFromShelf": Task("SAC", 10_000, 1_000, SAC, times=10),
-    "PlaceInBasket": Task("SAC", 10_000, 1_000, SAC, times=10),
-    "OpenCooler": Task("SAC", 10_000, 1_000, SAC, times=10),
+    "CheckoutOneItem": Task("PPO", 400_000, 25_000, PPO, trials=20, oracle=True),
+    "DriveToProduct": Task("SAC", 12_000, 1_000, {"gamma": 0.98}),
+    "PickFromShelf": Task("SAC", 12_000, 500),
+    "PlaceInBasket": Task("SAC", 12_000, 500),
+    "OpenCooler": Task("SAC", 12_000, 500),
 }
 
 
@@ -94,91 +89,87 @@ def rivals(name, task):
     return found
 
 
-class Times(gymnasium.RewardWrapper):
-    """A reward that networks can tell from their first noise."""
+class Ppo:
+    """Of Stable-Baselines3, eight environments at once."""
 
-    def __init__(self, env, factor):
-        super().__init__(env)
-        self.factor = factor
+    def __init__(self, name, settings, seed):
+        import stable_baselines3
+        import torch
+        from stable_baselines3.common.env_util import make_vec_env
+        from stable_baselines3.common.vec_env import VecNormalize
 
-    def reward(self, reward):
-        return self.factor * reward
+        torch.set_num_threads(1)
+        self.envs = VecNormalize(make_vec_env(name, n_envs=8, seed=seed), norm_reward=True, gamma=settings["gamma"])
+        self.model = stable_baselines3.PPO("MlpPolicy", self.envs, seed=seed, device="cpu", **settings)
 
+    @property
+    def steps(self):
+        return self.model.num_timesteps
 
-def steady_policy():
-    """SAC's policy with layers of its critics normalized: what they say of actions not tried yet stays small."""
-    import torch
-    from stable_baselines3.sac.policies import SACPolicy
+    def learn(self, steps):
+        self.model.learn(steps, reset_num_timesteps=self.steps == 0)
 
-    class Steady(SACPolicy):
-        def make_critic(self, features_extractor=None):
-            critic = super().make_critic(features_extractor)
-            for number, plain in enumerate(critic.q_networks):
-                layers = []
-                for layer in plain:
-                    wide = isinstance(layer, torch.nn.Linear) and layer.out_features > 1
-                    layers += [layer, torch.nn.LayerNorm(layer.out_features)] if wide else [layer]
-                critic.q_networks[number] = torch.nn.Sequential(*layers).to(critic.device)
-                setattr(critic, f"qf{number}", critic.q_networks[number])
-            return critic
+    def act(self, seen):
+        return self.model.predict(self.envs.normalize_obs(seen), deterministic=True)[0]
 
-    return Steady
+    def policy(self):
+        return copy.deepcopy((self.model.get_parameters(), self.envs.obs_rms))
 
+    def take(self, policy):
+        self.model.set_parameters(policy[0])
+        self.envs.obs_rms = policy[1]
 
-def learner(name, task, seed):
-    """The model."""
-    import stable_baselines3
-    import torch
-    from stable_baselines3.common.env_util import make_vec_env
-    from stable_baselines3.common.vec_env import VecNormalize
-
-    torch.set_num_threads(1)
-    envs = make_vec_env(name, n_envs=task.envs, seed=seed, wrapper_class=Times, wrapper_kwargs={"factor": task.times})
-    if task.algorithm == "PPO":
-        envs = VecNormalize(envs, norm_reward=True, gamma=task.settings["gamma"])
-    policy = "MlpPolicy" if task.algorithm == "PPO" else steady_policy()
-    return getattr(stable_baselines3, task.algorithm)(policy, envs, seed=seed, device="cpu", **task.settings)
+    def save(self, folder):
+        self.model.save(folder / "policy.zip")
+        self.envs.save(str(folder / "normalize.pkl"))
 
 
-class Kept:
-    """The best policy so far, and what its observations are divided by."""
+class Soft:
+    """Of sac.py."""
 
-    def __init__(self, model):
-        self.model, self.rank, self.steps = model, (-1.0, 0.0), 0
+    def __init__(self, name, settings, seed):
+        self.env = gymnasium.make(name)
+        [seen], [moves] = self.env.observation_space.shape, self.env.action_space.shape
+        self.model = sac.Sac(seen, moves, seed=seed, **settings)
+        self.act = self.model.act
 
-    def offer(self, measured):
-        if (rank := (measured["success"], measured["return"])) > self.rank:
-            self.rank, self.steps = rank, self.model.num_timesteps
-            self.weights = copy.deepcopy(self.model.get_parameters())
-            self.spread = copy.deepcopy(getattr(self.model.get_vec_normalize_env(), "obs_rms", None))
+    @property
+    def steps(self):
+        return self.model.steps
 
-    def take(self):
-        self.model.set_parameters(self.weights)
-        if self.spread is not None:
-            self.model.get_vec_normalize_env().obs_rms = self.spread
+    def learn(self, steps):
+        self.model.learn(self.env, steps)
+
+    def policy(self):
+        return self.model.actor.weights.copy()
+
+    def take(self, policy):
+        self.model.actor.weights[:] = policy
+
+    def save(self, folder):
+        self.model.save(folder / "policy.npz")
 
 
 def learn(name, task, steps, seed, report):
-    """Trains until every trial between succeeds, or for `steps`; `report` gets each measure of the deterministic policy, and that of
-    the best one at the end. Returns the model as it did best."""
-    model = learner(name, task, seed)
-    trial, kept = gymnasium.make(name), Kept(model)
-    shown = getattr(model.get_vec_normalize_env(), "normalize_obs", lambda seen: seen)
-
-    def policy(seen):
-        return model.predict(shown(seen), deterministic=True)[0]
-
-    learning_s, measured = 0.0, {"success": 0.0}
-    while measured["success"] < 1 and model.num_timesteps < steps:
+    """Learns until all trials succeed twice running, or for `steps`; `report` gets each measure, and that of the policy that is kept.
+    Returns the learner with that policy."""
+    began = time.process_time()
+    learner = (Ppo if task.algorithm == "PPO" else Soft)(name, task.settings, seed)
+    learning_s = time.process_time() - began
+    trial, best, running = gymnasium.make(name), None, 0
+    while running < 2 and learner.steps < steps:
         began = time.process_time()
-        model.learn(min(task.between, steps), reset_num_timesteps=model.num_timesteps == 0)
+        learner.learn(min(task.between, steps))
         learning_s += time.process_time() - began
-        measured = measure(trial, policy, task.trials)
-        kept.offer(measured)
-        report("learned", {"learned_steps": model.num_timesteps, "computing_s": round(learning_s, 1)} | measured)
-    kept.take()
-    report("kept", {"learned_steps": kept.steps} | measure(trial, policy, FINAL_TRIALS, FIRST_FINAL))
-    return model
+        measured = {"learned_steps": learner.steps, "computing_s": round(learning_s, 1)} | measure(trial, learner.act, task.trials)
+        report("learned", measured)
+        running = running + 1 if measured["success"] == 1 else 0
+        rank = (measured["success"], measured["return"])
+        if best is None or rank >= best[0]:
+            best = rank, learner.steps, learner.policy()
+    learner.take(best[2])
+    report("kept", {"learned_steps": best[1]} | measure(trial, learner.act, FINAL_TRIALS, FIRST_FINAL))
+    return learner
 
 
 def arguments():
@@ -205,13 +196,10 @@ def main():
         (asked.out / "curve.json").write_text(json.dumps(curve, indent=1) + "\n")
         print(f"{point['learned_steps']:>16,} steps, {part}: {point}", flush=True)
 
-    if importlib.util.find_spec("stable_baselines3") is None:
-        print('learning needs Stable-Baselines3: pip install "marketgen[rl]"')
+    if task.algorithm == "PPO" and importlib.util.find_spec("stable_baselines3") is None:
+        print('learning it needs Stable-Baselines3: pip install "marketgen[rl]"')
         return
-    model = learn(name, task, int(asked.steps or task.steps), asked.seed, report)
-    model.save(asked.out / "policy.zip")
-    if (normalized := model.get_vec_normalize_env()) is not None:
-        normalized.save(str(asked.out / "normalize.pkl"))  # what its observations are divided by
+    learn(name, task, int(asked.steps or task.steps), asked.seed, report).save(asked.out)
     print(f"curve: {asked.out / 'curve.json'}")
 
 

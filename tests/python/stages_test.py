@@ -1,7 +1,8 @@
 """The stages of the tasks: Gymnasium's contract, numbers in [-1, 1], the same again from a seed, and each can be done and pays."""
 
 import copy
-import math
+import pathlib
+import sys
 import warnings
 
 import gymnasium
@@ -10,6 +11,9 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 import marketgen
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "examples"))
+import stage_scripts
 
 STAGES = ("DriveToProduct", "PickFromShelf", "PlaceInBasket", "OpenCooler")
 
@@ -101,56 +105,16 @@ def test_nothing_done_is_cut_off_without_success(name):
     assert caught.value.code == "episode.bad_action"
 
 
-def driven(seen, named):
-    """To the corner ahead; at the end of the way a turn to the product."""
-    bearing = math.atan2(named["corner_sin"], named["corner_cos"])
-    if named["way"] < 0.02:
-        turn = math.atan2(named["stand_sin"], named["stand_cos"])
-        return np.array([0.0, np.clip(2 * turn, -0.5, 0.5)])
-    ahead = math.cos(bearing) > 0.9
-    return np.array([min(0.5, 3 * named["way"]) if ahead else 0.0, np.clip(1.5 * bearing, -0.6, 0.6)])
-
-
-def picked(seen, named):
-    """Beside first, then ahead until the product is between the fingers, closed, and straight back."""
-    ahead, aside = named["ahead"] * 0.12, named["aside"] * 0.12
-    if named["held"] or named["last_opening"] < 0:
-        return np.array([-1.0 if named["held"] else 0.0, 0, -1.0])
-    before = abs(aside) < 0.003
-    on = (ahead if before else ahead - 0.1) / 0.032
-    return np.clip([on, aside / 0.016, -1.0 if before and ahead < 0.006 else 1.0], -1, 1)
-
-
-def placed(seen, named):
-    """High over the basket, down into it, open, up again."""
-    to = np.array([named["box_to_basket_x"], named["box_to_basket_y"]]) * 0.4
-    if named["last_opening"] > 0.5 or named["low"]:
-        return np.array([0, 0, 0.3 if named["opening"] > 0.9 else 0, 1.0])
-    height = (0.02 if named["outside"] <= 0 else 0.2) - named["height"] * 0.3
-    return np.append(np.clip([*to / 0.05, height / 0.05], -1, 1), -1.0)
-
-
-def opened(seen, named):
-    """Across, then on to the bar until it is between the fingers, closed, and straight out of the leaf's plane."""
-    ahead, across = -0.1 * named["to_bar_out"], 0.1 * named["to_bar_along"]
-    if named["held"] or (abs(across) < 0.008 and ahead < -0.003):
-        return np.array([named["held"], 0, -1.0])
-    on = -(ahead + 0.0045) / 0.004 if abs(across) < 0.01 else (0.03 - ahead) / 0.02
-    return np.clip([on, across / 0.024, 1.0], -1, 1)
-
-
-POLICIES = {"DriveToProduct": driven, "PickFromShelf": picked, "PlaceInBasket": placed, "OpenCooler": opened}
-
-
 @pytest.mark.parametrize("name", STAGES)
 def test_each_can_be_done_and_pays(name):
-    env, policy = make(name), POLICIES[name]
+    env = make(name)
+    policy = stage_scripts.of(env)
     done = 0
     for seed in range(6):
         seen, _ = env.reset(seed=seed)
         begun, total, over = env.unwrapped._before, 0.0, False
         while not over:
-            seen, reward, terminated, truncated, info = env.step(policy(seen, dict(zip(env.unwrapped.sees, seen, strict=True))))
+            seen, reward, terminated, truncated, info = env.step(policy(seen))
             total, over = total + reward, terminated or truncated
         if info["is_success"]:
             assert terminated and total == pytest.approx(1 - begun)
