@@ -19,7 +19,7 @@ SLOW = 0.6  # of the most of the whole task: 1 = 12 mm in a control step
 LETS_GO = 0.5  # from which on the hand opens: what moves at random holds its box for some steps
 CARRY_SHARE, LOWER_SHARE, LAID_SHARE = 0.35, 0.35, 0.15
 CARRY_M, RIM_M = 0.15, 0.05  # of the tanh by which the way along the counter counts; so far outside lowering counts nothing
-LOW_M = 0.04  # over the basket's floor: from 5 cm a fall ends with the 1 m/s that counts as thrown
+LOW_M, TOO_HIGH_M = 0.03, 0.05  # over the basket's floor: from 5 cm a fall ends with the 1 m/s that counts as thrown
 REACH_M, HEIGHT_M, SIZE_M, OPENING_M, FAST_M_S = 0.4, 0.3, 0.2, 0.08, 0.5  # what 1 stands for
 
 
@@ -30,7 +30,7 @@ class PlaceInBasket(StageEnv):
     or closes the gripper, 5 times a second. It begins with the box in the hand, 5 cm above the rim's height: the hand took it by
     the same actions before the episode. It has 8 s. Done: the box lies in the basket, let go and at rest for a second, by the rules
     of the judge; from too high it would count as thrown. Lost: the hand has no hold of it, and it is not over the basket's floor by
-    4 cm at most. The observation is the truth.
+    5 cm at most. The observation is the truth.
 
     Progress: 0.35 (1 - tanh(box to the basket's middle along the counter / 15 cm)) + 0.35 (lowered, 0 to 1) where it fits between
     the walls, less from 5 cm outside on + 0.15 when it is let go low; done: 1, lost: 0.
@@ -116,14 +116,15 @@ class PlaceInBasket(StageEnv):
         truth = self.parts()["privileged"]
         return float(truth["item_pose"][0, 2] - truth["basket_pose"][2])
 
-    def _is_low(self) -> bool:
-        return self._outside_m() < RIM_M and self._height_m() <= LOW_M
+    def _is_over(self, most_m: float) -> bool:
+        """Over the basket's floor, and no higher."""
+        return self._outside_m() < RIM_M and self._height_m() <= most_m
 
     def _numbers(self) -> list[float]:
         parts = self.parts()
         truth = parts["privileged"]
         return [
-            *self._off() / REACH_M, self._height_m() / HEIGHT_M, self._outside_m() / REACH_M, float(self._is_low()),
+            *self._off() / REACH_M, self._height_m() / HEIGHT_M, self._outside_m() / REACH_M, float(self._is_over(LOW_M)),
             *truth["tcp_to_item"][0] / OPENING_M, *truth["item_size"][0] / SIZE_M, truth["item_velocity"][0, 2] / FAST_M_S,
             2 * parts["agent"]["qpos"][-1] / OPENING_M - 1, float(self._held()), self._last[3], float(self.environment.robot_stopped()),
         ]  # fmt: skip
@@ -141,4 +142,4 @@ class PlaceInBasket(StageEnv):
         return bool(self.parts()["privileged"]["item_in_place"][0] > 0)
 
     def _lost(self) -> bool:
-        return not self._held() and not self._is_low()
+        return not self._held() and not self._is_over(TOO_HIGH_M)
