@@ -15,7 +15,7 @@ from .stage_env import StageEnv, opened_above
 WITHIN_M = 0.004  # of the fingertips, when they hold the bar: shut 4 mm before it they slip
 REACH_SHARE, NEAR_M, AT_SHARE, FINE_M = 0.15, 0.05, 0.15, 0.008  # of the hand's distance to there, two tanhs
 HELD_SHARE, OPEN_SHARE = 0.15, 0.45
-PULL_M = 0.004  # in a control step, of a hand that holds the bar; at 6 mm it slips
+PULL_M, ASIDE_M = 0.004, 0.001  # in a control step, of a hand that holds the bar; at 6 mm it slips
 SLOWEST_M, FASTEST_M, NEARER, AT_BAR_M = 0.0004, 0.004, 0.12, 0.005  # of one that does not, as it nears the bar
 TOUCHED_N = 10.0  # from which on it goes back only
 LEVEL, LEVEL_STEP_M = 0.3, 0.002  # of what it is too high or low, in a control step
@@ -31,12 +31,12 @@ class OpenCooler(StageEnv):
     An action moves that arm's tool as the leaf stands, 2.5 times a second: out of the leaf's plane and along it to the hinge, and opens
     (above 0) or closes its gripper. What lies to the hinge's side is told so: doors that are hung on either side look alike. The arm
     itself keeps the tool level with the middle of the bar, and turns it by 0.69 of the leaf's turn. A hand that has both fingers on
-    the door moves by 4 mm (1, 20 times a second); another the slower the nearer it is to the bar, 4 to 0.4 mm, and where it feels more
+    the door moves by 4 mm (1, 20 times a second), 1 mm along, and does not push; another the slower the nearer it is to the bar, 4 to 0.4 mm, and where it feels more
     than 10 N it goes back only: an open hand that is told to press on presses by less than 50 N. Base, lift and the other arm stand
     still. It has 16 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode has.
 
     Progress: 0.15 (1 - tanh(d / 5 cm)) + 0.15 (1 - tanh(d / 8 mm)) with d from the hand to where the bar lies 4 mm within its tips, the
-    second only of an open hand; both in full and 0.15 when both fingers are on the door; 0.45 (open / 50 degrees, 0 to 1); done: 1.
+    second only of an open hand; both in full and 0.15 when both fingers are on the door; 0.45 (open / 50 degrees, 0 to 1); done: 1, lost: 0.
     """
 
     track, stage = "aisle", "open"
@@ -87,12 +87,13 @@ class OpenCooler(StageEnv):
 
     def _move_m(self, numbers: np.ndarray) -> np.ndarray:
         """Of an action, in a control step: out and along."""
+        touched = self._pressed_n() > TOUCHED_N
         if self._door["held"]:
-            return PULL_M * numbers
+            return np.array([PULL_M * max(numbers[0], 0), 0 if touched else ASIDE_M * numbers[1]])
         before_bar = -self._to_bar()[0] - AT_BAR_M
         most = float(np.clip(SLOWEST_M + NEARER * before_bar, SLOWEST_M, FASTEST_M))
         out, along = most * numbers / max(1.0, float(np.linalg.norm(numbers)))
-        return np.array([max(out, 0), 0]) if self._pressed_n() > TOUCHED_N else np.array([out, along])
+        return np.array([max(out, 0), 0]) if touched else np.array([out, along])
 
     def _told(self, numbers: np.ndarray) -> np.ndarray:
         door = self._door
@@ -116,6 +117,8 @@ class OpenCooler(StageEnv):
 
     def _progress(self) -> float:
         door = self._door
+        if self._lost():
+            return 0.0
         off = float(np.linalg.norm([*self._to_bar() - (WITHIN_M, 0), door["to_bar"][2]]))
         far, near = (0.0, 0.0) if door["held"] else (math.tanh(off / NEAR_M), math.tanh(off / FINE_M) if self._is_open() else 1.0)
         return REACH_SHARE * (1 - far) + AT_SHARE * (1 - near) + HELD_SHARE * door["held"] + OPEN_SHARE * self._share()
