@@ -32,10 +32,10 @@ def picked(named):
 def placed(named):
     """High over the basket, down into it, open, up again."""
     to = np.array([named["box_to_basket_x"], named["box_to_basket_y"]]) * 0.4
-    if named["last_opening"] > 0.5 or named["low"]:
+    over, height = named["outside"] <= 0, named["height"] * 0.3
+    if named["last_opening"] > 0.5 or (over and height < 0.045):
         return np.array([0, 0, 0.3 if named["opening"] > 0.9 else 0, 1.0])
-    height = (0.02 if named["outside"] <= 0 else 0.2) - named["height"] * 0.3
-    return np.append(np.clip([*to / 0.05, height / 0.05], -1, 1), -1.0)
+    return np.append(np.clip([*to / 0.05, ((0.02 if over else 0.2) - height) / 0.05], -1, 1), -1.0)
 
 
 def opened(named):
