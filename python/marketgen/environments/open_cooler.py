@@ -13,8 +13,8 @@ from .pick_from_shelf import witness_arm
 from .stage_env import StageEnv, opened_above
 
 WITHIN_M = 0.004  # of the fingertips, when they hold the bar: shut 4 mm before it they slip
-REACH_SHARE, NEAR_M, AT_SHARE, FINE_M = 0.15, 0.05, 0.15, 0.008  # of the hand's distance to there, two tanhs
-HELD_SHARE, OPEN_SHARE = 0.15, 0.45
+REACH_SHARE, NEAR_M, AT_SHARE, FINE_M = 0.15, 0.05, 0.25, 0.005  # of the hand's distance to there, two tanhs
+HELD_SHARE, OPEN_SHARE = 0.05, 0.45
 PULL_M, ASIDE_M = 0.004, 0.001  # in a control step, of a hand that holds the bar; at 6 mm it slips
 SLOWEST_M, FASTEST_M, NEARER, AT_BAR_M = 0.0004, 0.004, 0.12, 0.005  # of one that does not, as it nears the bar
 TOUCHED_N = 10.0  # from which on it goes back only
@@ -35,8 +35,9 @@ class OpenCooler(StageEnv):
     than 10 N it goes back only: an open hand that is told to press on presses by less than 50 N. Base, lift and the other arm stand
     still. It has 16 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode has.
 
-    Progress: 0.15 (1 - tanh(d / 5 cm)) + 0.15 (1 - tanh(d / 8 mm)) with d from the hand to where the bar lies 4 mm within its tips, the
-    second only of an open hand; both in full and 0.15 when both fingers are on the door; 0.45 (open / 50 degrees, 0 to 1); done: 1, lost: 0.
+    Progress: 0.15 (1 - tanh(d / 5 cm)) + 0.25 (1 - tanh(d / 5 mm)) with d from the hand to where the bar lies 4 mm within its tips, the
+    second of an open hand; of one that has both fingers on the door 0.15, 0.25 (...) as it took it, 0.05 + 0.45 (open / 50 degrees, 0 to
+    1); done: 1, lost: 0.
     """
 
     track, stage = "aisle", "open"
@@ -45,13 +46,14 @@ class OpenCooler(StageEnv):
     moves = ("tool_out", "tool_along", "tool_opening")
     sees = (
         "to_bar_out", "to_bar_along", "out_fine", "along_fine", "to_bar_z", "tool_x", "tool_y", "leaf", "behind", "open", "open_speed", "opening", "held",
-        "pressed", "last_out", "last_along", "last_opening", "stopped",
+        "depth", "pressed", "last_out", "last_along", "last_opening", "stopped",
     )  # fmt: skip
 
     def __init__(self, *args: Any, **options: Any):
         self._left = True
         super().__init__(*args, **options)
         self._door: dict[str, Any] = {}
+        self._depth = 0.0
 
     def _told_names(self) -> tuple[str, ...]:
         side = "left" if self._left else "right"
@@ -62,6 +64,7 @@ class OpenCooler(StageEnv):
         super()._begin(text)
 
     def _prepare(self) -> None:
+        self._door = {}
         self._look()
 
     # ---- The door's frame: out of the leaf's plane to who pulls, along it to the hinge. ----
@@ -104,14 +107,23 @@ class OpenCooler(StageEnv):
         return np.array([x, y, level, -door["side"] * turn, opened_above(numbers[2], 0)])
 
     def _look(self) -> None:
+        held = self._door.get("held", False)
         self._door = self.environment.door()
+        if held and self._door["held"]:
+            return  # what counts is how the bar was taken: it slides outwards as the leaf turns
+        may_hold = self._is_open() or self._door["held"]
+        self._depth = 1 - math.tanh(self._off_m() / FINE_M) if may_hold else 0.0
+
+    def _off_m(self) -> float:
+        """From the hand to where it holds the bar best."""
+        return float(np.linalg.norm([*self._to_bar() - (WITHIN_M, 0), self._door["to_bar"][2]]))
 
     def _numbers(self) -> list[float]:
         door, side = self._door, self._door["side"]
         return [
             *self._to_bar() / REACH_M, *self._to_bar() / SMALL_M, door["to_bar"][2] / REACH_M, door["tool"][0] / TOOL_M, side * door["tool"][1] / TOOL_M,
             side * door["into_rad"], door["behind_rad"] / BEHIND_RAD, 2 * door["position_rad"] / door["asked_rad"] - 1,
-            door["speed_rad_s"] / FAST_RAD_S, 2 * self._opening_m() / OPENING_M - 1, float(door["held"]), self._pressed_n() / HARD_N,
+            door["speed_rad_s"] / FAST_RAD_S, 2 * self._opening_m() / OPENING_M - 1, float(door["held"]), self._depth, self._pressed_n() / HARD_N,
             *self._last, float(self.environment.robot_stopped()),
         ]  # fmt: skip
 
@@ -119,9 +131,8 @@ class OpenCooler(StageEnv):
         door = self._door
         if self._lost():
             return 0.0
-        off = float(np.linalg.norm([*self._to_bar() - (WITHIN_M, 0), door["to_bar"][2]]))
-        far, near = (0.0, 0.0) if door["held"] else (math.tanh(off / NEAR_M), math.tanh(off / FINE_M) if self._is_open() else 1.0)
-        return REACH_SHARE * (1 - far) + AT_SHARE * (1 - near) + HELD_SHARE * door["held"] + OPEN_SHARE * self._share()
+        reached = 1 - (0 if door["held"] else math.tanh(self._off_m() / NEAR_M))
+        return REACH_SHARE * reached + AT_SHARE * self._depth + HELD_SHARE * door["held"] + OPEN_SHARE * self._share()
 
     def _done(self) -> bool:
         return self._door["clean"] and self._door["position_rad"] >= self._door["asked_rad"]
@@ -129,6 +140,10 @@ class OpenCooler(StageEnv):
     def _lost(self) -> bool:
         return not self._door["clean"]
 
+    def _own_state(self) -> dict[str, Any]:
+        return {**super()._own_state(), "depth": self._depth}
+
     def _take_own_state(self, state: dict[str, Any]) -> None:
         super()._take_own_state(state)
         self._look()
+        self._depth = state["depth"]
