@@ -30,13 +30,13 @@ def draw(axes, curves):
             if "within" in p:
                 axes.plot([p["learned_steps"]] * 2, p["within"], color=color, alpha=0.25)
         if kept := curve.get("kept"):
-            axes.plot(kept["learned_steps"], kept["success"], "*", markersize=17, color=color, markeredgecolor="black")
+            axes.plot(kept["learned_steps"], kept["success"], "*", markersize=15, color=color, markeredgecolor="black", label="kept")
             axes.plot([kept["learned_steps"]] * 2, kept["within"], color="black", linewidth=1.5)
     for name, style in (("oracle", "--"), ("chance", ":")):
         if name in curves[0]:
             axes.axhline(curves[0][name]["success"], linestyle=style, color="black", label=name)
     title = curves[0]["task"].removeprefix("MarketGen/")
-    axes.set(xlabel="steps learned", ylabel="episodes that succeed", ylim=(-0.03, 1.03), title=title)
+    axes.set(xlabel="steps learned", ylabel="episodes that succeed", xlim=(0, None), ylim=(-0.03, 1.07), title=title)
     axes.grid(alpha=0.3)
     axes.legend(loc="best")
 

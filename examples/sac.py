@@ -158,3 +158,18 @@ def load(path):
     learner = Sac(int(kept["seen"]), int(kept["moves"]), room=1, width=int(kept["width"]))
     learner.actor.weights[:] = kept["weights"]
     return learner.act
+
+
+def main():
+    import gymnasium
+
+    import marketgen  # noqa: F401
+
+    env = gymnasium.make("MarketGen/DriveToProduct-v1")
+    learner = Sac(env.observation_space.shape[0], env.action_space.shape[0], seed=1)
+    learner.learn(env, 400)
+    print(f"learned from {learner.steps} steps of DriveToProduct; ppo_pick.py --task goes on until it is solved")
+
+
+if __name__ == "__main__":
+    main()

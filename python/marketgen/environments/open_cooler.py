@@ -21,7 +21,8 @@ TOUCHED_N = 10.0  # from which on it goes back only
 LEVEL, LEVEL_STEP_M = 0.3, 0.002  # of what it is too high or low, in a control step
 AHEAD_RAD, TURNED, TURN_GAIN, TURN_RAD = math.radians(25), 0.69, 5.0, 0.02  # how the hand is turned to the leaf; in a control step
 WIDE = 0.7  # of the hand: open
-REACH_M, SMALL_M, TOOL_M, BEHIND_RAD, OPENING_M, FAST_RAD_S, HARD_N = 0.1, 0.01, 1.0, math.radians(45), 0.0896, 1.0, 50.0  # what 1 stands for
+REACH_M, SMALL_M, TOOL_M, BEHIND_RAD = 0.1, 0.01, 1.0, math.radians(45)  # what 1 stands for
+OPENING_M, FAST_RAD_S, HARD_N = 0.0896, 1.0, 50.0  # the same
 
 
 class OpenCooler(StageEnv):
@@ -30,10 +31,11 @@ class OpenCooler(StageEnv):
 
     An action moves that arm's tool as the leaf stands, 2.5 times a second: out of the leaf's plane and along it to the hinge, and opens
     (above 0) or closes its gripper. What lies to the hinge's side is told so: doors that are hung on either side look alike. The arm
-    itself keeps the tool level with the middle of the bar, and turns it by 0.69 of the leaf's turn. A hand that has both fingers on
-    the door moves by 4 mm (1, 20 times a second), 1 mm along, and does not push; another the slower the nearer it is to the bar, 4 to 0.4 mm, and where it feels more
-    than 10 N it goes back only: an open hand that is told to press on presses by less than 50 N. Base, lift and the other arm stand
-    still. It has 16 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode has.
+    itself keeps the tool level with the middle of the bar, and turns it by 0.69 of the leaf's turn. A hand that has both fingers on the
+    door moves by 4 mm (1, 20 times a second), 1 mm along, and does not push; another the slower the nearer it is to the bar, 4 to 0.4
+    mm, and where it feels more than 10 N it goes back only: an open hand that is told to press on presses by less than 50 N. Base, lift
+    and the other arm stand still. It has 16 s. Done: the door stands open by 50 degrees. Lost: something happened that no clean episode
+    has.
 
     Progress: 0.15 (1 - tanh(d / 5 cm)) + 0.25 (1 - tanh(d / 5 mm)) with d from the hand to where the bar lies 4 mm within its tips, the
     second of an open hand; of one that has both fingers on the door 0.15, 0.25 (...) as it took it, 0.05 + 0.45 (open / 50 degrees, 0 to
@@ -45,8 +47,8 @@ class OpenCooler(StageEnv):
     limit_s, hold = 16.0, 8
     moves = ("tool_out", "tool_along", "tool_opening")
     sees = (
-        "to_bar_out", "to_bar_along", "out_fine", "along_fine", "to_bar_z", "tool_x", "tool_y", "leaf", "behind", "open", "open_speed", "opening", "held",
-        "depth", "pressed", "last_out", "last_along", "last_opening", "stopped",
+        "to_bar_out", "to_bar_along", "out_fine", "along_fine", "to_bar_z", "tool_x", "tool_y", "leaf", "behind", "open",
+        "open_speed", "opening", "held", "depth", "pressed", "last_out", "last_along", "last_opening", "stopped",
     )  # fmt: skip
 
     def __init__(self, *args: Any, **options: Any):
@@ -121,10 +123,10 @@ class OpenCooler(StageEnv):
     def _numbers(self) -> list[float]:
         door, side = self._door, self._door["side"]
         return [
-            *self._to_bar() / REACH_M, *self._to_bar() / SMALL_M, door["to_bar"][2] / REACH_M, door["tool"][0] / TOOL_M, side * door["tool"][1] / TOOL_M,
-            side * door["into_rad"], door["behind_rad"] / BEHIND_RAD, 2 * door["position_rad"] / door["asked_rad"] - 1,
-            door["speed_rad_s"] / FAST_RAD_S, 2 * self._opening_m() / OPENING_M - 1, float(door["held"]), self._depth, self._pressed_n() / HARD_N,
-            *self._last, float(self.environment.robot_stopped()),
+            *self._to_bar() / REACH_M, *self._to_bar() / SMALL_M, door["to_bar"][2] / REACH_M,
+            door["tool"][0] / TOOL_M, side * door["tool"][1] / TOOL_M, side * door["into_rad"], door["behind_rad"] / BEHIND_RAD, 2 * door["position_rad"] / door["asked_rad"] - 1,
+            door["speed_rad_s"] / FAST_RAD_S, 2 * self._opening_m() / OPENING_M - 1, float(door["held"]), self._depth,
+            self._pressed_n() / HARD_N, *self._last, float(self.environment.robot_stopped()),
         ]  # fmt: skip
 
     def _progress(self) -> float:

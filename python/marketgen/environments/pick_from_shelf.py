@@ -55,7 +55,8 @@ class PickFromShelf(StageEnv):
 
     def _told_names(self) -> tuple[str, ...]:
         side = "left" if self._left else "right"
-        return tuple(f"{side}_{name}" for name in ("tool_x", "tool_y", "tool_z", "tool_turn_x", "tool_turn_y", "tool_turn_z", "tool_opening"))
+        told = ("tool_x", "tool_y", "tool_z", "tool_turn_x", "tool_turn_y", "tool_turn_z", "tool_opening")
+        return tuple(f"{side}_{name}" for name in told)
 
     def _begin(self, text: str) -> None:
         self._left = witness_arm(json.loads(text)) == "left_arm"
