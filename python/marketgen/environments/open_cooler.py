@@ -124,7 +124,8 @@ class OpenCooler(StageEnv):
         door, side = self._door, self._door["side"]
         return [
             *self._to_bar() / REACH_M, *self._to_bar() / SMALL_M, door["to_bar"][2] / REACH_M,
-            door["tool"][0] / TOOL_M, side * door["tool"][1] / TOOL_M, side * door["into_rad"], door["behind_rad"] / BEHIND_RAD, 2 * door["position_rad"] / door["asked_rad"] - 1,
+            door["tool"][0] / TOOL_M, side * door["tool"][1] / TOOL_M, side * door["into_rad"],
+            door["behind_rad"] / BEHIND_RAD, 2 * door["position_rad"] / door["asked_rad"] - 1,
             door["speed_rad_s"] / FAST_RAD_S, 2 * self._opening_m() / OPENING_M - 1, float(door["held"]), self._depth,
             self._pressed_n() / HARD_N, *self._last, float(self.environment.robot_stopped()),
         ]  # fmt: skip
