@@ -38,7 +38,7 @@ def draw(axes, curves):
     title = curves[0]["task"].removeprefix("MarketGen/")
     axes.set(xlabel="steps learned", ylabel="episodes that succeed", xlim=(0, None), ylim=(-0.03, 1.07), title=title)
     axes.grid(alpha=0.3)
-    axes.legend(loc="best")
+    axes.legend(loc="lower right", fontsize=8)
 
 
 def draw_all(curves):
