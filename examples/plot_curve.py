@@ -3,7 +3,8 @@
     pip install matplotlib
     python examples/plot_curve.py [CURVE.json ...] [PICTURE.png]
 
-A panel a task, of which a file may have a list, with a curve a seed; bars are Wilson intervals, 95 %.
+A panel a task, of which a file may have a list, with a curve a seed; bars are Wilson intervals, 95 %. A star is the policy that was
+kept, on its last trials.
 """
 
 import importlib.util
@@ -27,14 +28,17 @@ def draw(axes, curves):
         axes.plot(steps, shares, "o-", label=label, color=color)
         for p in points:
             if "within" in p:
-                axes.plot([p["learned_steps"]] * 2, p["within"], color=color, alpha=0.4)
+                axes.plot([p["learned_steps"]] * 2, p["within"], color=color, alpha=0.25)
+        if kept := curve.get("kept"):
+            axes.plot(kept["learned_steps"], kept["success"], "*", markersize=15, color=color, markeredgecolor="black", label="kept")
+            axes.plot([kept["learned_steps"]] * 2, kept["within"], color="black", linewidth=1.5)
     for name, style in (("oracle", "--"), ("chance", ":")):
         if name in curves[0]:
             axes.axhline(curves[0][name]["success"], linestyle=style, color="black", label=name)
     title = curves[0]["task"].removeprefix("MarketGen/")
-    axes.set(xlabel="steps learned", ylabel="episodes that succeed", ylim=(-0.03, 1.03), title=title)
+    axes.set(xlabel="steps learned", ylabel="episodes that succeed", xlim=(0, None), ylim=(-0.03, 1.07), title=title)
     axes.grid(alpha=0.3)
-    axes.legend(loc="best")
+    axes.legend(loc="lower right", fontsize=8)
 
 
 def draw_all(curves):
@@ -46,7 +50,7 @@ def draw_all(curves):
     tasks = {}
     for curve in curves:
         tasks.setdefault(curve["task"], []).append(curve)
-    figure, panels = pyplot.subplots(1, len(tasks), figsize=(7 if len(tasks) == 1 else 5.5 * len(tasks), 4), dpi=110, squeeze=False)
+    figure, panels = pyplot.subplots(1, len(tasks), figsize=(7 if len(tasks) == 1 else 4.5 * len(tasks), 4), dpi=110, squeeze=False)
     for axes, of_task in zip(panels[0], tasks.values(), strict=True):
         draw(axes, of_task)
     figure.tight_layout()

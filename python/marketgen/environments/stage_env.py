@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import Any, ClassVar
 
 import numpy as np
@@ -13,6 +14,11 @@ from .task_env import TaskEnv, numbers_of_action
 from .task_setup import ControlMode, RewardMode, StoreLike, TaskOptions, TaskSetup
 
 CHOICES = ("episodes", "realism", "split")  # of TaskOptions; the others are a stage's own
+
+
+def opened_above(number: float, limit: float) -> float:
+    """An opening, all or nothing; what is no number stays none, so that it is refused."""
+    return number if math.isnan(number) else 1.0 if number > limit else -1.0
 
 
 class StageEnv(TaskEnv):
@@ -66,11 +72,14 @@ class StageEnv(TaskEnv):
         return self.moves
 
     def _told(self, numbers: np.ndarray) -> np.ndarray:
-        """Of an action: what the whole task is told by these names."""
+        """Of an action, before each control step: what the whole task is told by these names."""
         return numbers
 
     def _prepare(self) -> None:
         """Before the episode begins, in its world."""
+
+    def _look(self) -> None:
+        """After each control step."""
 
     def _numbers(self) -> list[float]:
         """Those of an observation, scaled so that most lie in [-1, 1]; beyond it they are cut."""
@@ -118,11 +127,12 @@ class StageEnv(TaskEnv):
 
     def _act(self, numbers: np.ndarray) -> bool:
         """Holds them; whether the world's own episode came to its end."""
-        full = self._still()
-        full[self._places] = self._told(numbers)
         self._last = numbers
-        for _ in range(self.hold):
+        for _ in range(self.hold):  # what the arm sees to itself goes by how things stand now
+            full = self._still()
+            full[self._places] = self._told(numbers)
             _, terminated, truncated = self._advance(full)
+            self._look()
             if terminated or truncated:
                 return True
         return False
