@@ -109,12 +109,13 @@ class Served:
         learned = dict(np.load(file))
         self.columns, self.start, self.numbers = learned["columns"], learned["start"], int(learned["numbers"])
         self.clone = Clone(learned)
-        self.clone.told = OPEN
+        self.clone.told, self.looked = OPEN, False
 
     def actions(self, seen):
         """(CHUNK, 5), of all that the robot reads of itself and the picture (height, width, 3)."""
         tool = np.asarray(seen["observation.state"], float)[self.columns]
-        if np.linalg.norm(tool - self.start) < BESIDE_M:
+        if not self.looked or np.linalg.norm(tool - self.start) < BESIDE_M:
+            self.looked = True
             self.clone.begin(None, {"sensor_data": {CAMERA: {"rgb": seen[f"observation.images.{CAMERA}"]}}})
         chunk = self.clone.next_actions(np.append(tool, self.clone.told))
         self.clone.told = chunk[-1][3]

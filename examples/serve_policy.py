@@ -17,6 +17,8 @@ import traceback
 
 import numpy as np
 
+TOOL_STEP_M = 0.02  # what 1 of a policy's actions is, as in pd_ee_delta_pos
+
 
 def packed(value):
     """As msgpack_numpy.py of openpi-client has it."""
@@ -85,13 +87,20 @@ def row_of(policy):
     """Of an adapter, docs/remote.md. JSON is YAML."""
     seen = {"observation.state": {"numbers": "all"}, f"observation.images.{policy.camera}": {"picture": policy.camera}}
     row = {"about": "examples/serve_policy.py", "observation": seen | {"task": {"words": "instruction"}}, "pictures": {"size": policy.size}}
-    return json.dumps({"served": row | {"action": {"keys": ["actions"], "space": policy.space, "numbers": "all"}}}, indent=1)
+    action = {"keys": ["actions"], "space": policy.space, "numbers": "all"}
+    if policy.space == "tool_moves":
+        action["unit_m"] = TOOL_STEP_M
+    return json.dumps({"served": row | {"action": action}}, indent=1)
 
 
-def serve(policy, host, port, name):
+def serve(path, host, port):
+    """Each connection has its own policy, since one that remembers is in one episode at a time."""
     import websockets.sync.server
 
+    name = path.stem
+
     def answer(connection):
+        policy = policy_of(path)
         connection.send(packed({"model": name}))
         for message in connection:
             try:
@@ -113,9 +122,8 @@ def main():
     if not given.policy.exists():
         print(f"there is no policy at {given.policy}: examples/clone.py trains one in minutes")
         return
-    policy = policy_of(given.policy)
-    given.policy.with_suffix(".yaml").write_text(row_of(policy))
-    serve(policy, given.host, given.port, given.policy.stem)
+    given.policy.with_suffix(".yaml").write_text(row_of(policy_of(given.policy)))
+    serve(given.policy, given.host, given.port)
 
 
 if __name__ == "__main__":

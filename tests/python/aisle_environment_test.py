@@ -67,6 +67,24 @@ def test_the_map_errs_by_its_realism(store, aisle_episode):
     assert {**info["map"], "fixtures": 0} == {**store.layout, "fixtures": 0}
 
 
+def test_goods_that_are_elsewhere_are_seen_there(store, aisle_episode, tmp_path):
+    """With a realism that moves goods each episode has pictures of its own world, whichever came before it in the same environment."""
+    moved = tmp_path / "moved.json"
+    moved.write_text('{"schema": "market-realism/1", "name": "moved", "goods": {"place_m": 0.01, "turn_deg": 5}}')
+    options = {"obs_mode": "rgbd", "width": 96, "height": 72}
+
+    def picture(env, episode):
+        seen, _ = env.reset(seed=1, options={"episode": episode})
+        return seen["sensor_data"]["head_camera"]["depth"]
+
+    other = {**aisle_episode, "seed": aisle_episode["seed"] + 1}
+    env, fresh = (gymnasium.make(NAME, store=store, realism=str(moved), **options) for _ in range(2))
+    shown = [picture(env, episode) for episode in (aisle_episode, other, aisle_episode)]
+    as_stocked = picture(gymnasium.make(NAME, store=store, **options), aisle_episode)
+    assert np.array_equal(shown[0], shown[2]) and np.array_equal(shown[1], picture(fresh, other))
+    assert not np.array_equal(shown[0], shown[1]) and not np.array_equal(shown[0], as_stocked)
+
+
 @pytest.mark.parametrize("control", CONTROL)
 def test_every_control_mode_moves_the_arms_and_the_lift(store, aisle_episode, control):
     env, before, _ = make(store, aisle_episode, control_mode=control)

@@ -90,8 +90,10 @@ def test_what_is_no_number_is_refused_wherever_it_stands(name):
         env.reset(seed=3)
         action = np.zeros(env.action_space.shape, np.float32)
         action[place] = np.nan
-        with pytest.raises(marketgen.Error):
+        with pytest.raises(marketgen.Error) as caught:
             env.step(action)
+        assert caught.value.code == "episode.bad_action"
+        env.step(np.zeros(env.action_space.shape))  # nothing of it is kept
 
 
 @pytest.mark.parametrize("name", STAGES)

@@ -113,7 +113,9 @@ class StageEnv(TaskEnv):
         numbers = numbers_of_action(action, self.action_space.shape)
         if self._over:
             raise _core.Error("episode.bad_action", "action", "the episode is over, or has not begun: reset it first")
-        ended = self._act(np.clip(numbers, -1, 1) if np.isfinite(numbers).all() else numbers)
+        if not np.isfinite(numbers).all():
+            raise _core.Error("episode.bad_action", "action", f"every number must be finite; it is {numbers.tolist()}")
+        ended = self._act(np.clip(numbers, -1, 1))
         done = self._done()
         progress = 1.0 if done else self._progress()
         reward, self._before = progress - self._before, progress

@@ -155,16 +155,16 @@ def act_out(
     watch: Stopwatch,
 ) -> Take:
     """From reset to its end. Raises Error physics.failed, episode.*; then nothing is kept of it."""
-    reels = {camera: _Reel(new_encoder) for camera in env.cameras}
+    reels: dict[str, _Reel] = {}
     rows: dict[str, list[Any]] = {name: [] for name in kinds}
-    try:
+    with contextlib.ExitStack() as unfinished:
+        for camera in env.cameras:
+            reels[camera] = _Reel(new_encoder)
+            unfinished.callback(reels[camera].close)
         info = _run(env, episode, player, rows, reels, watch)
         with watch.on("video"):
             videos = {camera: reel.finish() for camera, reel in reels.items()}
-    except BaseException:
-        for reel in reels.values():
-            reel.close()
-        raise
+        unfinished.pop_all()
     frames = len(rows[ACTION])
     rows[SUCCESS][-1] = info["success"]
     rows[FRAME] = list(range(frames))

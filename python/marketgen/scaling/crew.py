@@ -93,7 +93,11 @@ class Worker:
     def _folder(self) -> pathlib.Path:
         """Made for the first job: what the disk says against it is that job's Error."""
         if self._scratch is None:
-            with writing(pathlib.Path(tempfile.gettempdir())):
+            try:
+                base = pathlib.Path(tempfile.gettempdir())
+            except FileNotFoundError as fault:  # it writes a probe into each that may be one
+                raise Error("io.cannot_write", "TMPDIR", f"no folder for temporary files can be written: {fault}") from None
+            with writing(base):
                 self._scratch = pathlib.Path(tempfile.mkdtemp(prefix=f"{SCRATCH}{os.getpid()}-"))
         return self._scratch
 
@@ -131,7 +135,11 @@ def in_time(does: Callable[[Beat], None], limit_s: float) -> None:
 
 
 def _remove_scratch_of_the_dead() -> None:
-    for folder in pathlib.Path(tempfile.gettempdir()).glob(f"{SCRATCH}*"):
+    try:
+        base = pathlib.Path(tempfile.gettempdir())
+    except FileNotFoundError:  # none can be written: the first job says so
+        return
+    for folder in base.glob(f"{SCRATCH}*"):
         pid = folder.name.removeprefix(SCRATCH).partition("-")[0]
         if pid.isdecimal() and not pathlib.Path("/proc", pid).exists():
             shutil.rmtree(folder, ignore_errors=True)
@@ -196,16 +204,18 @@ class Crew:
         ready, _ = self._ray.wait(list(self._busy), num_returns=1)
         came = []
         for outcome in ready:
-            actor, job = self._busy.pop(outcome)
+            actor, job = self._busy[outcome]
             try:
                 parcel, fault = self._ray.get(outcome)
             except self._ray.exceptions.RayTaskError:
                 raise  # a fault of the code: trying again would not mend it
             except self._ray.exceptions.RayError as death:
+                del self._busy[outcome]
                 self._end(actor)
                 self._died(job, death)
                 waiting.appendleft(job)
                 continue
+            del self._busy[outcome]
             if fault is not None:
                 self._end(actor)
                 raise Error(*fault)
@@ -224,9 +234,11 @@ class Crew:
 
     def _keep_what_is_there(self, keep: Callable[[Job, bytes], None]) -> None:
         """Outcomes that nobody has asked for yet. What is wrong with one is not told: something else ends the call."""
-        ready, _ = self._ray.wait(list(self._busy), num_returns=len(self._busy), timeout=0) if self._busy else ([], [])
+        ready: list[Any] = []
+        with contextlib.suppress(Exception):  # Ray itself may be gone
+            ready, _ = self._ray.wait(list(self._busy), num_returns=len(self._busy), timeout=0) if self._busy else ([], [])
         for outcome in ready:
-            with contextlib.suppress(self._ray.exceptions.RayError, Error):
+            with contextlib.suppress(Exception):
                 parcel, fault = self._ray.get(outcome)
                 if fault is None:
                     keep(self._busy[outcome][1], parcel)

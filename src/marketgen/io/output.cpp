@@ -39,7 +39,7 @@ Result<void> Outputs::add(const std::vector<std::pair<std::string, fs::path>>& f
 }
 
 void Outputs::add_draft(Destination to) {
-  by_shown_.try_emplace(to.shown.string(), drafts_.size());
+  by_shown_.try_emplace(to.shown, drafts_.size());
   drafts_.push_back({std::move(to), {}, false});
 }
 
@@ -57,7 +57,7 @@ Result<void> Outputs::add_folder(const fs::path& folder) {
 }
 
 Result<Outputs::Draft*> Outputs::draft_of(const fs::path& file) {
-  if (const auto found = by_shown_.find(file.string()); found != by_shown_.end())
+  if (const auto found = by_shown_.find(file); found != by_shown_.end())
     return &drafts_[found->second];
   MARKETGEN_TRY(Destination to, destination_of(file, made_));
   add_draft(std::move(to));

@@ -53,7 +53,7 @@ class Outputs {
   void add_draft(Destination to);
 
   std::vector<Draft> drafts_;
-  std::map<std::string, std::size_t> by_shown_;  // where in drafts_; the first of a name
+  std::map<std::filesystem::path, std::size_t> by_shown_;  // where in drafts_; the first of a name
   MadeFolders made_;
 };
 

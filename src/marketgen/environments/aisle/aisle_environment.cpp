@@ -101,7 +101,7 @@ class AisleEnvironment : public Environment {
       Arena& arena = ground().arena();
       MARKETGEN_TRY(auto store,
                     shared_aisle_store(arena, spec.scene_hash, options().tools, doors_of(spec)));
-      MARKETGEN_TRY(view_, shared_aisle_view(arena, spec.scene_hash, options().tools));
+      MARKETGEN_TRY(shared_view_, shared_aisle_view(arena, spec.scene_hash, options().tools));
       aisles_ =
           std::make_unique<episodes::AisleWorld>(std::move(store), ground().catalog().frictions);
       scene_hash_ = spec.scene_hash;
@@ -110,16 +110,19 @@ class AisleEnvironment : public Environment {
     std::vector<double> posture;
     wanted_.clear();
     for (const episodes::EpisodeGoal& goal : spec.goals)
-      wanted_.emplace(goal.sku, aisles_->store().front_items(goal.sku));
+      wanted_.emplace(goal.sku, aisles_->stocked().front_items(goal.sku));
     if (options().stage == episodes::Stage::pick) {
       MARKETGEN_TRY(posture, start_of_pick(ground(), spec));
-      MARKETGEN_TRY(const std::uint32_t row, witnessed_product(aisles_->store(), spec));
+      MARKETGEN_TRY(const std::uint32_t row, witnessed_product(aisles_->stocked(), spec));
       wanted_ = {{spec.certificate.witness.front().sku, {row}}};
     }
     if (options().stage == episodes::Stage::open) {
       MARKETGEN_TRY(posture, start_of_open(ground(), spec));
     }
     MARKETGEN_CHECK(aisles_->reset(spec, {}, options().realism, std::move(posture)));
+    // A renderer has its store's goods where they stood when it was made.
+    const bool as_stocked = &aisles_->store() == &aisles_->stocked();
+    view_ = as_stocked ? shared_view_ : std::make_shared<SharedAisleView>();
     return aisles_.get();
   }
 
@@ -191,7 +194,8 @@ class AisleEnvironment : public Environment {
   std::string scene_hash_;
   episodes::Doors doors_ = episodes::Doors::none;
   std::unique_ptr<episodes::AisleWorld> aisles_;
-  std::shared_ptr<SharedAisleView> view_;
+  std::shared_ptr<SharedAisleView> shared_view_;
+  std::shared_ptr<SharedAisleView> view_;                     // shared_view_, or this episode's own
   std::map<std::string, std::vector<std::uint32_t>> wanted_;  // rows of products by SKU
 };
 

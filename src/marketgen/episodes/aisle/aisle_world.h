@@ -51,6 +51,8 @@ class AisleWorld : public TrackWorld {
   // ---- The truth: for the oracle, pictures and tests; no policy may look. ----
 
   const AisleStore& store() const { return *store_; }
+  // The store as it was stocked, of which store() is a perturbed one, or the same.
+  const AisleStore& stocked() const { return *stocked_; }
   const physics::World& world() const { return *world_; }
   Scenery scenery() const override;
   const physics::RobotController& controller() const override { return controller_; }

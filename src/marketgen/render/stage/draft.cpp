@@ -214,8 +214,10 @@ Result<void> Draft::draw_textures(Progress& progress) {
     if (error) return *error;
   }
   Hasher contents;
-  for (const Order& order : orders_)
+  for (const Order& order : orders_) {
     contents.add(order.content);
+    if (order.coarser > 0) contents.add(std::to_string(order.coarser));
+  }
   world_.art_key = contents.hex();
   return {};
 }
