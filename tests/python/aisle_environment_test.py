@@ -77,7 +77,7 @@ def test_goods_that_are_elsewhere_are_seen_there(store, aisle_episode, tmp_path)
         seen, _ = env.reset(seed=1, options={"episode": episode})
         return seen["sensor_data"]["head_camera"]["depth"]
 
-    other = {**aisle_episode, "seed": aisle_episode["seed"] + 1}
+    other = {**aisle_episode, "seed": aisle_episode.get("seed", 0) + 1}
     env, fresh = (gymnasium.make(NAME, store=store, realism=str(moved), **options) for _ in range(2))
     shown = [picture(env, episode) for episode in (aisle_episode, other, aisle_episode)]
     as_stocked = picture(gymnasium.make(NAME, store=store, **options), aisle_episode)
