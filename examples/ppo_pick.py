@@ -14,9 +14,12 @@ import copy
 import importlib.util
 import json
 import math
+import os
 import pathlib
 import time
 from dataclasses import dataclass, field
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # NumPy on several cores is slower with networks this small
 
 import gymnasium
 import numpy as np
