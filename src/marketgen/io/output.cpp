@@ -73,7 +73,7 @@ Result<void> Outputs::put(const fs::path& file, const Writer& write) {
     add_leftover(draft->part);
   }
   const fs::path place = beside ? draft->part : to.shown;
-  const Result<void> written = write(place);
+  Result<void> written = write(place);
   if (written.ok() || written.error().where != place.string()) return written;
   return Error{written.error().code, file.string(), written.error().message};
 }
@@ -112,7 +112,7 @@ Result<void> Outputs::commit() {
   const NoForcedEnd together;
   for (std::size_t i = 0; i < drafts_.size(); ++i) {
     if (drafts_[i].part.empty()) continue;
-    const auto placed = put_in_place(drafts_[i]);
+    Result<void> placed = put_in_place(drafts_[i]);
     if (placed.ok()) continue;
     for (std::size_t k = 0; k < i; ++k)
       take_back(drafts_[k]);
