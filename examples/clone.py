@@ -103,13 +103,16 @@ class Clone:
 class Served:
     """The same for servers (serve_policy.py), who are told nothing of episodes: where the tool begins, with open fingers, it looks."""
 
-    steps = CHUNK
+    steps, camera, size, action = CHUNK, CAMERA, SIZE, {"space": "tool_moves", "unit_m": TOOL_STEP_M}
 
-    def __init__(self, file):
-        learned = dict(np.load(file))
+    def __init__(self, learned):
+        self.learned = learned
         self.columns, self.start, self.numbers = learned["columns"], learned["start"], int(learned["numbers"])
         self.clone = Clone(learned)
         self.clone.told, self.looked = OPEN, False
+
+    def session(self):
+        return Served(self.learned)
 
     def actions(self, seen):
         """(CHUNK, 5), of all that the robot reads of itself and the picture (height, width, 3)."""

@@ -17,8 +17,6 @@ import traceback
 
 import numpy as np
 
-TOOL_STEP_M = 0.02  # what 1 of a policy's actions is, as in pd_ee_delta_pos
-
 
 def packed(value):
     """As msgpack_numpy.py of openpi-client has it."""
@@ -44,6 +42,8 @@ def unpacked(message):
 class Checkpoint:
     """A checkpoint with its processors, on the CPU."""
 
+    action = {"space": "joint_targets"}
+
     def __init__(self, folder):
         import torch
         from lerobot.configs.policies import PreTrainedConfig
@@ -54,9 +54,12 @@ class Checkpoint:
         config.device = "cpu"
         self.torch, self.steps, self.numbers = torch, config.n_action_steps, config.input_features["observation.state"].shape[0]
         [(picture, feature)] = config.image_features.items()
-        self.camera, self.size, self.space = picture.removeprefix("observation.images."), feature.shape[:0:-1], "joint_targets"
+        self.camera, self.size = picture.removeprefix("observation.images."), feature.shape[:0:-1]
         self.policy = get_policy_class(config.type).from_pretrained(folder, config=config).eval()
         self.before, self.after = make_pre_post_processors(config, pretrained_path=str(folder))
+
+    def session(self):
+        return self  # nothing is remembered from one observation to the next
 
     def actions(self, seen):
         """(steps, numbers), of one observation by the checkpoint's own names, pictures (height, width, 3) of bytes."""
@@ -73,13 +76,12 @@ class Checkpoint:
 
 
 def policy_of(path):
-    """What answers: actions(seen), steps of an answer, numbers of a state, camera, size of its pictures, space of its actions."""
+    """What answers: session() is one episode's at a time, with actions(seen); steps of an answer, numbers of a state, camera, size of its
+    pictures, and what an adapter's row says of its actions."""
     if path.suffix == ".npz":
         import clone
 
-        policy = clone.Served(path)
-        policy.camera, policy.size, policy.space = clone.CAMERA, clone.SIZE, "tool_moves"
-        return policy
+        return clone.Served(dict(np.load(path)))
     return Checkpoint(path)
 
 
@@ -87,24 +89,19 @@ def row_of(policy):
     """Of an adapter, docs/remote.md. JSON is YAML."""
     seen = {"observation.state": {"numbers": "all"}, f"observation.images.{policy.camera}": {"picture": policy.camera}}
     row = {"about": "examples/serve_policy.py", "observation": seen | {"task": {"words": "instruction"}}, "pictures": {"size": policy.size}}
-    action = {"keys": ["actions"], "space": policy.space, "numbers": "all"}
-    if policy.space == "tool_moves":
-        action["unit_m"] = TOOL_STEP_M
-    return json.dumps({"served": row | {"action": action}}, indent=1)
+    return json.dumps({"served": row | {"action": {"keys": ["actions"], "numbers": "all"} | policy.action}}, indent=1)
 
 
-def serve(path, host, port):
-    """Each connection has its own policy, since one that remembers is in one episode at a time."""
+def serve(policy, host, port, name):
+    """Each connection has a session of its own, since one that remembers is in one episode at a time."""
     import websockets.sync.server
 
-    name = path.stem
-
     def answer(connection):
-        policy = policy_of(path)
+        session = policy.session()
         connection.send(packed({"model": name}))
         for message in connection:
             try:
-                connection.send(packed({"actions": policy.actions(unpacked(message))}))
+                connection.send(packed({"actions": session.actions(unpacked(message))}))
             except Exception:  # the client tells its last line
                 connection.send(traceback.format_exc())
 
@@ -122,8 +119,9 @@ def main():
     if not given.policy.exists():
         print(f"there is no policy at {given.policy}: examples/clone.py trains one in minutes")
         return
-    given.policy.with_suffix(".yaml").write_text(row_of(policy_of(given.policy)))
-    serve(given.policy, given.host, given.port)
+    policy = policy_of(given.policy)
+    given.policy.with_suffix(".yaml").write_text(row_of(policy))
+    serve(policy, given.host, given.port, given.policy.stem)
 
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ def serve():
             super().__init__(chunk_size=self._policy.steps)
 
         def get_action_spec(self):
-            moves = self._policy.space == "tool_moves"
+            moves = self._policy.action["space"] == "tool_moves"
             return {"action": DimSpec("action", 5 if moves else 9, "pd_ee_delta_pos" if moves else "pd_joint_pos")}
 
         def get_observation_spec(self):

@@ -42,61 +42,76 @@ Result<void> view(const ViewFlags& flags) {
       });
 }
 
+void add_what_is_shown(CLI::App& command, ViewFlags& flags) {
+  command
+      .add_option("folders",
+                  flags.folders,
+                  "folders of stores and of evaluations; none: the page in which stores are made")
+      ->type_name("STORE");
+  command
+      .add_option("--results",
+                  flags.serve.results,
+                  "folder of an evaluation in one of the stores, or in those of a set of episodes; "
+                  "may be given several times")
+      ->type_name("RESULTS");
+}
+
+void add_where_it_is_served(CLI::App& command, ViewFlags& flags) {
+  constexpr int max_port = 65535;
+  command.add_option("--port", flags.serve.port, "port to listen on; 0 = any free one")
+      ->check(whole_number(0, max_port))
+      ->capture_default_str();
+  command.add_flag("--no-open", flags.no_open, "print the address, start no browser");
+  command
+      .add_option("--host",
+                  flags.serve.host,
+                  "numeric address to listen on; any but loopback needs --token")
+      ->type_name("ADDRESS")
+      ->capture_default_str();
+  command.add_option("--token", flags.serve.token, "secret that every request must carry")
+      ->type_name("SECRET");
+}
+
+void add_what_is_made(CLI::App& command, ViewFlags& flags) {
+  command
+      .add_option("--make-in",
+                  flags.serve.make_in,
+                  "folder in which stores are kept that are made in the browser")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  add_planner_choice(command, flags.serve.planner.name, flags.serve.planner.access);
+  add_planner_limits(command, flags.serve.planner.access);
+  command
+      .add_option("--episodes",
+                  flags.serve.episodes,
+                  "episodes that are driven in the browser; without it they are drawn")
+      ->type_name("EPISODES");
+  command
+      .add_option(
+          "--drives", flags.serve.drives, "folder in which logs of what was driven are kept")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+}
+
+void add_how_it_is_shown(CLI::App& command, ViewFlags& flags) {
+  command.add_flag(
+      "--read-only", flags.serve.read_only, "stores are shown; none is made, edited or driven");
+  command.add_flag(
+      "--embed",
+      flags.serve.embed,
+      "pages that this machine serves, as Jupyter's, may show it in a frame; not edited");
+}
+
 }  // namespace
 
 Run add_view(CLI::App& app) {
   auto flags = std::make_shared<ViewFlags>();
   CLI::App* command =
       app.add_subcommand("view", "Make, show and edit stores in a browser, until Ctrl-C");
-  command
-      ->add_option("folders",
-                   flags->folders,
-                   "folders of stores and of evaluations; none: the page in which stores are made")
-      ->type_name("STORE");
-  command
-      ->add_option(
-          "--results",
-          flags->serve.results,
-          "folder of an evaluation in one of the stores, or in those of a set of episodes; "
-          "may be given several times")
-      ->type_name("RESULTS");
-  constexpr int max_port = 65535;
-  command->add_option("--port", flags->serve.port, "port to listen on; 0 = any free one")
-      ->check(whole_number(0, max_port))
-      ->capture_default_str();
-  command->add_flag("--no-open", flags->no_open, "print the address, start no browser");
-  command
-      ->add_option("--host",
-                   flags->serve.host,
-                   "numeric address to listen on; any but loopback needs --token")
-      ->type_name("ADDRESS")
-      ->capture_default_str();
-  command->add_option("--token", flags->serve.token, "secret that every request must carry")
-      ->type_name("SECRET");
-  command
-      ->add_option("--make-in",
-                   flags->serve.make_in,
-                   "folder in which stores are kept that are made in the browser")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  add_planner_choice(*command, flags->serve.planner.name, flags->serve.planner.access);
-  add_planner_limits(*command, flags->serve.planner.access);
-  command
-      ->add_option("--episodes",
-                   flags->serve.episodes,
-                   "episodes that are driven in the browser; without it they are drawn")
-      ->type_name("EPISODES");
-  command
-      ->add_option(
-          "--drives", flags->serve.drives, "folder in which logs of what was driven are kept")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  command->add_flag(
-      "--read-only", flags->serve.read_only, "stores are shown; none is made, edited or driven");
-  command->add_flag(
-      "--embed",
-      flags->serve.embed,
-      "pages that this machine serves, as Jupyter's, may show it in a frame; not edited");
+  add_what_is_shown(*command, *flags);
+  add_where_it_is_served(*command, *flags);
+  add_what_is_made(*command, *flags);
+  add_how_it_is_shown(*command, *flags);
   add_common_flags(*command, flags->common, Takes::nothing);
   command->footer(
       "Example:  marketgen view                # describe a store, compare seeds, keep one\n"

@@ -1,13 +1,12 @@
 // A robot is driven by a person's keys in Chromium; what was driven is kept, and leads to the same state.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { gunzipSync } from "node:zlib";
-import { launch, openPage, program, serve, take } from "./served.mjs";
+import { launch, openPage, serve, smallShop, take } from "./served.mjs";
 
 const patience = 240_000; // milliseconds for a world to be built and shown, on a busy machine
 const python = process.env.MARKETGEN_PYTHON ?? join(import.meta.dirname, "../../.venv/bin/python");
@@ -15,12 +14,8 @@ const package_ = process.env.MARKETGEN_PYTHON_PACKAGE ?? join(import.meta.dirnam
 
 let folder, server, address, browser;
 
-const run = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
-
 before(async () => {
-  folder = mkdtempSync(join(tmpdir(), "marketgen-drive-"));
-  run("generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", "shop");
-  run("episodes", "shop", "--track", "aisle", "--count", "1", "--seed", "1", "-o", "aisle.jsonl");
+  ({ folder } = smallShop("drive", ["aisle"]));
   ({ server, address } = await serve([join(folder, "shop"), "--episodes", join(folder, "aisle.jsonl"), "--drives", join(folder, "drives")]));
   browser = await launch();
 });

@@ -1,24 +1,17 @@
 // The page on a phone, 390 x 844 and under fingers: nothing sticks out, nothing lies over anything else, and whatever is pressed is 44
 // pixels wide and high, in every state of the page.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, openPage, program, serve, take } from "./served.mjs";
+import { launch, openPage, serve, smallShop, take } from "./served.mjs";
 
 const patience = 240_000; // milliseconds for a store or a place to be built and shown, on a busy machine
 
-let folder, server, address, browser;
-
-const run = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
+let folder, run, server, address, browser;
 
 before(async () => {
-  folder = mkdtempSync(join(tmpdir(), "marketgen-phone-"));
-  run("generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", "shop");
-  run("episodes", "shop", "--track", "checkout", "--count", "1", "--seed", "1", "-o", "checkout.jsonl");
-  run("episodes", "shop", "--track", "aisle", "--count", "1", "--seed", "1", "-o", "aisle.jsonl");
+  ({ folder, run } = smallShop("phone", ["checkout", "aisle"]));
   for (const name of ["one", "two"]) run("eval", "--episodes", "checkout.jsonl", "--policy", "stop", "--record-motion", "-o", name);
   const results = ["one", "two"].flatMap((name) => ["--results", join(folder, name)]);
   ({ server, address } = await serve([join(folder, "shop"), ...results, "--episodes", join(folder, "aisle.jsonl"), "--drives", join(folder, "drives"), "--make-in", join(folder, "made")]));

@@ -1,25 +1,18 @@
 // Recorded episodes as a person watches them: Debian's Chromium, drawing without a GPU, plays evaluations of a small store.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { gunzipSync } from "node:zlib";
-import { launch, openPage, program, serve, take } from "./served.mjs";
+import { launch, openPage, serve, smallShop, take } from "./served.mjs";
 
 const patience = 180_000; // milliseconds for a place to be built and shown, on a busy machine
 const runs = ["oracle", "stop", "plain", "aisle"];
 
-let folder, server, address, browser;
-
-const run = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
+let folder, run, server, address, browser;
 
 before(async () => {
-  folder = mkdtempSync(join(tmpdir(), "marketgen-replay-"));
-  run("generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", "shop");
-  run("episodes", "shop", "--track", "checkout", "--count", "1", "--seed", "1", "-o", "checkout.jsonl");
-  run("episodes", "shop", "--track", "aisle", "--count", "1", "--seed", "1", "-o", "aisle.jsonl");
+  ({ folder, run } = smallShop("replay", ["checkout", "aisle"]));
   run("eval", "--episodes", "checkout.jsonl", "--policy", "oracle", "--record-motion", "-o", "oracle");
   run("eval", "--episodes", "checkout.jsonl", "--policy", "stop", "--record-motion", "-o", "stop");
   run("eval", "--episodes", "checkout.jsonl", "--policy", "stop", "-o", "plain");

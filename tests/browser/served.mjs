@@ -1,7 +1,8 @@
 // `marketgen view` and a Chromium that draws without a GPU, for tests of its pages. Pictures that were taken lie in
 // MARKETGEN_BROWSER_PICTURES, where that names a folder.
-import { spawn } from "node:child_process";
-import { mkdirSync } from "node:fs";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
@@ -23,6 +24,15 @@ async function addressOf(process) {
 export async function serve(words) {
   const server = spawn(program, ["view", ...words, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
   return { server, address: await addressOf(server) };
+}
+
+// A folder with the store "shop" and an episode of each track, checkout.jsonl and so on; `run` calls the program there.
+export function smallShop(name, tracks) {
+  const folder = mkdtempSync(join(tmpdir(), `marketgen-${name}-`));
+  const run = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
+  run("generate", "a small shop with dairy and two checkouts", "--size", "12x9m", "--seed", "3", "--no-previews", "--quiet", "-o", "shop");
+  for (const track of tracks) run("episodes", "shop", "--track", track, "--count", "1", "--seed", "1", "-o", `${track}.jsonl`);
+  return { folder, run };
 }
 
 export const launch = () =>

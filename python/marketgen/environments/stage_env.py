@@ -17,8 +17,8 @@ CHOICES = ("episodes", "realism", "split")  # of TaskOptions; the others are a s
 
 
 def opened_above(number: float, limit: float) -> float:
-    """An opening, all or nothing; what is no number stays none, so that it is refused."""
-    return number if math.isnan(number) else 1.0 if number > limit else -1.0
+    """An opening, all or nothing."""
+    return 1.0 if number > limit else -1.0
 
 
 class StageEnv(TaskEnv):

@@ -14,7 +14,6 @@
 namespace marketgen::physics {
 namespace {
 
-constexpr int most_bodies = 1024, most_soft_bodies = 256;  // of WorldOptions
 // Bodies for what stands beside the region and is pushed.
 constexpr int neighbours = 64;
 constexpr int steps_at_once = 25;  // between looks whether someone wants it to end
@@ -27,20 +26,20 @@ Result<std::vector<std::uint32_t>> rows_in(const scene::Scene& scene,
     const Vec3 p = scene::world_from_product(scene.products[row]).position;
     if (p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1) rows.push_back(row);
   }
-  if (rows.size() > most_bodies)
+  if (rows.size() > max_pool)
     return Error{"physics.bad_command",
                  "region",
                  fmt::format("{} products stand there; at most {} can move at once: take a "
                              "smaller region",
                              rows.size(),
-                             most_bodies)};
+                             max_pool)};
   return rows;
 }
 
 WorldOptions world_for(int count, const LetGoOptions& options) {
   WorldOptions world;
-  world.pool = std::clamp(count + neighbours, 1, most_bodies);
-  world.soft_pool = options.soft ? std::min(count, most_soft_bodies) : 0;
+  world.pool = std::clamp(count + neighbours, 1, max_pool);
+  world.soft_pool = options.soft ? std::min(count, max_soft_pool) : 0;
   world.frictions = options.frictions;
   world.keep_commands = false;
   return world;

@@ -28,7 +28,6 @@ constexpr double flap_hook_impedance = 0.999;
 constexpr double pool_depth_m = -100;  // where bodies of the pool wait until first used
 // Of a body of the pool until it is first used.
 const assets::ContactShape blank_piece{assets::CollisionShape::box, {}, {0.05, 0.05, 0.05}};
-constexpr int max_pool = 1024, max_soft_pool = 256;
 constexpr double max_friction = 2;  // as in a FrictionRow
 
 using Region = std::array<double, 4>;

@@ -12,6 +12,8 @@
 
 namespace marketgen::physics {
 
+constexpr int max_pool = 1024, max_soft_pool = 256;  // of WorldOptions
+
 // A free body of the pool and the constraint that hangs it on a hook. Of a soft pack the first of
 // `parts` bodies, and a hinge for each that hangs on it. Its geoms follow one another; how many of
 // them are in use, the model's body_geomnum says.
