@@ -103,18 +103,7 @@ bool is_mounted(const fs::path& target) {
          (info.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
 }
 
-// An error unless a file can be made in the folder of `target` now.
-int fault_of_making_beside(const fs::path& target) {
-  const fs::path folder = target.parent_path();
-  sweep_parts_once(folder);
-  const fs::path part = part_in(folder, target.filename().string());
-  const OpenFile file(open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
-  if (file.get() < 0) return errno;
-  unlink(part.c_str());
-  return 0;
-}
-
-Result<Destination> existing(Destination to, const struct stat& info) {
+Result<Destination> existing(Destination to, const struct stat& info, MadeFolders& folders) {
   if (S_ISDIR(info.st_mode))
     return Error{"io.cannot_write", to.shown.string(), "is a folder; name a file"};
   if (S_ISSOCK(info.st_mode))
@@ -126,7 +115,7 @@ Result<Destination> existing(Destination to, const struct stat& info) {
     return to;
   }
   to.mode = info.st_mode & 07777U;
-  if (is_mounted(to.target) || fault_of_making_beside(to.target) != 0) to.reach = Reach::in_place;
+  if (is_mounted(to.target) || folders.probe(to.target) != 0) to.reach = Reach::in_place;
   return to;
 }
 
@@ -140,7 +129,7 @@ Result<Destination> not_there_yet(Destination to, MadeFolders& made) {
   } else if (!S_ISDIR(info.st_mode)) {
     return cannot_write(to.shown, "cannot be written", ENOTDIR);
   }
-  if (const int fault = fault_of_making_beside(to.target); fault != 0)
+  if (const int fault = made.probe(to.target); fault != 0)
     return cannot_write(to.shown, "cannot be written", fault);
   return to;
 }
@@ -167,7 +156,7 @@ bool write_all(int fd, std::string_view bytes) {
 }
 
 // Some file systems have nothing to carry through.
-bool carry_through(int fd) {
+bool is_on_disk(int fd) {
   return fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
 
@@ -199,7 +188,7 @@ Result<void> write_descriptor(const Destination& to, std::string_view bytes) {
 Result<void> write_in_place(const Destination& to, std::string_view bytes) {
   OpenFile file(open(to.target.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
   if (file.get() < 0) return cannot_write(to.shown, "cannot be opened", errno);
-  if (!write_all(file.get(), bytes) || !carry_through(file.get()) || !file.close_now())
+  if (!write_all(file.get(), bytes) || !is_on_disk(file.get()) || !file.close_now())
     return cannot_write(to.shown, "cannot be written", errno);
   return {};
 }
@@ -228,6 +217,7 @@ MadeFolders& MadeFolders::operator=(MadeFolders&& other) noexcept {
   if (this != &other) {
     remove();
     made_ = std::exchange(other.made_, {});
+    probed_ = std::move(other.probed_);
   }
   return *this;
 }
@@ -251,6 +241,18 @@ int MadeFolders::make(const fs::path& folder) {
     else if (const int fault = errno; fault != EEXIST || !fs::is_directory(missing.back(), failed))
       return fault;
   }
+  return 0;
+}
+
+int MadeFolders::probe(const fs::path& target) {
+  const fs::path folder = target.parent_path();
+  if (probed_.contains(folder)) return 0;
+  sweep_parts_once(folder);
+  const fs::path part = part_in(folder, target.filename().string());
+  const OpenFile file(open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  if (file.get() < 0) return errno;
+  unlink(part.c_str());
+  probed_.insert(folder);
   return 0;
 }
 
@@ -286,7 +288,7 @@ Result<Destination> destination_of(const fs::path& path, MadeFolders& made) {
   const bool there = stat(to.target.c_str(), &info) == 0;
   if (!there && errno != ENOENT) return cannot_write(path, "cannot be written", errno);
   MARKETGEN_TRY(Destination probed,
-                there ? existing(std::move(to), info) : not_there_yet(std::move(to), made));
+                there ? existing(std::move(to), info, made) : not_there_yet(std::move(to), made));
   std::error_code failed;
   const fs::path folder = fs::canonical(probed.target.parent_path(), failed);
   if (!failed) probed.target = folder / name;  // of one file, however it was named
@@ -300,12 +302,21 @@ Result<void> write_new(const fs::path& file,
   add_leftover(file);
   OpenFile made(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   int fault = made.get() < 0 ? errno : 0;
-  if (fault == 0 && (!write_all(made.get(), bytes) ||
-                     (durable == Durable::yes && !carry_through(made.get())) || !made.close_now()))
+  if (fault == 0 && !write_all(made.get(), bytes)) fault = errno;
+  if (fault == 0 && durable == Durable::begun)  // a hint; carry_through() sees faults
+    sync_file_range(made.get(), 0, 0, SYNC_FILE_RANGE_WRITE);
+  if (fault == 0 && ((durable == Durable::yes && !is_on_disk(made.get())) || !made.close_now()))
     fault = errno;
   if (fault != 0 && fault != EEXIST) unlink(file.c_str());
   drop_leftover(file);
   if (fault != 0) return cannot_write(shown, "cannot be written", fault);
+  return {};
+}
+
+Result<void> carry_through(const fs::path& file, const fs::path& shown) {
+  const OpenFile written(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (written.get() < 0 || !is_on_disk(written.get()))
+    return cannot_write(shown, "cannot be written", errno);
   return {};
 }
 

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,8 @@
 
 namespace marketgen::io {
 
-// Folders that were made on the way to an output; removed again, as far as they are empty, unless
-// they are kept.
+// Folders on the way to outputs. Those that were made for them are removed again, as far as they
+// are empty, unless they are kept.
 class MadeFolders {
  public:
   MadeFolders() = default;
@@ -27,12 +28,16 @@ class MadeFolders {
   ~MadeFolders() { remove(); }
   // `folder` and all that is missing above it. 0, or the errno of what could not be made.
   int make(const std::filesystem::path& folder);
+  // 0 when a file can be made in the folder of `target`, else the errno of trying. Where one could
+  // be made it is not tried again.
+  int probe(const std::filesystem::path& target);
   void keep() { made_.clear(); }
   std::vector<std::filesystem::path> release() { return std::exchange(made_, {}); }
 
  private:
   void remove();
   std::vector<std::filesystem::path> made_;  // topmost first
+  std::set<std::filesystem::path> probed_;
 };
 
 enum class Reach {
@@ -63,9 +68,10 @@ bool is_own_descriptor(const std::filesystem::path& followed);
 // which nothing can be made.
 Result<Destination> destination_of(const std::filesystem::path& path, MadeFolders& made);
 
-// Whether a file is on the disk when its writer returns, or when the system sees fit: what can be
-// made anew does not wait.
-enum class Durable { no, yes };
+// Whether a file is on the disk when its writer returns; on the way there, for carry_through(), so
+// that many are written side by side; or when the system sees fit: what can be made anew does not
+// wait.
+enum class Durable { no, begun, yes };
 
 // Puts the bytes there. Errors: io.cannot_write, also when the disk is full or the reader gone.
 Result<void> write_to(const Destination& destination,
@@ -78,6 +84,9 @@ Result<void> write_new(const std::filesystem::path& file,
                        std::string_view bytes,
                        Durable durable,
                        const std::filesystem::path& shown);
+
+// Waits until what was written to `file` is on the disk. Error: io.cannot_write at `shown`.
+Result<void> carry_through(const std::filesystem::path& file, const std::filesystem::path& shown);
 
 // io.cannot_write at `path`: what failed, why by errno, and what to do about it.
 Error cannot_write(const std::filesystem::path& path, std::string_view what, int number);

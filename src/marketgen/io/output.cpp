@@ -40,7 +40,7 @@ Result<void> Outputs::add(const std::vector<std::pair<std::string, fs::path>>& f
 
 void Outputs::add_draft(Destination to) {
   by_shown_.try_emplace(to.shown, drafts_.size());
-  drafts_.push_back({std::move(to), {}, false});
+  drafts_.push_back({std::move(to), {}, false, false});
 }
 
 Result<void> Outputs::add_folder(const fs::path& folder) {
@@ -64,22 +64,42 @@ Result<Outputs::Draft*> Outputs::draft_of(const fs::path& file) {
   return &drafts_.back();
 }
 
+void Outputs::begin_part(Draft& draft) {
+  if (draft.part.empty())
+    draft.part = part_in(draft.to.target.parent_path(), draft.to.target.filename().string());
+  add_leftover(draft.part);
+}
+
 Result<void> Outputs::put(const fs::path& file, const Writer& write) {
   MARKETGEN_TRY(Draft * draft, draft_of(file));
-  const Destination& to = draft->to;
-  const bool beside = to.reach == Reach::replaced;
-  if (beside && draft->part.empty()) {
-    draft->part = part_in(to.target.parent_path(), to.target.filename().string());
-    add_leftover(draft->part);
-  }
-  const fs::path place = beside ? draft->part : to.shown;
+  const bool beside = draft->to.reach == Reach::replaced;
+  if (beside) begin_part(*draft);
+  draft->on_disk = true;
+  const fs::path place = beside ? draft->part : draft->to.shown;
   Result<void> written = write(place);
   if (written.ok() || written.error().where != place.string()) return written;
   return Error{written.error().code, file.string(), written.error().message};
 }
 
 Result<void> Outputs::put(const fs::path& file, std::string_view bytes) {
-  return put(file, [&](const fs::path& place) { return write_file(place, bytes); });
+  MARKETGEN_TRY(Draft * draft, draft_of(file));
+  if (draft->to.reach != Reach::replaced) return write_to(draft->to, bytes);
+  begin_part(*draft);
+  unlink(draft->part.c_str());  // what was put before
+  MARKETGEN_CHECK(write_new(draft->part, bytes, Durable::begun, file));
+  begin_part(*draft);
+  draft->on_disk = false;
+  return {};
+}
+
+// Together, at last: the disk writes many files side by side.
+Result<void> Outputs::carry_all_through() {
+  for (Draft& draft : drafts_) {
+    if (draft.part.empty() || draft.on_disk) continue;
+    MARKETGEN_CHECK(carry_through(draft.part, draft.to.shown));
+    draft.on_disk = true;
+  }
+  return {};
 }
 
 Result<void> Outputs::put_in_place(Draft& draft) {
@@ -109,6 +129,7 @@ void Outputs::take_back(Draft& draft) {
 }
 
 Result<void> Outputs::commit() {
+  MARKETGEN_CHECK(carry_all_through());
   const NoForcedEnd together;
   for (std::size_t i = 0; i < drafts_.size(); ++i) {
     if (drafts_[i].part.empty()) continue;

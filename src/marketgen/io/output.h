@@ -44,9 +44,12 @@ class Outputs {
   struct Draft {
     Destination to;
     std::filesystem::path part;  // empty until it is written
+    bool on_disk = false;        // its bytes are
     bool swapped = false;        // `part` holds the old file
   };
   Result<Draft*> draft_of(const std::filesystem::path& file);
+  static void begin_part(Draft& draft);
+  Result<void> carry_all_through();
   Result<void> put_in_place(Draft& draft);
   static void take_back(Draft& draft);
 

@@ -240,6 +240,35 @@ TEST_F(Destinations, WhatIsNotCommittedIsNotThere) {
   EXPECT_EQ(names(), (std::vector<std::string>{"one"}));
 }
 
+TEST_F(Destinations, WhatIsPutTwiceIsWhatWasPutLast) {
+  {
+    io::Outputs outputs;
+    ASSERT_TRUE(outputs.add_folder(folder_).ok());
+    for (const char* text : {"first, and longer", "last"})
+      ASSERT_TRUE(outputs.put(file("one"), text).ok());
+    ASSERT_TRUE(outputs.commit().ok());
+  }
+  EXPECT_EQ(text_of(file("one")), "last");
+  EXPECT_EQ(names(), (std::vector<std::string>{"one"}));
+}
+
+TEST_F(Destinations, AFullDiskLeavesNoneOfSeveral) {
+  fs::create_directory(file("disk"));
+  if (mount("none", file("disk").c_str(), "tmpfs", 0, "size=256k") != 0)
+    GTEST_SKIP() << "only root can mount";
+  {
+    io::Outputs outputs;
+    ASSERT_TRUE(outputs.add_folder(file("disk")).ok());
+    ASSERT_TRUE(outputs.put(file("disk/one"), "fits").ok());
+    const auto full = outputs.put(file("disk/two"), std::string(1'000'000, 'x'));
+    EXPECT_EQ(full.error().code, "io.cannot_write");
+    EXPECT_EQ(full.error().where, file("disk/two"));
+    EXPECT_NE(full.error().message.find("make room"), std::string::npos);
+  }
+  EXPECT_EQ(names(), (std::vector<std::string>{"disk"}));
+  umount(file("disk").c_str());
+}
+
 TEST_F(Destinations, OneThatCannotBePutInPlaceTakesTheOthersBack) {
   holding("one", "old");
   {
