@@ -41,7 +41,7 @@ function(marketgen_module name)
 endfunction()
 
 # marketgen_fingerprint(MODULE NAME FOLDERS...): a header MODULE/NAME_fingerprint.h with a hash over the sources of those modules,
-# for what MODULE keeps on disk between runs: a program that would make it otherwise finds nothing of it.
+# or of a "module/file" without its ending, for what MODULE keeps on disk between runs: a program that would make it otherwise finds nothing of it.
 function(marketgen_fingerprint module name)
   set(folders ${ARGN})
   list(TRANSFORM folders PREPEND "${PROJECT_SOURCE_DIR}/src/marketgen/")

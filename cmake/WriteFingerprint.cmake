@@ -1,10 +1,14 @@
 # cmake -DOUT=<header> -DNAME=<constant> -DFOLDERS=<a;b> -P WriteFingerprint.cmake
 #
-# Writes a header whose constant is a hash over the text of every .cpp and .h below the folders. The file is touched
-# only when the hash changes.
+# Writes a header whose constant is a hash over the text of every .cpp and .h below the folders, and of the sources that
+# are named without their endings. The file is touched only when the hash changes.
 set(all "")
 foreach(folder IN LISTS FOLDERS)
-  file(GLOB_RECURSE sources LIST_DIRECTORIES false "${folder}/*.cpp" "${folder}/*.h" "${folder}/*.inc")
+  if(IS_DIRECTORY "${folder}")
+    file(GLOB_RECURSE sources LIST_DIRECTORIES false "${folder}/*.cpp" "${folder}/*.h" "${folder}/*.inc")
+  else()
+    set(sources "${folder}.cpp" "${folder}.h")
+  endif()
   list(SORT sources)
   foreach(source IN LISTS sources)
     file(SHA256 "${source}" hash)

@@ -27,14 +27,21 @@ struct ProductPicture {
   std::vector<float> depth_m;  // along the optical axis, row-major; 0 = not the product
 };
 
+using ProductPictures = std::vector<ProductPicture>;  // of one product, from all sides
+
 class KnownProducts {
  public:
   virtual ~KnownProducts() = default;
   virtual const std::vector<catalog::Product>& rows() const = 0;
   // Lives as long as this. Errors: catalog.unknown_sku; what making it reports.
   virtual Result<const KnownProduct*> product(const std::string& sku) = 0;
-  // Taken anew each time; any number of threads may ask. Errors: as product().
-  virtual Result<std::vector<ProductPicture>> pictures(const std::string& sku) const = 0;
+  // Of each of these, in their order; of many at once they are taken sooner. Taken anew each time;
+  // any number of threads may ask. Errors: as product().
+  virtual Result<std::vector<ProductPictures>> pictures(
+      const std::vector<std::string>& skus) const = 0;
+  // Changes with whatever decides what pictures show beside a product's row, so that what is
+  // learnt from them can be kept; empty: it is not to be.
+  virtual std::string pictures_key() const { return {}; }
 };
 
 }  // namespace marketgen::agent

@@ -23,10 +23,17 @@ Result<const agent::KnownProduct*> PicturedProducts::product(const std::string& 
   return &known_.emplace(sku, std::move(known)).first->second;
 }
 
-Result<std::vector<agent::ProductPicture>> PicturedProducts::pictures(
-    const std::string& sku) const {
-  MARKETGEN_TRY(const catalog::Product* const product, row(sku));
-  return product_pictures(*product);
+Result<std::vector<agent::ProductPictures>> PicturedProducts::pictures(
+    const std::vector<std::string>& skus) const {
+  std::vector<const catalog::Product*> products;
+  for (const std::string& sku : skus) {
+    MARKETGEN_TRY(products.emplace_back(), row(sku));
+  }
+  return product_pictures(products);
+}
+
+std::string PicturedProducts::pictures_key() const {
+  return product_pictures_key();
 }
 
 }  // namespace marketgen::episodes

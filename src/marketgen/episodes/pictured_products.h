@@ -18,7 +18,9 @@ class PicturedProducts : public agent::KnownProducts {
 
   const std::vector<catalog::Product>& rows() const override { return products_; }
   Result<const agent::KnownProduct*> product(const std::string& sku) override;
-  Result<std::vector<agent::ProductPicture>> pictures(const std::string& sku) const override;
+  Result<std::vector<agent::ProductPictures>> pictures(
+      const std::vector<std::string>& skus) const override;
+  std::string pictures_key() const override;
 
  private:
   Result<const catalog::Product*> row(const std::string& sku) const;

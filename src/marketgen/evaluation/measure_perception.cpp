@@ -81,10 +81,13 @@ class PerceptionTrial {
                            const std::vector<catalog::FrictionRow>& frictions) {
     const auto began = std::chrono::steady_clock::now();
     const episodes::PicturedProducts known(products, frictions);
-    for (const episodes::EpisodeGoal& goal : spec_.goals) {
-      MARKETGEN_TRY(const auto pictures, known.pictures(goal.sku));
+    std::vector<std::string> skus;
+    for (const episodes::EpisodeGoal& goal : spec_.goals)
+      skus.push_back(goal.sku);
+    MARKETGEN_TRY(const auto pictures, known.pictures(skus));
+    for (std::size_t i = 0; i < skus.size(); ++i) {
       MARKETGEN_TRY(perception::ProductLook look,
-                    perception::ProductLook::make(goal.sku, pictures));
+                    perception::ProductLook::make(skus[i], pictures[i]));
       looks_.push_back(std::move(look));
     }
     measure_.pictures_s = seconds_since(began);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "perception/hidden_room.h"
 #include "skills/counter_obstacles.h"
 #include "skills/hand_room.h"
 
@@ -12,6 +13,12 @@ namespace {
 
 constexpr float own_m = 0.007F;  // points so near to a product are its own
 constexpr float min_x_m = 0.2F;  // before the arm's own body
+// Of a grasp's score, for fingers that go where nothing is seen. Chosen by trial on drawn baskets.
+constexpr double of_hidden_m = 300, max_hidden_m = 0.06;
+
+double hidden_cost(double hidden_m) {
+  return of_hidden_m * std::min(hidden_m, max_hidden_m);
+}
 
 }  // namespace
 
@@ -79,7 +86,10 @@ Result<std::vector<SeenGrasp>> FittedGrasps::grasps(const GraspQuestion& questio
   for (const motion::GraspCandidate& candidate : candidates) {
     SeenGrasp grasp =
         with_intrusion({skills::lifting_grasp(pack, candidate)}, tool_, question.others);
-    grasp.score -= skills::overlap_cost(grasp.intrusion_m);
+    grasp.score -=
+        skills::overlap_cost(grasp.intrusion_m) +
+        hidden_cost(hidden_length_m(
+            robots::opened(tool_, grasp.opening_m), grasp.base_from_tip, question.seen_in));
     grasps.push_back(grasp);
   }
   std::ranges::stable_sort(grasps, std::greater<>{}, &SeenGrasp::score);

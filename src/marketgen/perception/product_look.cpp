@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <unordered_set>
+#include <utility>
 
 namespace marketgen::perception {
 namespace {
@@ -96,25 +98,48 @@ std::vector<Surfel> thinned(const std::vector<Surfel>& surfels, float spacing_m)
   return kept;
 }
 
+constexpr float points_per_m = 20000, normals_per_unit = 32767, colors_per_unit = 255;
+
+std::int16_t rounded(float value) {
+  return static_cast<std::int16_t>(std::lround(std::clamp(value, -32767.0F, 32767.0F)));
+}
+
+PackedSurfel packed_surfel(const Surfel& surfel) {
+  const auto rows = [](Vec3f v, float scale) {
+    return std::array{rounded(v.x * scale), rounded(v.y * scale), rounded(v.z * scale)};
+  };
+  const auto channel = [](float share) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0F, 1.0F) * colors_per_unit));
+  };
+  return {rows(surfel.point, points_per_m),
+          rows(surfel.normal, normals_per_unit),
+          {channel(surfel.color.x), channel(surfel.color.y), channel(surfel.color.z)}};
+}
+
+Vec3f vector_of(const auto& numbers) {
+  return {static_cast<float>(numbers[0]),
+          static_cast<float>(numbers[1]),
+          static_cast<float>(numbers[2])};
+}
+
 }  // namespace
 
-Result<ProductLook> ProductLook::make(const std::string& sku,
-                                      const std::vector<agent::ProductPicture>& pictures,
-                                      float spacing_m) {
+Surfel unpacked(const PackedSurfel& packed) {
+  return {vector_of(packed.point) / points_per_m,
+          normalized(vector_of(packed.normal)),
+          vector_of(packed.color) / colors_per_unit};
+}
+
+std::vector<PackedSurfel> ProductLook::packed() const {
+  std::vector<PackedSurfel> all;
+  std::ranges::transform(surfels_, std::back_inserter(all), packed_surfel);
+  return all;
+}
+
+ProductLook ProductLook::of(const std::string& sku, std::vector<PackedSurfel> surfels) {
   ProductLook look;
   look.sku_ = sku;
-  std::vector<Surfel> all;
-  for (const agent::ProductPicture& picture : pictures)
-    PictureSurface(picture).add_to(all, spacing_m);
-  if (all.empty())
-    return Error{"perception.no_picture",
-                 sku,
-                 "its pictures show nothing of it: expected some sides of the product with depth"};
-  look.surfels_ = thinned(all, spacing_m);
-  for (float apart_m = spacing_m; look.surfels_.size() > max_surfels;) {
-    apart_m *= farther_apart;
-    look.surfels_ = thinned(all, apart_m);
-  }
+  std::ranges::transform(surfels, std::back_inserter(look.surfels_), unpacked);
   look.low_ = look.high_ = look.surfels_.front().point;
   for (const Surfel& s : look.surfels_) {
     const Vec3f p = s.point;
@@ -124,6 +149,26 @@ Result<ProductLook> ProductLook::make(const std::string& sku,
         std::max(look.high_.x, p.x), std::max(look.high_.y, p.y), std::max(look.high_.z, p.z)};
   }
   return look;
+}
+
+Result<ProductLook> ProductLook::make(const std::string& sku,
+                                      const agent::ProductPictures& pictures,
+                                      float spacing_m) {
+  std::vector<Surfel> all;
+  for (const agent::ProductPicture& picture : pictures)
+    PictureSurface(picture).add_to(all, spacing_m);
+  if (all.empty())
+    return Error{"perception.no_picture",
+                 sku,
+                 "its pictures show nothing of it: expected some sides of the product with depth"};
+  std::vector<Surfel> kept = thinned(all, spacing_m);
+  for (float apart_m = spacing_m; kept.size() > max_surfels;) {
+    apart_m *= farther_apart;
+    kept = thinned(all, apart_m);
+  }
+  std::vector<PackedSurfel> packed;
+  std::ranges::transform(kept, std::back_inserter(packed), packed_surfel);
+  return of(sku, std::move(packed));
 }
 
 void ProductLook::make_table() const {

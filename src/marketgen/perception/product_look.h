@@ -18,16 +18,28 @@ struct Surfel {
   Vec3f color;          // sRGB as 0..1
 };
 
+// As a look has it: so exact that nothing is lost when it is kept on disk.
+struct PackedSurfel {
+  std::array<std::int16_t, 3> point{}, normal{};  // in 1/20 mm; in 1/32767
+  std::array<std::uint8_t, 3> color{};
+  std::uint8_t unused = 0;  // so that all its bytes are said
+};
+Surfel unpacked(const PackedSurfel& packed);
+
 class ProductLook {
  public:
   // Pieces about `spacing_m` apart, farther on a product that would have more than 30,000 (a
   // crate). Errors: perception.no_picture when nothing is seen in them.
   static Result<ProductLook> make(const std::string& sku,
-                                  const std::vector<agent::ProductPicture>& pictures,
+                                  const agent::ProductPictures& pictures,
                                   float spacing_m = 0.0035F);
+
+  // Of a look that was packed before. Precondition: there are some.
+  static ProductLook of(const std::string& sku, std::vector<PackedSurfel> surfels);
 
   const std::string& sku() const { return sku_; }
   const std::vector<Surfel>& surfels() const { return surfels_; }
+  std::vector<PackedSurfel> packed() const;
   Vec3f low() const { return low_; }
   Vec3f high() const { return high_; }
   Vec3f middle() const { return (low_ + high_) * 0.5F; }

@@ -5,6 +5,10 @@
 #include <cmath>
 #include <iterator>
 
+#include <fmt/format.h>
+
+#include "base/progress.h"
+
 namespace marketgen::perception {
 namespace {
 
@@ -81,6 +85,12 @@ std::vector<FoundProduct> CatalogueMatching::places_of(
   std::vector<FoundProduct> places;
   for (std::size_t i = 0; i < std::min(max_masks, candidates.size()); ++i) {
     const FittedPose pose = poses_.pose(look, candidates[i].patch, views);
+    log_debug(fmt::format("{} at a mask of view {}: likeness {:.2f}, score {:.2f}, fit {:.2f}",
+                          look.sku(),
+                          candidates[i].view,
+                          candidates[i].likeness,
+                          pose.evidence.score,
+                          pose.evidence.fit));
     if (is_likely(look, pose))
       places.push_back({number, candidates[i].view, candidates[i].mask, pose});
   }
@@ -106,8 +116,15 @@ void CatalogueMatching::drop_mistaken(const WantedProduct& wanted,
     const auto of_view = std::ranges::find(masked, best.view, &MaskedView::view);
     const SurfacePatch patch = patch_of(views[best.view], of_view->masks[best.mask], patch_points);
     const bool mistaken = std::ranges::any_of(wanted.rivals, [&](const ProductLook* rival) {
-      return poses_.pose(*rival, patch, views).evidence.score >
-             best.pose.evidence.score * clearly_better;
+      const double score = poses_.pose(*rival, patch, views).evidence.score;
+      const bool better = score > best.pose.evidence.score * clearly_better;
+      if (better)
+        log_debug(fmt::format("{} explains {:.2f} better ({:.2f}) than {}",
+                              rival->sku(),
+                              best.pose.evidence.score,
+                              score,
+                              wanted.look->sku()));
+      return better;
     });
     if (!mistaken) return;
     places.erase(places.begin());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perception/placed_surface.h"
 #include "policy/aisle_tour.h"
 #include "skills/own_body.h"
 
@@ -11,7 +12,9 @@ namespace {
 
 constexpr double ahead_m = 2.0;  // boards whose middle is farther are seen too small
 constexpr double cloud_spacing_m = 0.008, highest_point_m = 2.5;
-constexpr float hidden_m = 0.03F;  // behind what is seen: something else
+constexpr float hidden_m = 0.03F;    // behind what is seen: something else
+constexpr float min_facing = 0.25F;  // cosine; of surface that is turned to a camera
+constexpr double min_shown = 0.3;    // of that
 
 // Whether a picture shows what is there, in the base's frame.
 bool is_seen(const std::vector<perception::ViewCloud>& views, Vec3f point) {
@@ -58,6 +61,22 @@ ShelfFind ShelfSight::again(const ShelfFind& known,
   const perception::FittedPose seen =
       choice.again(wanted, views_, inverse(store) * known.store_from_product);
   return {known.goal, store * seen.base_from_product, seen.evidence.score};
+}
+
+bool ShelfSight::shows(const ShelfFind& known, const perception::ProductLook& look) const {
+  const perception::Placed placed(inverse(agent::store_from_base(place_)) *
+                                  known.store_from_product);
+  double turned_here = 0, seen = 0;
+  for (const perception::Surfel& surfel : look.surfels()) {
+    const Vec3f point = placed(surfel.point), normal = placed.turned(surfel.normal);
+    const auto faces = [&](const perception::ViewCloud& view) {
+      return dot(normal, normalized(view.eye() - point)) > min_facing;
+    };
+    if (std::ranges::none_of(views_, faces)) continue;
+    ++turned_here;
+    if (is_seen(views_, point)) ++seen;
+  }
+  return seen >= min_shown * turned_here && seen > 0;
 }
 
 std::vector<agent::LookedAt> ShelfSight::looked_at(std::vector<FoundShape> found) const {

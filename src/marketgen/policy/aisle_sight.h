@@ -40,6 +40,9 @@ class ShelfSight {
   ShelfFind again(const ShelfFind& known,
                   const perception::WantedProduct& wanted,
                   const perception::ShelfChoice& choice) const;
+  // Whether enough of it would be seen, were it there: neither the robot's own arms nor anything
+  // else before it hides it, and it is in a picture.
+  bool shows(const ShelfFind& known, const perception::ProductLook& look) const;
   // Of a decision's trace; `found` as in the store's frame.
   std::vector<agent::LookedAt> looked_at(std::vector<FoundShape> found) const;
   // Measured points without the robot itself, which stands as `state` says (base on the origin).

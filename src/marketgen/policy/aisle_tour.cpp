@@ -17,24 +17,24 @@ double apart(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-std::optional<robots::BasePlace> place_before(const agent::AisleMap& map, const Pose& board) {
-  const Vec3 out = rotate(board.rotation, {0, -1, 0});
+}  // namespace
+
+std::optional<robots::BasePlace> view_place(const agent::AisleMap& map, const Pose& faced) {
+  const Vec3 out = rotate(faced.rotation, {0, -1, 0});
   const double heading = std::atan2(-out.y, -out.x);
   for (const double distance : view_distances_m) {
-    const Vec3 at = board.position + out * distance;
+    const Vec3 at = faced.position + out * distance;
     const robots::BasePlace place{at.x, at.y, heading};
     if (map.has_room(place)) return place;
   }
   return std::nullopt;
 }
 
-}  // namespace
-
 std::vector<ViewStop> view_stops(const agent::AisleMap& map) {
   std::vector<ViewStop> stops;
   for (const agent::ShelfBoard& board : map.boards()) {
     if (!can_be_fetched_from(board)) continue;
-    const auto place = place_before(map, board.store_from_board);
+    const auto place = view_place(map, board.store_from_board);
     if (!place) continue;
     const Vec2 front{board.store_from_board.position.x, board.store_from_board.position.y};
     const bool known = std::ranges::any_of(stops, [&](const ViewStop& stop) {

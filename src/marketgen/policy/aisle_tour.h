@@ -17,6 +17,10 @@ inline bool can_be_fetched_from(const agent::ShelfBoard& board) {
   return board.use == assets::ShelfUse::stand && !board.has_door;
 }
 
+// Where the robot has room to look straight at something from: boards, or a pack on one. Empty:
+// nowhere. `faced`: its front towards -Y.
+std::optional<robots::BasePlace> view_place(const agent::AisleMap& map, const Pose& faced);
+
 // From `place` the robot looks straight at the boards of one front.
 struct ViewStop {
   robots::BasePlace place;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ constexpr double stop_tilts[] = {0.14, 0.75};  // of the head, down: upper and l
 constexpr double min_again = 0.6;  // of its score, at a second look from before the shelf
 constexpr double max_tilt = 1.04, max_pan = 1.3;
 
-constexpr double next_picture_s = 0.05;
+constexpr double next_picture_s = 0.05, next_find_s = 0.05;
 
 const std::string head_eye = "head_camera";
 
@@ -144,8 +145,7 @@ class ClassicalAisle : public agent::Policy {
       case AisleStep::look_down:
         return look_down();
       case AisleStep::at_shelf:
-        step_ = AisleStep::look_again;
-        return turn_head(finds_[find_].place.store_from_product.position);
+        return at_shelf();
       case AisleStep::look_again:
         return look_again();
       case AisleStep::look_on:
@@ -188,13 +188,15 @@ class ClassicalAisle : public agent::Policy {
     return {};
   }
 
+  // One find an answer: to plan a way that there is not takes seconds. False when there is none.
   Result<bool> go_to_find(double min_worth) {
-    while (const auto find = finds_.next(goals_, now_.base, min_worth)) {
-      MARKETGEN_TRY(const bool goes, approach(*find));
-      if (goes) return true;
-      finds_.refuse(*find);
-    }
-    return false;
+    const auto find = finds_.next(goals_, now_.base, min_worth);
+    if (!find) return false;
+    MARKETGEN_TRY(const bool goes, approach(*find));
+    if (goes) return true;
+    finds_.refuse(*find);
+    body_.wait(next_find_s);
+    return true;
   }
 
   // To the next place from which a missing goal may be seen; false when there is none.
@@ -352,6 +354,23 @@ class ClassicalAisle : public agent::Policy {
                       std::clamp(std::atan2(-at.z, std::hypot(at.x, at.y)), 0.0, max_tilt));
   }
 
+  Result<void> at_shelf() {
+    KnownFind& find = finds_[find_];
+    if (find.is_found_again) return take(find, goals_[find.place.goal], now_.base);
+    step_ = AisleStep::look_again;
+    return turn_head(find.place.store_from_product.position);
+  }
+
+  // Farther off, where nothing hides it; false where there is no way to such a place.
+  bool goes_to_see(KnownFind& find) {
+    if (std::exchange(find.is_hidden_there, true)) return false;
+    const auto place = view_place(map_, find.place.store_from_product);
+    if (!place || !body_.drive_to(*place).ok()) return false;
+    say("it is hidden: looks from farther off");
+    step_ = AisleStep::at_shelf;
+    return true;
+  }
+
   // From where it came to stand, by what is seen from there.
   Result<void> look_again() {
     KnownFind& find = finds_[find_];
@@ -360,6 +379,7 @@ class ClassicalAisle : public agent::Policy {
     MARKETGEN_TRY(const bool looked, has_looked());
     if (!looked) return {};
     points_ = sight_.points_beside(points_, robot_, body_.state());
+    if (!sight_.shows(find.place, *goal.look) && goes_to_see(find)) return {};
     MARKETGEN_TRY(const perception::WantedProduct wanted,
                   goal.wanted_close(*setup_.products, *setup_.looks));
     const ShelfFind again = sight_.again(find.place, wanted, *modules_.choice);
@@ -374,7 +394,8 @@ class ClassicalAisle : public agent::Policy {
     log_look(sight_, is_there ? std::vector{again} : std::vector<ShelfFind>{}, goals_, log_);
     if (is_there) {
       find.place = again;
-      return take(find, goal);
+      if (find.is_hidden_there) return come_back(find);
+      return take(find, goal, sight_.place());
     }
     refused(goal, "NotFound");
     finds_.refuse(find_);
@@ -382,13 +403,22 @@ class ClassicalAisle : public agent::Policy {
     return {};
   }
 
-  Result<void> take(KnownFind& find, ShelfGoal& goal) {
+  // To where it is taken from, after it was looked at from farther off.
+  Result<void> come_back(KnownFind& find) {
+    find.is_found_again = true;
+    step_ = AisleStep::choose;
+    MARKETGEN_TRY(const bool goes, approach(find_));
+    if (!goes) finds_.refuse(find_);
+    return {};
+  }
+
+  Result<void> take(KnownFind& find, ShelfGoal& goal, const robots::BasePlace& from) {
     ++goal.tries;
     ++find.tries;
     step_ = AisleStep::choose;
     const auto item = item_at(find.place);
-    auto pick = item.ok() ? body_.plan_pick(*item, points_, sight_.place())
-                          : Result<skills::ShelfPick>(item.error());
+    auto pick =
+        item.ok() ? body_.plan_pick(*item, points_, from) : Result<skills::ShelfPick>(item.error());
     if (!pick.ok()) {
       MARKETGEN_CHECK(given_up(goal, pick.error()));
       return move_before(find, goal);

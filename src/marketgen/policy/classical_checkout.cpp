@@ -255,10 +255,10 @@ class ClassicalCheckout : public agent::Policy {
   }
 
   Result<void> learn_catalogue() {
-    for (const catalog::Product& row : setup_.products->rows()) {
-      MARKETGEN_TRY(const perception::ProductLook* look, setup_.looks->of(row, *setup_.products));
-      catalogue_.push_back(look);
-    }
+    std::vector<const catalog::Product*> rows;
+    for (const catalog::Product& row : setup_.products->rows())
+      rows.push_back(&row);
+    MARKETGEN_TRY(catalogue_, setup_.looks->of(rows, *setup_.products));
     return {};
   }
 

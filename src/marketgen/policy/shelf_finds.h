@@ -14,6 +14,9 @@ struct KnownFind {
   double worth = 0;  // score, less what it stands off its category's place
   int tries = 0;
   int moves = 0;  // to elsewhere, since it was out of reach from where it was looked at again
+  // From where it is taken it is hidden, as goods on low boards are by the robot's own arms: it is
+  // looked at again from farther off; once it was found there, it is taken without another look.
+  bool is_hidden_there = false, is_found_again = false;
 };
 
 class ShelfFinds {

@@ -13,19 +13,6 @@ namespace {
 
 constexpr int max_tries = 3;  // an item
 
-using Looks = std::vector<const perception::ProductLook*>;
-
-Result<Looks> looks_of(const std::vector<const catalog::Product*>& rows,
-                       const agent::KnownProducts& products,
-                       perception::LookLibrary& library) {
-  Looks looks;
-  for (const catalog::Product* row : rows) {
-    MARKETGEN_TRY(const perception::ProductLook* look, library.of(*row, products));
-    looks.push_back(look);
-  }
-  return looks;
-}
-
 }  // namespace
 
 bool ShelfGoal::is_due() const {
@@ -42,7 +29,7 @@ Result<perception::WantedProduct> ShelfGoal::wanted_close(agent::KnownProducts& 
     MARKETGEN_TRY(const agent::KnownProduct* known, products.product(sku));
     MARKETGEN_TRY(
         close_rivals,
-        looks_of(perception::rivals_of_any_kind(known->product, products.rows()), products, looks));
+        looks.of(perception::rivals_of_any_kind(known->product, products.rows()), products));
   }
   return perception::WantedProduct{look, close_rivals, wanted - fetched, words};
 }
@@ -66,10 +53,10 @@ Result<std::vector<ShelfGoal>> learn_shelf_goals(const std::vector<agent::TaskGo
     }
     goal.sku = skus->front();
     MARKETGEN_TRY(const agent::KnownProduct* known, products.product(goal.sku));
-    MARKETGEN_TRY(goal.look, looks.of(known->product, products));
-    MARKETGEN_TRY(
-        goal.rivals,
-        looks_of(perception::rivals_of(known->product, products.rows()), products, looks));
+    MARKETGEN_TRY(const perception::Looks own, looks.of({&known->product}, products));
+    goal.look = own.front();
+    MARKETGEN_TRY(goal.rivals,
+                  looks.of(perception::rivals_of(known->product, products.rows()), products));
     const auto hint = std::ranges::find(hints, number, &agent::CategoryHint::goal);
     if (hint == hints.end())
       return Error{"episode.impossible", goal.sku, "nothing says where its category stands"};

@@ -4,6 +4,7 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "render/catalogue_renderer.h"
 #include "render/light/lit_world.h"
 #include "render/path/path_picture.h"
 #include "render/picture_objects.h"
@@ -155,6 +156,15 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const scene::Scene& scene,
                                                    Progress& progress,
                                                    const RendererOptions& options) {
   return raytrace::create_renderer(scene, {}, progress, options);
+}
+
+Result<std::unique_ptr<Renderer>> create_catalogue_renderer(const scene::Scene& scene) {
+  raytrace::WorldDetail detail;
+  detail.as_new = true;
+  MARKETGEN_TRY(std::unique_ptr<raytrace::LitWorld> lit,
+                raytrace::light_world(scene, {}, silent_progress(), detail, false));
+  return std::unique_ptr<Renderer>(
+      std::make_unique<raytrace::EmbreeRenderer>(std::move(lit), scene));
 }
 
 }  // namespace marketgen::render

@@ -45,6 +45,14 @@ Result<void> add_way_out(const motion::ArmChecker& line,
   return {};
 }
 
+// Of the reach's line, whatever stands about: worlds of thousands of measured points are made only
+// where there is a posture to try in them. Errors: as plan_reach.
+Result<void> can_begin(const motion::ArmModel& model, const motion::ReachQuestion& question) {
+  const Pose begin = question.base_from_grasp * Pose{-question.approach, {}};
+  const auto postures = motion::arm_goals(*model.robot, model.group, begin, question.start);
+  return postures.ok() ? Result<void>() : Result<void>(postures.error());
+}
+
 }  // namespace
 
 Result<PickWays> plan_pick_ways(const motion::ArmModel& model,
@@ -53,6 +61,13 @@ Result<PickWays> plan_pick_ways(const motion::ArmModel& model,
                                 const PickMotion& motion,
                                 Seed seed) {
   const Pose& base = place.world_from_base;
+  const std::vector<Pose> links = robots::link_poses(*model.robot, place.state);
+  const Pose base_from_world = inverse(base * links[static_cast<std::size_t>(model.group.base)]);
+  motion::ReachQuestion question;
+  question.start = robots::values_of(model.group, place.state);
+  question.base_from_grasp = base_from_world * place.world_from_tip;
+  question.approach = {0, 0, motion.approach_m};
+  MARKETGEN_CHECK(can_begin(model, question));
   MARKETGEN_TRY(const motion::CollisionWorld way_world, world_of(around.way, around.carried, base));
   MARKETGEN_TRY(const motion::CollisionWorld line_world,
                 world_of(around.line, around.carried, base));
@@ -60,12 +75,6 @@ Result<PickWays> plan_pick_ways(const motion::ArmModel& model,
                 motion::ArmChecker::make(model, place.state, base, way_world));
   MARKETGEN_TRY(const motion::ArmChecker line,
                 motion::ArmChecker::make(model, place.state, base, line_world));
-  const std::vector<Pose> links = robots::link_poses(*model.robot, place.state);
-  const Pose base_from_world = inverse(base * links[static_cast<std::size_t>(model.group.base)]);
-  motion::ReachQuestion question;
-  question.start = robots::values_of(model.group, place.state);
-  question.base_from_grasp = base_from_world * place.world_from_tip;
-  question.approach = {0, 0, motion.approach_m};
   PickWays ways;
   MARKETGEN_TRY(ways.reach, motion::plan_reach(way, line, question, seed, pick_options(motion, 1)));
   MARKETGEN_CHECK(add_way_out(line, place, base_from_world, motion, ways));

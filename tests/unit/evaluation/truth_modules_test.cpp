@@ -103,7 +103,7 @@ class CheckoutTruth : public ::testing::Test {
   }
 
   perception::ProductLook look_of(const std::string& sku) {
-    return perception::ProductLook::make(sku, products_->pictures(sku).value()).value();
+    return perception::ProductLook::make(sku, products_->pictures({sku}).value().front()).value();
   }
 
   episodes::EpisodeSpec spec_;
@@ -206,7 +206,8 @@ TEST(AisleTruth, ACanIsFoundWhereItStands) {
   views.emplace_back(eyes.look("head_camera").value());
   episodes::PicturedProducts products(world->store().scene.catalog, committed_catalog().frictions);
   const perception::ProductLook look =
-      perception::ProductLook::make("can-cola", products.pictures("can-cola").value()).value();
+      perception::ProductLook::make("can-cola", products.pictures({"can-cola"}).value().front())
+          .value();
 
   const auto spots = oracle::TrueSpots(*world).spots(views, boards, {});
   ASSERT_FALSE(spots.empty());

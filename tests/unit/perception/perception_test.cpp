@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "perception/grasp_source.h"
+#include "perception/hidden_room.h"
 #include "perception/target_choice.h"
 #include "support/drawn_boxes.h"
 
@@ -163,6 +164,24 @@ TEST(ProductLook, ACrateHasItsPiecesFartherApart) {
   EXPECT_LE(crate->surfels().size(), 30000U);
   EXPECT_GT(crate->surfels().size(), 15000U);
   EXPECT_NEAR(crate->diagonal_m(), length(size), 0.01);
+}
+
+// A carton hides what is behind it from a camera beside it, and nothing on the camera's side.
+TEST(HiddenRoom, IsBehindWhatIsSeen) {
+  const std::vector<DrawnBox> goods{{{{0.5, 0, -0.02}, {}}, {1.0, 1.0, 0.02}, plain(grey)},
+                                    {{{0.5, 0, 0}, {}}, {0.1, 0.1, 0.2}, plain(red)}};
+  std::vector<perception::ViewCloud> views;
+  views.emplace_back(drawn_view(goods, camera_over({0.5, 0.2, 0.6}), width, height, 300));
+  const std::vector<robots::ToolSolid> finger{{{}, {0.008, 0.008, 0.03}}};
+  const auto hidden = [&](double y, const perception::SeenIn& seen_in) {
+    return perception::hidden_length_m(finger, {{0.5, y, 0.04}, {}}, seen_in);
+  };
+  EXPECT_EQ(hidden(0.09, {&views}), 0);
+  EXPECT_NEAR(hidden(-0.09, {&views}), 0.06, 0.01);
+  EXPECT_EQ(hidden(-0.09, {}), 0);
+  // The same pictures, said in another frame.
+  EXPECT_EQ(perception::hidden_length_m(finger, {{1.5, 0.09, 0.04}, {}}, {&views, {{1, 0, 0}, {}}}),
+            0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "robots/robot.h"
 #include "support/committed_robot.h"
@@ -42,6 +43,31 @@ TEST(ShelfSight, WhatIsSeenAnewReplacesWhatWasSeenBefore) {
   EXPECT_GT(points.size(), 100U) << "the wall itself";
   EXPECT_EQ(points.size(),
             sight_of_a_wall().points(robot, robots::neutral_state(robot)).size() + 2);
+}
+
+// A pack on a shelf before the robot is seen, or the place where it was; behind a board or out of
+// the picture nothing is said of it.
+TEST(ShelfSight, ShowsWhatNothingHides) {
+  const Vec3 size{0.06, 0.06, 0.12};
+  const auto look =
+      perception::ProductLook::make("tin", drawn_pictures(size, plain({200, 40, 30})));
+  ASSERT_TRUE(look.ok()) << to_string(look.error());
+  const Quaternion facing = rotation_about({0, 0, 1}, -std::numbers::pi / 2);
+  const policy::ShelfFind there{0, {{10.9, 0, 0.95}, facing}, 0.5};
+  const policy::ShelfFind aside{0, {{10.9, 3, 0.95}, facing}, 0.5};
+  const DrawnBox wall{{{1.1, 0, -1}, {}}, {0.02, 4, 4}, plain({90, 90, 90})};
+  const DrawnBox tin{{{0.9, 0, 0.95}, facing}, size, plain({200, 40, 30})};
+  const DrawnBox arm{{{0.5, 0, 0.8}, {}}, {0.02, 0.4, 0.4}, plain({20, 20, 20})};
+  const auto sight_of = [](const std::vector<DrawnBox>& boxes) {
+    policy::ShelfSight sight(here);
+    sight.add(
+        drawn_view(boxes, {{0, 0, 1}, rotation_with_axes({0, -1, 0}, {1, 0, 0})}, 320, 240, 240));
+    return sight;
+  };
+  EXPECT_TRUE(sight_of({wall, tin}).shows(there, *look));
+  EXPECT_TRUE(sight_of({wall}).shows(there, *look)) << "it is seen not to be there";
+  EXPECT_FALSE(sight_of({wall, tin, arm}).shows(there, *look));
+  EXPECT_FALSE(sight_of({wall, tin}).shows(aside, *look));
 }
 
 }  // namespace

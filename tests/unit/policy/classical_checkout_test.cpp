@@ -54,14 +54,18 @@ class DrawnProducts : public agent::KnownProducts {
   Result<const agent::KnownProduct*> product(const std::string& sku) override {
     return &known_.at(sku);
   }
-  Result<std::vector<agent::ProductPicture>> pictures(const std::string& sku) const override {
-    return pictures_.at(sku);
+  Result<std::vector<agent::ProductPictures>> pictures(
+      const std::vector<std::string>& skus) const override {
+    std::vector<agent::ProductPictures> all;
+    for (const std::string& sku : skus)
+      all.push_back(pictures_.at(sku));
+    return all;
   }
 
  private:
   std::vector<catalog::Product> rows_;
   std::map<std::string, agent::KnownProduct> known_;
-  std::map<std::string, std::vector<agent::ProductPicture>> pictures_;
+  std::map<std::string, agent::ProductPictures> pictures_;
 };
 
 class Classical : public ::testing::Test {

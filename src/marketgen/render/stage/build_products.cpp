@@ -115,7 +115,8 @@ void ProductBuilder::build(Draft& draft) const {
     instance.id = first_id + static_cast<std::uint32_t>(i);
     if (product.facing < scene.facings.size())
       instance.shelf = static_cast<std::int32_t>(scene.facings[product.facing].shelf);
-    instance.look = look_of_item(i, product.sku, kind_of_sku[product.sku]);
+    if (!draft.detail().as_new)
+      instance.look = look_of_item(i, product.sku, kind_of_sku[product.sku]);
     instance.world_from_mesh = placement_of(scene::world_from_product(product));
     world.instances.push_back(instance);
   }

@@ -22,7 +22,8 @@ namespace marketgen::render::raytrace {
 struct WorldDetail {
   PrintDetail print = PrintDetail::near;
   assets::Detail goods = assets::Detail::near;  // shapes of packs
-  int coarser = 0;  // mip levels that tiled materials and labels of packs lack
+  int coarser = 0;      // mip levels that tiled materials and labels of packs lack
+  bool as_new = false;  // packs without the tint of a batch and without wear (item_look.h)
 };
 
 class Draft {
