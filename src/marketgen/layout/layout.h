@@ -129,6 +129,7 @@ struct Layout {
   std::string profile;
   plan::Shell shell;  // with outline_mm always set
   plan::Look look;
+  std::optional<std::string> time;  // of the plan: when its shelves are seen
   std::vector<LayoutZone> zones;
   std::vector<Fixture> fixtures;  // sorted by id
   std::vector<Aisle> aisles;      // sorted by id
@@ -140,6 +141,9 @@ struct Layout {
       field("profile", &Layout::profile, "kind of shop"),
       field("shell", &Layout::shell, "the room", required()),
       field("look", &Layout::look, "materials and light"),
+      field("time",
+            &Layout::time,
+            "weekday and hour at which its shelves are seen; absent: as staff filled them"),
       field("zones", &Layout::zones, "zones", required()),
       field("fixtures", &Layout::fixtures, "one row per module", required(), at_most_items(100000)),
       field("aisles", &Layout::aisles, "free strips between fixtures"),
