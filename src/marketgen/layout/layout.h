@@ -141,13 +141,14 @@ struct Layout {
       field("profile", &Layout::profile, "kind of shop"),
       field("shell", &Layout::shell, "the room", required()),
       field("look", &Layout::look, "materials and light"),
-      field("time",
-            &Layout::time,
-            "weekday and hour at which its shelves are seen; absent: as staff filled them"),
       field("zones", &Layout::zones, "zones", required()),
       field("fixtures", &Layout::fixtures, "one row per module", required(), at_most_items(100000)),
       field("aisles", &Layout::aisles, "free strips between fixtures"),
-      field("violations", &Layout::violations, "broken rules"));
+      field("violations", &Layout::violations, "broken rules"),
+      field("time",  // the last: scenes of before have no such column
+            &Layout::time,
+            "weekday and hour at which its shelves are seen; absent: as staff filled them",
+            at_most_bytes(16)));
 };
 
 // Every module, aisle and violation of the plan. Deterministic. Errors: layout.impossible when not
