@@ -22,8 +22,8 @@ namespace {
 struct GenerateFlags {
   CommonFlags common;
   std::vector<std::string> words;
-  std::string prompt_file, plan_file, floor_plan, floor_plan_scale, size, profile, style, country,
-      time, skin, planner = "offline", folder, record;
+  std::string prompt_file, plan_file, planogram_file, floor_plan, floor_plan_scale, size, profile,
+      style, country, time, skin, planner = "offline", folder, record;
   std::vector<std::string> catalogs, images, vary;
   planners::PlannerAccess planner_access;
   int count = 1;
@@ -205,6 +205,7 @@ Result<void> generate_one(const GenerateFlags& flags,
   options.folder = folder_of(flags, variant);
   options.brief = brief;
   if (!flags.plan_file.empty()) options.plan_file = flags.plan_file;
+  if (!flags.planogram_file.empty()) options.planogram_file = flags.planogram_file;
   options.planner = flags.planner_access;
   options.planner.record = flags.record;
   options.seed = flags.common.seed + static_cast<std::uint64_t>(variant);
@@ -254,6 +255,12 @@ void add_sources(CLI::App& command, GenerateFlags& flags) {
       ->type_name("FILE");
   command
       .add_option("--plan", flags.plan_file, "start from a market-plan/1 file instead of a prompt")
+      ->type_name("FILE");
+  command
+      .add_option("--planogram",
+                  flags.planogram_file,
+                  "what shall stand on its shelves, as a CSV file like that of export --format "
+                  "planogram; shelves that it does not name are stocked as usual")
       ->type_name("FILE");
   command
       .add_option("--floor-plan",

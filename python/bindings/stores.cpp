@@ -66,6 +66,7 @@ StoreHandle generate(const std::string& prompt,
                      const std::optional<std::string>& time,
                      const std::vector<std::string>& vary,
                      const std::optional<std::string>& plan,
+                     const std::optional<std::string>& planogram,
                      const std::optional<std::string>& floor_plan,
                      const std::optional<std::string>& floor_plan_scale,
                      const std::vector<std::string>& images,
@@ -95,6 +96,7 @@ StoreHandle generate(const std::string& prompt,
   options.brief.floor_plan_scale = floor_plan_scale;
   options.brief.image_files = images;
   if (plan) options.plan_file = *plan;
+  if (planogram) options.planogram_file = *planogram;
   if (!size.empty()) options.brief.size_mm = value_or_raise(intake::parse_size(size, "size"));
   catalog::Catalog catalog =
       value_or_raise(assets::usable_catalog({catalogs.begin(), catalogs.end()}));

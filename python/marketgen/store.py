@@ -288,6 +288,7 @@ def generate(
     time: str | None = None,
     vary: Mapping[str, int] | None = None,
     plan: PathLike | None = None,
+    planogram: PathLike | None = None,
     floor_plan: PathLike | None = None,
     floor_plan_scale: str | None = None,
     image: PathLike | Sequence[PathLike] | None = None,
@@ -314,6 +315,8 @@ def generate(
     vary      seeds of single axes in the place of `seed`: {"planogram": 3, "fill": 8}; axes are "layout", "planogram", "fill",
               "disorder" and "prices" (docs/plan.md)
     plan      a market-plan/1 file instead of a prompt
+    planogram what stands on the shelves that it names, a CSV file like that of store.export("planogram", ...); its fixtures are those
+              that this plan or prompt with this seed makes (docs/planogram.md)
     floor_plan        SVG, DXF, PNG or JPEG of the room: outline, doors and columns (docs/drawings.md)
     floor_plan_scale  its scale where the file says none: "1 unit = 10 mm", "1 px = 2 cm", "1:100"
     image     PNG or JPEG, or a list of them: photos of shops, whose materials, light and shelves the store gets (docs/photos.md), and
@@ -345,6 +348,7 @@ def generate(
         None if time is None else arguments.a_text("time", time),
         [] if vary is None else [f"{axis}={seed}" for axis, seed in arguments.seeds("vary", vary, MAX_SEED).items()],
         None if plan is None else arguments.a_path("plan", plan),
+        None if planogram is None else arguments.a_path("planogram", planogram),
         None if floor_plan is None else arguments.a_path("floor_plan", floor_plan),
         None if floor_plan_scale is None else arguments.a_text("floor_plan_scale", floor_plan_scale),
         [] if image is None else arguments.path_or_paths("image", image),

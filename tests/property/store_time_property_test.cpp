@@ -2,6 +2,7 @@
 // stands as firmly as before.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -104,15 +105,30 @@ TEST(StoreTimeProperty, AHourTakesGoodsAwayAndChangesNothingElse) {
   EXPECT_GT(sold, shops);
 }
 
-// What lies on something that is gone would fall: goods are let go, and stay.
+// Wherever shoppers came by, the untidiest: nothing stands in another thing or reaches out.
+TEST(StoreTimeProperty, WhatShoppersLeftOutOfLineHasRoom) {
+  HandLaidShop shop = shop_of(selling_types());
+  for (plan::Zone& zone : shop.plan.zones)
+    zone.stock.jitter = 1;
+  const scene::Scene full = scene_at({shop.plan, shop.layout}, times[0]);
+  const scene::Scene evening = scene_at({shop.plan, shop.layout}, "Sat 18:00");
+  const auto moved = std::ranges::count_if(evening.products, [](const scene::SceneProduct& item) {
+    return (item.flags & scene::product_out_of_line) != 0;
+  });
+  EXPECT_GT(moved, 100);
+  expect_clean(evening, full);
+}
+
+// What lies on something that is gone would fall, and what leans could: goods are let go, and stay.
 TEST(StoreTimeProperty, WhatIsLeftStandsWhenLetGo) {
   physics::SettleOptions options;
   options.region_m = {0, 0, 60, 10};
   options.max_products = 100;
   options.settle_s = 0.5, options.watch_s = 0.5;
-  for (const char* type : {"produce", "canned", "dairy"}) {
+  for (const char* type : {"produce", "canned", "dairy", "snacks"}) {
     SCOPED_TRACE(type);
     HandLaidShop shop = shop_of({type});
+    shop.plan.zones.front().stock.jitter = 1;
     const scene::Scene full = scene_at({shop.plan, shop.layout}, times[0]);
     const scene::Scene evening = scene_at({shop.plan, shop.layout}, "Sat 18:00");
     ASSERT_LT(evening.products.size(), full.products.size());

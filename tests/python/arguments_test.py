@@ -88,6 +88,7 @@ CALLS = {
     ],
     "planogram": [
         lambda on: on.store.edit(planogram=5),
+        lambda on: marketgen.generate("", on.folder, plan=on.store.folder + "/plan.json", planogram=5),
         lambda on: on.store.edit("swap dairy and bakery", planogram="shelves.csv"),
         lambda on: on.store.compliance(5),
     ],

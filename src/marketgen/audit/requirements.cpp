@@ -215,6 +215,12 @@ Verdict check_light(const Facts& facts, const plan::Requirement& r) {
           fmt::format("light: {} K, {} lx", look.light_kelvin, look.light_lux)};
 }
 
+Verdict check_time(const Facts& facts, const plan::Requirement& r) {
+  const std::optional<std::string>& seen = facts.scene.layout.time;
+  if (!seen) return {false, "the shelves are seen as staff filled them"};
+  return {*seen == r.object, "the shelves are seen at " + *seen};
+}
+
 Verdict verdict_of(const Facts& facts, const plan::Requirement& r) {
   switch (r.kind) {
     case plan::RequirementKind::size:
@@ -264,6 +270,8 @@ Verdict verdict_of(const Facts& facts, const plan::Requirement& r) {
       return check_light(facts, r);
     case plan::RequirementKind::shelf_pitch:
       return check_shelf_pitch(facts, r);
+    case plan::RequirementKind::time:
+      return check_time(facts, r);
   }
   return {false, "unknown kind of requirement"};
 }

@@ -9,6 +9,7 @@
 
 #include "intake/clauses.h"
 #include "intake/exclusions.h"
+#include "plan/store_time.h"
 
 namespace marketgen::intake {
 namespace {
@@ -77,12 +78,14 @@ class Settlement {
   }
 
  private:
-  // "No carpet" asks for no material: what the floor shall be is not said.
+  // "No carpet" asks for no material: what the floor shall be is not said. "Not on a Saturday" is
+  // no time either.
   void drop_denied() {
     for (std::size_t i = 0; i < wishes_.size(); ++i) {
       const Kind kind = wishes_[i].kind;
-      const bool look = kind == Kind::material || kind == Kind::color || kind == Kind::style;
-      lost_[i] = look && is_denied(prompt_, wishes_[i].span);
+      const bool choice = kind == Kind::material || kind == Kind::color || kind == Kind::style ||
+                          kind == Kind::time;
+      lost_[i] = choice && is_denied(prompt_, wishes_[i].span);
     }
   }
 
@@ -296,8 +299,15 @@ void note_loss(Understanding& understanding,
 std::string describe_flag(const Brief& brief, Kind kind) {
   if (kind == Kind::profile) return "--profile " + *brief.profile;
   if (kind == Kind::style) return "--style " + *brief.style;
+  if (kind == Kind::time) return "--time " + *brief.time;
   return "--size " + std::to_string((*brief.size_mm)[0]) + " x " +
          std::to_string((*brief.size_mm)[1]) + " mm";
+}
+
+// Precondition: what --time says is a time.
+bool is_at(const std::string& flag, const std::string& said) {
+  const auto time = plan::parse_store_time(flag, "brief.bad_time", "--time");
+  return time.ok() && plan::text_of(*time) == said;
 }
 
 bool flag_contradicts(const Brief& brief, const plan::Requirement& wish) {
@@ -307,6 +317,8 @@ bool flag_contradicts(const Brief& brief, const plan::Requirement& wish) {
       return brief.profile && *brief.profile != wish.object;
     case Kind::style:
       return brief.style && *brief.style != wish.object;
+    case Kind::time:
+      return brief.time && !is_at(*brief.time, wish.object);
     case Kind::size: {
       const auto differ = [](double said, int flag) {  // 0: that side was not said
         return said > 0 && std::abs(flag - said) > rounding_mm;

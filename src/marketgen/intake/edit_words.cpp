@@ -346,6 +346,7 @@ Ways ways_of_wish(const StandingStore& store, const plan::Requirement& wish) {
     case Kind::aisle_count:
     case Kind::run_count:
     case Kind::profile:
+    case Kind::time:
       break;
   }
   return not_by_an_edit(wish.text);

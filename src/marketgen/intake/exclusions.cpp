@@ -366,6 +366,7 @@ constexpr Exclusion exclusions[] = {
     {Kind::endcaps, Kind::endcaps, numbers_differ},
     {Kind::style, Kind::style, choices_differ},
     {Kind::profile, Kind::profile, choices_differ},
+    {Kind::time, Kind::time, choices_differ},
     {Kind::material, Kind::material, choices_differ},
     {Kind::color, Kind::color, choices_differ},
     {Kind::product_present, Kind::product_absent, same_subject},

@@ -103,6 +103,7 @@ constexpr StatementKind statement_kinds[] = {
     {"lots", interpret_lots},
     {"surface", interpret_surface},
     {"light", interpret_light},
+    {"time", interpret_time},
     {"stock", interpret_stock},
     {"stocks", interpret_stocks},
     {"swap", interpret_swap},

@@ -140,6 +140,8 @@ bool interpret_placed(Reading& reading, const language::Meaning& statement);
 bool interpret_mutual(Reading& reading, const language::Meaning& statement);
 bool interpret_correction(Reading& reading, const language::Meaning& statement);
 bool interpret_surface(Reading& reading, const language::Meaning& statement);
+// When the shelves are seen (interpret_time.cpp).
+bool interpret_time(Reading& reading, const language::Meaning& statement);
 // Of edits (data/grammar/edit.grammar).
 bool interpret_swap(Reading& reading, const language::Meaning& said);
 bool interpret_resize(Reading& reading, const language::Meaning& said);

@@ -190,6 +190,8 @@ class ProvenanceWriter {
         return for_zones("", "fixture/color", wish.span, said);
       case Kind::light:
         return add("/look/" + wish.subject, wish.span, said);
+      case Kind::time:
+        return add("/time", wish.span, said);
       case Kind::opening:
         return for_openings(wish);
       case Kind::relation:

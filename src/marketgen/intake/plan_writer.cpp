@@ -157,6 +157,8 @@ plan::Plan write_plan(const PlanSources& sources) {
   if (sources.understanding.name) plan.name = sources.understanding.name->text;
   plan.profile = sources.program.profile->id;
   plan.country = country_of(sources);
+  if (const auto* time = sources.understanding.find(plan::RequirementKind::time))
+    plan.time = time->object;
   plan.shell = shell_of(sources);
   add_lacking_exits(plan.shell, sources);
   plan.look = look_of(sources);

@@ -324,8 +324,17 @@ class Tokenizer {
     return true;
   }
 
+  // "5 p.m.": its second dot ends a sentence only before a capital letter.
+  bool is_half_of_day() const {
+    const std::size_t count = tokens_.size();
+    if (count < 3 || tokens_[count - 1].text != "m" || tokens_[count - 2].text != ".") return false;
+    const std::string& letter = tokens_[count - 3].text;
+    return (letter == "a" || letter == "p") && !(here().glyph == Glyph::space && here(1).upper);
+  }
+
   // The dots of "i.e." and "e.g.": after one letter that follows such a dot or is followed by one.
   bool is_initial() const {
+    if (is_half_of_day()) return true;
     const bool letter = !tokens_.empty() && tokens_.back().kind == TokenKind::word &&
                         tokens_.back().text.size() == 1 && tokens_.back().text != "m";
     if (!letter) return false;

@@ -129,6 +129,7 @@ struct Layout {
   std::string profile;
   plan::Shell shell;  // with outline_mm always set
   plan::Look look;
+  std::optional<std::string> time;  // of the plan: when its shelves are seen
   std::vector<LayoutZone> zones;
   std::vector<Fixture> fixtures;  // sorted by id
   std::vector<Aisle> aisles;      // sorted by id
@@ -143,7 +144,11 @@ struct Layout {
       field("zones", &Layout::zones, "zones", required()),
       field("fixtures", &Layout::fixtures, "one row per module", required(), at_most_items(100000)),
       field("aisles", &Layout::aisles, "free strips between fixtures"),
-      field("violations", &Layout::violations, "broken rules"));
+      field("violations", &Layout::violations, "broken rules"),
+      field("time",  // the last: scenes of before have no such column
+            &Layout::time,
+            "weekday and hour at which its shelves are seen; absent: as staff filled them",
+            at_most_bytes(16)));
 };
 
 // Every module, aisle and violation of the plan. Deterministic. Errors: layout.impossible when not

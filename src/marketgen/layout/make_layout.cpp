@@ -112,6 +112,7 @@ Result<Layout> with_fixtures(const Design& design, std::vector<Fixture> fixtures
   layout.shell = plan.shell;
   layout.shell.outline_mm = design.floor.outline;
   layout.look = plan.look;
+  layout.time = plan.time;
   layout.fixtures = std::move(fixtures);
   if (layout.fixtures.empty()) {
     return Error{"layout.impossible",

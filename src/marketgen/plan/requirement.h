@@ -35,14 +35,22 @@ enum class RequirementKind {
   stock,
   light,
   shelf_pitch,
-  run_count
+  run_count,
+  time
 };
-constexpr std::array<std::string_view, 23> names_of(RequirementKind) {
-  return {"size",          "area",        "zone_present", "zone_absent",     "zone_count",
-          "fixture_count", "aisle_count", "levels",       "relation",        "style",
-          "profile",       "material",    "color",        "product_present", "product_absent",
-          "opening",       "endcaps",     "height",       "aisle_width",     "stock",
-          "light",         "shelf_pitch", "run_count"};
+constexpr std::array<std::string_view, 24> names_of(RequirementKind) {
+  return {"size",           "area",
+          "zone_present",   "zone_absent",
+          "zone_count",     "fixture_count",
+          "aisle_count",    "levels",
+          "relation",       "style",
+          "profile",        "material",
+          "color",          "product_present",
+          "product_absent", "opening",
+          "endcaps",        "height",
+          "aisle_width",    "stock",
+          "light",          "shelf_pitch",
+          "run_count",      "time"};
 }
 
 enum class Comparison { equal, at_least, at_most };
@@ -80,6 +88,7 @@ constexpr std::array<std::string_view, 3> names_of(Comparison) {
 //                   tags_wrong_product or tags_doubled; object: zone type, or "" for every zone;
 //                   value: share
 //   light           subject: light_kelvin or light_lux; value
+//   time            object: weekday and hour, as plans have them ("Sat 17:30")
 // What is asked of every zone does not hold for those in `except`.
 struct Requirement {
   std::string text;     // the words it came from

@@ -131,6 +131,7 @@ Result<void> take_room(plan::Plan& plan,
   const plan::Plan& offline = assignment.offline.plan;
   plan.name = offline.name;
   plan.profile = is_said(offline, "/profile") ? offline.profile : proposal.profile;
+  plan.time = offline.time;
   plan.shell = offline.shell;
   if (!is_said(offline, "/shell/width_mm")) plan.shell.width_mm = proposal.width_mm;
   if (!is_said(offline, "/shell/depth_mm")) plan.shell.depth_mm = proposal.depth_mm;
@@ -143,7 +144,7 @@ Result<void> take_room(plan::Plan& plan,
     add_source(plan, "/look");
   }
   for (const plan::Provenance& entry : offline.provenance) {
-    constexpr std::array kept = {"/name", "/profile", "/look", "/shell/"};
+    constexpr std::array kept = {"/name", "/profile", "/time", "/look", "/shell/"};
     const bool goes_on = std::ranges::any_of(
         kept, [&](std::string_view path) { return entry.path.starts_with(path); });
     const bool door = entry.path.starts_with("/shell/openings");

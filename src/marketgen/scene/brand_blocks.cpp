@@ -12,6 +12,7 @@
 
 #include "scene/demand.h"
 #include "scene/shelf_fill.h"
+#include "scene/shelf_worth.h"
 
 namespace marketgen::scene {
 namespace {
@@ -36,17 +37,6 @@ using BrandOfShelf = std::tuple<std::string_view, std::string_view, std::string_
 
 BrandOfShelf brand_of(const catalog::Product& product) {
   return {product.category, product.subcategory, product.brand};
-}
-
-// The brand that the most categories have; ties by name. Empty where no brand has two.
-std::string_view own_brand_of(const catalog::Catalog& catalog) {
-  std::map<std::string_view, std::set<std::string_view>> categories;
-  for (const catalog::Product& product : catalog.products)
-    if (!product.brand.empty()) categories[product.brand].insert(product.category);
-  std::pair<std::size_t, std::string_view> best{1, ""};
-  for (const auto& [brand, of] : categories)
-    if (of.size() > best.first) best = {of.size(), brand};
-  return best.second;
 }
 
 // Goods of one column: a brand, or several small ones.
@@ -74,6 +64,7 @@ class BlockedBay {
         stock_(stock),
         catalog_(catalog),
         certain_(certain),
+        own_brand_(own_brand_of(catalog)),
         width_m_(std::ranges::min_element(bay.shelves, {}, &ShelfRoom::width_m)->width_m),
         by_eye_(bay.shelves.size()),
         shelves_(bay.shelves.size()) {
@@ -104,12 +95,22 @@ class BlockedBay {
     return std::ranges::find(certain_, assortment_[place]) != certain_.end();
   }
 
-  // From the fewest of the zone, for what is hardly asked for, to the most, for the first eighth.
+  // From the fewest of the zone, for what is hardly asked for, to the most, for the first eighth;
+  // in columns of brands as many as take what the shelf should have room for, if these are more.
   int wanted_facings(const catalog::Product& product) const {
     const double share = std::clamp(demand_of(product) - 0.3, 0.0, 1.0);
     const int most = std::min(max_facings, std::max(stock_.facings[0], stock_.facings[1]));
     const int fewest = std::min(stock_.facings[0], most);
-    return fewest + static_cast<int>(std::lround(share * (most - fewest)));
+    const int asked = fewest + static_cast<int>(std::lround(share * (most - fewest)));
+    const auto board = std::ranges::find_if(
+        by_eye_, [&](std::size_t level) { return fits(product, bay_.shelves[level]); });
+    const bool upright = stock_.block == plan::BlockPattern::brand_columns;
+    if (!upright || board == by_eye_.end()) return asked;
+    const ShelfRoom& room = bay_.shelves[*board];
+    const int deep = rows_that_fit(product, room, stock_.depth_fill) * stack_height(product, room);
+    const double usual_packs = 0.5 * (fewest + most) * deep;
+    const int needed = (least_packs(product, usual_packs) + deep - 1) / deep;
+    return std::clamp(needed, asked, max_facings);
   }
 
   bool fits_somewhere(const catalog::Product& product) const {
@@ -218,7 +219,8 @@ class BlockedBay {
     std::ranges::stable_sort(pieces, {}, [&](const Piece& piece) {
       const catalog::Product& p = product(piece.place);
       const bool bulky = is_bulky(p);
-      return std::tuple(!is_certain(piece.place), !bulky, bulky ? -p.mass_kg : -demand_of(p));
+      const double worth = bulky ? p.mass_kg : earnings_of(p, own_brand_);
+      return std::tuple(!is_certain(piece.place), !bulky, -worth);
     });
     if (stock_.block == plan::BlockPattern::brand_columns) return pieces;
     std::map<BrandOfShelf, double> mass;
@@ -324,6 +326,7 @@ class BlockedBay {
   const plan::StockSpec& stock_;
   const catalog::Catalog& catalog_;
   const std::vector<std::uint32_t>& certain_;
+  std::string_view own_brand_;
   double width_m_;                   // of the narrowest board
   std::vector<std::size_t> by_eye_;  // boards, the nearest to eye level first
   std::vector<double> free_m_;       // of the column that is being filled, per board

@@ -2,8 +2,10 @@
 //
 // A shopper who looks for a brand finds it in one place. brand_columns gives each brand of a bay a
 // column over all boards, as wide as its share of the goods; brand_horizontal gives it boards of
-// its own, heavy brands low. In a column what is asked for most stands at eye level, what is heavy
-// low, and a product has the more facings the more it is asked for (scene/demand.h).
+// its own, heavy brands low. In a column what earns most stands at eye level, what is heavy low. A
+// product has the more facings the more it is asked for (scene/demand.h); in columns, where the
+// board has the room, no fewer than take a delivery case and what is sold between two fillings
+// (scene/shelf_worth.h).
 #pragma once
 #include <cstdint>
 #include <vector>

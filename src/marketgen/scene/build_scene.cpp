@@ -11,6 +11,7 @@
 #include "layout/module_spec.h"
 #include "scene/bays.h"
 #include "scene/catalog_slice.h"
+#include "scene/handled_goods.h"
 #include "scene/placements.h"
 #include "scene/price_tags.h"
 #include "scene/row_arrays.h"
@@ -213,20 +214,39 @@ Result<std::optional<StoreSales>> sales_of(const plan::Plan& plan,
   return std::optional<StoreSales>(StoreSales(plan, time, catalog));
 }
 
-// Takes off a shelf what was sold of it.
+// One shelf that shoppers come to.
+struct ShoppedShelf {
+  const PlannedShelf& planned;
+  const ShelfRoom& room;
+  const plan::StockSpec& stock;
+  Seed fill, disorder;  // its own
+};
+
+// Takes off a shelf what was sold of it, and leaves the rest as shoppers do. Where nothing stands
+// out of line, staff have just faced it up: what is gone is missing at the back.
 void sell(std::vector<FilledBlock>& blocks,
-          const PlannedShelf& planned,
+          const ShoppedShelf& shelf,
           const StoreSales& sales,
-          const catalog::Catalog& catalog,
-          Seed seed) {
+          const catalog::Catalog& catalog) {
+  SoldOfShelf sold;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const catalog::Product& product = catalog.products[blocks[i].product];
     const bool heaped = lies_in_a_heap(product);
-    const Seed own = seed.child("sold", i);
-    const UnitsWanted wanted =
+    const Seed own = shelf.fill.child("sold", i);
+    UnitsWanted wanted =
         sales.wanted(product, capacity_of(blocks[i], heaped), own.child("when").stream());
-    take_sold(blocks[i], wanted, heaped, planned[i].certain, own.child("where").stream());
+    if (shelf.stock.jitter == 0) wanted = {wanted.all(), 0};
+    sold.push_back(take_sold(
+        blocks[i], wanted, heaped, shelf.planned[i].certain, own.child("where").stream()));
   }
+  handle_goods(blocks,
+               sold,
+               shelf.planned,
+               shelf.room,
+               shelf.stock.jitter,
+               catalog,
+               shelf.fill.child("handled"),
+               shelf.disorder);
 }
 
 std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
@@ -234,19 +254,24 @@ std::vector<FilledBay> fill_bays(const std::vector<BayRef>& bays,
                                  const plan::Plan& plan,
                                  const std::optional<StoreSales>& sales,
                                  const catalog::Catalog& catalog,
-                                 Seed seed) {
+                                 Seed seed,
+                                 Seed disorder) {
   return parallel_map(bays.size(), [&](std::size_t i) {
     const BayRef& ref = bays[i];
     const plan::StockSpec& stock = zone_or_usual(plan, ref.zone).stock;
     const std::string& fixture = scene.layout.fixtures[ref.fixture].id;
     FilledBay filled;
     for (std::size_t s = 0; s < ref.shelves.size(); ++s) {
-      const Seed shelf_seed =
-          seed.child("shelf_fill", fixture)
-              .child("shelf", ref.shelves[s] - scene.fixtures[ref.fixture].first_shelf);
+      const std::uint64_t shelf = ref.shelves[s] - scene.fixtures[ref.fixture].first_shelf;
+      const Seed shelf_seed = seed.child("shelf_fill", fixture).child("shelf", shelf);
       filled.push_back(
           fill_shelf(ref.plan[s], ref.bay.shelves[s], stock, catalog, shelf_seed.stream()));
-      if (sales) sell(filled.back(), ref.plan[s], *sales, catalog, shelf_seed);
+      const Seed strange = disorder.child("put_down", fixture).child("shelf", shelf);
+      if (sales)
+        sell(filled.back(),
+             {ref.plan[s], ref.bay.shelves[s], stock, shelf_seed, strange},
+             *sales,
+             catalog);
     }
     return filled;
   });
@@ -354,9 +379,11 @@ Result<Scene> build_scene(const layout::Layout& layout,
   MARKETGEN_CHECK(stock_by_planogram(bays, scene, plan, rows));
   MARKETGEN_CHECK(check_number(bays, scene, plan, rows));
   MARKETGEN_TRY(const std::optional<StoreSales> sales, sales_of(plan, rows));
-  add_stock(
-      scene, bays, fill_bays(bays, scene, plan, sales, rows, of(&plan::Vary::fill)), rows, prices);
-  misplace_items(scene, plan, rows, of(&plan::Vary::disorder));
+  const Seed disorder = of(&plan::Vary::disorder);
+  const std::vector<FilledBay> filled =
+      fill_bays(bays, scene, plan, sales, rows, of(&plan::Vary::fill), disorder);
+  add_stock(scene, bays, filled, rows, prices);
+  misplace_items(scene, plan, rows, disorder);
   fault_price_tags(scene, plan, prices);
   MARKETGEN_CHECK(add_placements(scene, plan, rows));
   take_catalog_slice(scene, rows);

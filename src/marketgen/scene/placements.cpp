@@ -23,22 +23,6 @@ bool takes_no_more_room(const catalog::Product& candidate, const catalog::Produc
   return true;
 }
 
-// A product of another subcategory that fits into the place of `row`, or `row` itself.
-std::uint32_t stranger_for(std::uint32_t row, const catalog::Catalog& catalog, Stream& draw) {
-  const catalog::Product& place = catalog.products[row];
-  const auto start =
-      static_cast<std::size_t>(draw.integer(0, static_cast<int>(catalog.products.size()) - 1));
-  for (std::size_t i = 0; i < catalog.products.size(); ++i) {
-    const std::size_t candidate = (start + i) % catalog.products.size();
-    const catalog::Product& product = catalog.products[candidate];
-    if (product.subcategory != place.subcategory && product.storage == place.storage &&
-        takes_no_more_room(product, place)) {
-      return static_cast<std::uint32_t>(candidate);
-    }
-  }
-  return row;
-}
-
 constexpr double touching_m = 1e-4;  // what only touches does not meet: poses are rounded to floats
 
 bool meet_in_plan(const catalog::StandingBox& a, const catalog::StandingBox& b) {
@@ -173,13 +157,15 @@ bool is_on_top(const Scene& scene, const Facing& facing, std::uint32_t i) {
          scene.products[i + 1].position_m[2] <= scene.products[i].position_m[2];
 }
 
-// In heaps its neighbours lie against an item; in stacks others stand on it.
+// In heaps its neighbours lie against an item; in stacks others stand on it; what shoppers left out
+// of line has room just as it stands.
 bool can_change(const Scene& scene,
                 const Facing& facing,
                 std::uint32_t i,
                 const catalog::Catalog& catalog) {
-  return !lies_in_a_heap(catalog.products[facing.sku]) &&
-         (scene.products[i].flags & product_front_row) != 0 && is_on_top(scene, facing, i);
+  const std::uint32_t flags = scene.products[i].flags;
+  return !lies_in_a_heap(catalog.products[facing.sku]) && (flags & product_front_row) != 0 &&
+         (flags & product_out_of_line) == 0 && is_on_top(scene, facing, i);
 }
 
 // The plan's zone of a facing; null unless something is to be misplaced there.
@@ -212,6 +198,21 @@ std::map<const plan::Zone*, double> chances(const Scene& scene,
 }
 
 }  // namespace
+
+std::uint32_t stranger_for(std::uint32_t row, const catalog::Catalog& catalog, Stream& draw) {
+  const catalog::Product& place = catalog.products[row];
+  const auto start =
+      static_cast<std::size_t>(draw.integer(0, static_cast<int>(catalog.products.size()) - 1));
+  for (std::size_t i = 0; i < catalog.products.size(); ++i) {
+    const std::size_t candidate = (start + i) % catalog.products.size();
+    const catalog::Product& product = catalog.products[candidate];
+    if (product.subcategory != place.subcategory && product.storage == place.storage &&
+        takes_no_more_room(product, place)) {
+      return static_cast<std::uint32_t>(candidate);
+    }
+  }
+  return row;
+}
 
 void misplace_items(Scene& scene,
                     const plan::Plan& plan,

@@ -14,6 +14,10 @@ namespace marketgen::scene {
 // Facing of an item that stands in no block.
 constexpr std::uint32_t no_facing = 0xFFFFFFFF;
 
+// Row of a product of another subcategory that is kept as that of `row` is and takes no more room;
+// `row` itself where there is none.
+std::uint32_t stranger_for(std::uint32_t row, const catalog::Catalog& catalog, Stream& draw);
+
 // Swaps the product of some front items (stock.misplaced of each zone) for another that fits into
 // their place.
 void misplace_items(Scene& scene,

@@ -195,10 +195,11 @@ struct SceneProduct {
             "bottom centre in the store frame",
             in_the_store),
       field("rotation_wxyz", &SceneProduct::rotation_wxyz, "in the store frame", unit_rotation),
-      field("flags", &SceneProduct::flags, "1 = misplaced, 2 = front row"));
+      field("flags", &SceneProduct::flags, "1 = misplaced, 2 = front row, 4 = out of line"));
 };
 constexpr std::uint32_t product_misplaced = 1;
 constexpr std::uint32_t product_front_row = 2;
+constexpr std::uint32_t product_out_of_line = 4;  // shoppers left it so (scene/handled_goods.h)
 
 // A price label on a shelf edge: one per facing block.
 struct PriceLabel {

@@ -73,12 +73,16 @@ void add_left(const Column& column, std::vector<ShelfItem>& items) {
   }
 }
 
-void take_from_rows(FilledBlock& block, UnitsWanted wanted, int sold, Stream& draw) {
+TakenInFront take_from_rows(FilledBlock& block, UnitsWanted wanted, int sold, Stream& draw) {
   std::vector<Column> columns = columns_of(block);
   take_at_random(columns, wanted, sold, draw);
   block.items.clear();
-  for (const Column& column : columns)
+  TakenInFront taken;
+  for (const Column& column : columns) {
     add_left(column, block.items);
+    if (column.left() > 0) taken.push_back(column.from_front);
+  }
+  return taken;
 }
 
 // A piece lies on such of lower layers: those of the highest carry nothing. Of a layer shoppers
@@ -107,14 +111,14 @@ int capacity_of(const FilledBlock& block, bool heaped) {
                 : block.facings * block.rows_deep * block.stack;
 }
 
-void take_sold(FilledBlock& block, UnitsWanted wanted, bool heaped, bool leaves_one, Stream draw) {
-  if (block.items.empty()) return;
+TakenInFront take_sold(
+    FilledBlock& block, UnitsWanted wanted, bool heaped, bool leaves_one, Stream draw) {
+  if (block.items.empty()) return {};
   const int most = static_cast<int>(block.items.size()) - (leaves_one ? 1 : 0);
   const int sold = std::min(wanted.all(), most);
-  if (heaped)
-    take_from_heap(block, sold, draw);
-  else
-    take_from_rows(block, wanted, sold, draw);
+  if (!heaped) return take_from_rows(block, wanted, sold, draw);
+  take_from_heap(block, sold, draw);
+  return {};
 }
 
 }  // namespace marketgen::scene

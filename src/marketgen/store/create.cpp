@@ -13,6 +13,7 @@
 #include "planners/make_planner.h"
 #include "store/design.h"
 #include "store/made_store.h"
+#include "store/planogram.h"
 #include "store/save.h"
 #include "store/stages.h"
 #include "store/store.h"
@@ -152,12 +153,34 @@ void add_reasons(std::vector<audit::RequirementResult>& results,
   }
 }
 
+// The plan with the shelves that the file stocks otherwise than `scene` has them.
+Result<plan::Plan> with_shelves_of(const std::filesystem::path& file,
+                                   const plan::Plan& plan,
+                                   const scene::Scene& scene,
+                                   const catalog::Catalog& catalog) {
+  MARKETGEN_TRY(const scene::PlanogramFile said, read_planogram_file(file, scene, plan, catalog));
+  if (!said.refused.empty()) return scene::refusal_of(said.refused);
+  const scene::PlanogramChanges changes = scene::changes_by(said, scene, plan, catalog);
+  if (changes.patches.patches.empty()) return plan;
+  return plan::apply_patches(plan, changes.patches, file.string(), plan::Source::flag, catalog);
+}
+
+// The stocked scene; the plan gets the shelves of the options' planogram.
+Result<scene::Scene> scene_of(const CreateOptions& options,
+                              const layout::Layout& layout,
+                              plan::Plan& plan,
+                              const catalog::Catalog& catalog) {
+  const Seed seed = Seed(options.seed).child(scene::scene_stream);
+  MARKETGEN_TRY(scene::Scene scene, scene::build_scene(layout, plan, catalog, seed));
+  if (!options.planogram_file) return scene;
+  MARKETGEN_TRY(plan, with_shelves_of(*options.planogram_file, plan, scene, catalog));
+  return scene::build_scene(layout, plan, catalog, seed);
+}
+
 Result<Built> build(const CreateOptions& options, const catalog::Catalog& catalog, Stages& stages) {
-  const Seed seed(options.seed);
   MARKETGEN_TRY(Designed designed, design(options, catalog, stages));
   MARKETGEN_TRY(scene::Scene scene, stages.run("scene", [&] {
-    return scene::build_scene(
-        designed.layout, designed.repaired.plan, catalog, seed.child(scene::scene_stream));
+    return scene_of(options, designed.layout, designed.repaired.plan, catalog);
   }));
   MARKETGEN_TRY(audit::Audit audit, stages.run("audit", [&] {
     return audit::audit_store(scene, catalog, designed.planned.requirements);

@@ -1,4 +1,4 @@
-// A planogram's file, read for a store.
+// A planogram's file, read for a store or for a scene that is being made.
 #pragma once
 #include <filesystem>
 
@@ -10,7 +10,13 @@ namespace marketgen::store {
 
 // Errors: io.*, input.*, and those of scene::read_planogram.
 Result<scene::PlanogramFile> read_planogram_file(const std::filesystem::path& file,
-                                                 const Store& store,
+                                                 const scene::Scene& scene,
+                                                 const plan::Plan& plan,
                                                  const catalog::Catalog& catalog);
+inline Result<scene::PlanogramFile> read_planogram_file(const std::filesystem::path& file,
+                                                        const Store& store,
+                                                        const catalog::Catalog& catalog) {
+  return read_planogram_file(file, store.scene, store.plan, catalog);
+}
 
 }  // namespace marketgen::store

@@ -134,7 +134,10 @@ struct CreateOptions {
   std::filesystem::path folder;  // must not exist, or be empty
   intake::Brief brief;
   std::optional<std::filesystem::path> plan_file;  // skips the planner
-  planners::PlannerAccess planner;                 // of the language model that brief.planner names
+  // What stands on the shelves that it names (scene/planogram_file.h); its fixtures are the
+  // store's.
+  std::optional<std::filesystem::path> planogram_file;
+  planners::PlannerAccess planner;  // of the language model that brief.planner names
   std::uint64_t seed = 1;
   bool previews = true;
   bool strict = false;  // hard violations fail: layout.violation; so does a prompt of which nothing

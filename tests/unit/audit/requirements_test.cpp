@@ -173,6 +173,8 @@ std::vector<WishCase> cases() {
       {wish(Kind::light, "light_kelvin", "", 6500), false},
       {wish(Kind::light, "light_lux", "", 800), true},
       {wish(Kind::light, "light_lux", "", 200), false},
+      {wish(Kind::time, "", "Sat 18:00"), true},
+      {wish(Kind::time, "", "Mon 18:00"), false},
   };
 }
 
@@ -184,6 +186,7 @@ scene::Scene dressed() {
   look = plan::look_of(style);
   look.light_kelvin = 3000;
   look.light_lux = 800;
+  shop.scene.layout.time = "Sat 18:00";
   return std::move(shop.scene);
 }
 

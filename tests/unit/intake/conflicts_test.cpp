@@ -101,6 +101,8 @@ const std::vector<Contradiction> contradictions = {
     {"Two rows of frozen food. Four rows of frozen food.", "Four rows", "Two rows"},
     {"Endcaps on every run. No endcaps.", "No endcaps", "Endcaps on"},
     {"要端架。卖粮油。端架不要。", "端架不要", "要端架"},
+    {"A shop on Saturday evening. Bread. It is Monday at 8 am.", "Monday", "Saturday"},
+    {"周六傍晚的超市。卖水果。星期一早上八点。", "星期一", "周六"},
 };
 
 class Contradictions : public testing::TestWithParam<Contradiction> {};

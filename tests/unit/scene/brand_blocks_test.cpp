@@ -86,7 +86,7 @@ void expect_room_for_all(const scene::Bay& bay,
 }
 
 TEST(BrandBlocks, GiveEachBrandAColumnOverAllBoards) {
-  const catalog::Catalog catalog = tins_of({"Anda", "Bolo", "Cira"}, 9);
+  const catalog::Catalog catalog = tins_of({"Anda", "Bolo", "Cira"}, 5);
   const scene::Bay bay = gondola_of(5);
   const auto shelves = blocked(bay, catalog, BlockPattern::brand_columns);
   expect_room_for_all(bay, shelves, catalog);

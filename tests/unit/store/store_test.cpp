@@ -88,6 +88,64 @@ TEST_F(StoreFolder, AtATimeIsThatOfItsPlan) {
   EXPECT_EQ(code_of_create(noon), "brief.bad_time");
 }
 
+// Words for an hour are ticked off like others; a flag wins over them.
+TEST_F(StoreFolder, AtATimeOfItsWordsIsTickedOff) {
+  store::CreateOptions words = tiny("words"), flag = tiny("flag");
+  words.brief.prompt += " on Saturday evening";
+  const store::Created made = create(words);
+  const auto of_time = [](const audit::RequirementResult& r) {
+    return r.text == "on Saturday evening";
+  };
+  const auto wish = std::ranges::find_if(made.report.requirements, of_time);
+  ASSERT_NE(wish, made.report.requirements.end());
+  EXPECT_TRUE(wish->met) << wish->why;
+  flag.brief.time = "Sat 18:00";
+  EXPECT_EQ(create(flag).manifest.scene_hash, made.manifest.scene_hash);
+  words.folder = parent_ / "monday";
+  words.brief.time = "Mon 08:00";
+  const store::Created monday = create(words);
+  EXPECT_EQ(std::ranges::count_if(monday.report.requirements, of_time), 0);
+  EXPECT_EQ(monday.report.conflicts.size(), 1U);
+  EXPECT_NE(monday.manifest.scene_hash, made.manifest.scene_hash);
+}
+
+// One step: the shelf that the file names holds its one row, all others hold what they would.
+TEST_F(StoreFolder, AStoreAndTheShelvesOfAPlanogram) {
+  create(tiny("plain"));
+  const auto plain = store::open_store(parent_ / "plain", committed_catalog());
+  ASSERT_TRUE(plain.ok());
+  const scene::Facing& first = plain->scene.facings.front();
+  const scene::SceneShelf& shelf = plain->scene.shelves[first.shelf];
+  const std::string sku = plain->scene.catalog[first.sku].sku;
+  const auto shelves_csv = [&](const std::string& fixture) {
+    const fs::path file = parent_ / "shelves.csv";
+    EXPECT_TRUE(io::write_file(file,
+                               "fixture,side,shelf,sku,facings_wide\n" + fixture + "," +
+                                   (shelf.side == 0 ? "front" : "back") + "," +
+                                   std::to_string(shelf.level + 1) + "," + sku + ",1\n")
+                    .ok());
+    return file;
+  };
+  store::CreateOptions planned = tiny("planned");
+  planned.planogram_file = shelves_csv(plain->scene.layout.fixtures[shelf.fixture].id);
+  create(planned);
+  const auto made = store::open_store(planned.folder, committed_catalog());
+  ASSERT_TRUE(made.ok());
+  ASSERT_TRUE(made->plan.planogram);
+  EXPECT_EQ(made->plan.planogram->size(), 1U);
+  std::map<std::uint32_t, std::vector<std::pair<std::string, int>>> before, after;
+  for (const scene::Facing& facing : plain->scene.facings)
+    before[facing.shelf].emplace_back(plain->scene.catalog[facing.sku].sku, facing.facings);
+  for (const scene::Facing& facing : made->scene.facings)
+    after[facing.shelf].emplace_back(made->scene.catalog[facing.sku].sku, facing.facings);
+  before[first.shelf] = {{sku, 1}};
+  EXPECT_EQ(after, before);
+  planned.folder = parent_ / "wrong";
+  planned.planogram_file = shelves_csv("moon/run-1/module-1");
+  EXPECT_EQ(code_of_create(planned), "plan.unknown_reference");
+  EXPECT_FALSE(fs::exists(planned.folder));
+}
+
 // What is drawn for every axis, each by itself.
 struct DrawnAxes {
   std::string layout, planogram, fill, disorder, prices;
