@@ -14,6 +14,9 @@ from .robot_numbers import RobotNumbers
 
 OPENING, STOP, NOTHING = "tool_opening", "stop", "-"
 BAD_ANSWER = "episode.bad_answer"
+# Of the way to a tool's target, in one control step. An arm answers some steps late: told to go all of it, it swings by 6 cm to either side for
+# good, at half of it it goes 2 cm too far once, and from 0.35 on down it does not (measured with a Panda at the counter, 6 cm away).
+SHARE_OF_WAY = 1 / 3
 
 
 class Adaptation:
@@ -140,12 +143,12 @@ class Adaptation:
         return actions
 
     def executed(self, action: np.ndarray, observation: dict[str, Any]) -> np.ndarray:
-        """A row of actions() as the environment takes it now: for a tool's target the step that leads straight there, cut to what a step can be."""
+        """A row of actions() as the environment takes it now: for a tool's target a step straight there, cut to what a step can be."""
         if not self._tools:
             return action
         row, action = self._robot.row(observation), action.copy()
         for places, read, unit_m in self._tools:
-            step = (action[places] - row[read]) / unit_m
+            step = SHARE_OF_WAY * (action[places] - row[read]) / unit_m
             action[places] = step / max(1.0, float(np.abs(step).max()))
         return action
 
