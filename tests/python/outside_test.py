@@ -270,11 +270,12 @@ def led(tmp_path, numbers):
 
 
 def test_targets_of_the_tool_are_steps_from_where_it_is_when_they_are_executed(tmp_path):
+    """A third of the way each: of the centimetre ahead and down a sixth of the environment's 20 mm."""
     adaptation = led(tmp_path, "[tool_x, tool_y, tool_z, tool_opening]")
     actions = adaptation.actions({"actions": np.array([[31, 10, 39, -1.0]] * 2)})
-    assert np.allclose(adaptation.executed(actions[0], SEEN), [0.5, 0, -0.5, -1, -1], atol=1e-6)  # the tool is at 0.3, 0.1, 0.4 m
+    assert np.allclose(adaptation.executed(actions[0], SEEN), [1 / 6, 0, -1 / 6, -1, -1], atol=1e-6)  # the tool is at 0.3, 0.1, 0.4 m
     moved = {**SEEN, "extra": {**SEEN["extra"], "tcp_pose": SEEN["extra"]["tcp_pose"] + np.array([[0.01, 0, -0.005, 0, 0, 0, 0]])}}
-    assert np.allclose(adaptation.executed(actions[1], moved), [0, 0, -0.25, -1, -1], atol=1e-6)
+    assert np.allclose(adaptation.executed(actions[1], moved), [0, 0, -1 / 12, -1, -1], atol=1e-6)
 
 
 def test_a_far_target_is_gone_to_straight(tmp_path):
