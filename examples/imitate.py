@@ -150,8 +150,10 @@ class Demonstrations:
         """By which LeRobot's processors scale. Of pictures not a colour is subtracted but a picture: that of the empty counter."""
         firsts = self.tins(self.firsts)
         empty = firsts.median(dim=0).values
-        scales = {name: {"mean": values.mean(axis=0), "std": values.std(axis=0)} for name, values in (("observation.state", self.read), ("action", self.said))}
-        return scales | {self.picture: {"mean": empty.numpy(), "std": np.full((3, 1, 1), 2 * (firsts - empty).square().mean().sqrt(), np.float32)}}
+        spread = np.full((3, 1, 1), 2 * (firsts - empty).square().mean().sqrt(), np.float32)
+        numbers = {"observation.state": self.read, "action": self.said}
+        scales = {name: {"mean": values.mean(axis=0), "std": values.std(axis=0)} for name, values in numbers.items()}
+        return scales | {self.picture: {"mean": empty.numpy(), "std": spread}}
 
     def batch(self, draws):
         import torch

@@ -63,7 +63,7 @@ class Checkpoint:
         return self  # nothing is remembered from one observation to the next
 
     def actions(self, seen):
-        """(steps, numbers), of one observation by the checkpoint's own names, pictures (height, width, 3) of bytes or as it takes them."""
+        """(steps, numbers), of one observation by the checkpoint's own names, pictures of bytes (height, width, 3), or as it takes them."""
         batch = {name: self.tensor(value) for name, value in seen.items()}
         with self.torch.no_grad():
             chunk = self.policy.predict_action_chunk(self.before(batch))[0, : self.steps]

@@ -14,8 +14,8 @@ from .robot_numbers import RobotNumbers
 
 OPENING, STOP, NOTHING = "tool_opening", "stop", "-"
 BAD_ANSWER = "episode.bad_answer"
-# Of the way to a tool's target, in one control step. An arm answers some steps late: told to go all of it, it swings by 6 cm to either side for
-# good, at half of it it goes 2 cm too far once, and from 0.35 on down it does not (measured with a Panda at the counter, 6 cm away).
+# Of the way to a tool's target, in one control step. An arm answers some steps late: told to go all of it, it swings by 6 cm to
+# either side for good; at half of it it goes 2 cm too far once, from 0.35 on down it does not (a Panda at the counter, 6 cm away).
 SHARE_OF_WAY = 1 / 3
 
 
@@ -65,7 +65,7 @@ class Adaptation:
         return wanted
 
     def _tools_led(self) -> list[tuple[list[int], list[int], np.ndarray]]:
-        """Of tool_targets, for each tool: places of its axes in an action, places of the same in what the robot reads, what 1 of these is in m."""
+        """Of tool_targets, for each tool: places of its axes in an action, and in what the robot reads; what 1 of an action is in m."""
         led: dict[str, list[str]] = {}
         if self._adapter.action.space == "tool_targets":
             for name in self.numbers:
@@ -143,7 +143,7 @@ class Adaptation:
         return actions
 
     def executed(self, action: np.ndarray, observation: dict[str, Any]) -> np.ndarray:
-        """A row of actions() as the environment takes it now: for a tool's target a step straight there, cut to what a step can be."""
+        """A row of actions() as the environment takes it now: for a tool's target a step straight there, as long as steps can be."""
         if not self._tools:
             return action
         row, action = self._robot.row(observation), action.copy()
