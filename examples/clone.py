@@ -12,11 +12,10 @@ is not made again. docs/learning.md says what was measured. imitate.py goes the 
 
 import argparse
 import itertools
-import json
 import pathlib
 
 import numpy as np
-from imitate import draw, frames_of, measure
+from imitate import draw, frames_of, measure, names_of
 
 import marketgen
 
@@ -137,7 +136,7 @@ def ways(places, told, read):
 
 def tool_columns(dataset):
     """Where the tool's place stands in the state, and how many numbers that has."""
-    names = json.loads((dataset / "meta/info.json").read_text())["features"]["observation.state"]["names"]
+    names = names_of(dataset)
     return [names.index(f"tcp_pose.tool_{axis}") for axis in "xyz"], len(names)
 
 

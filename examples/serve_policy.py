@@ -7,7 +7,8 @@
 
 Take it as the pattern for a server of your own: first a message about the model, then for every observation the next actions, all by
 msgpack with arrays as openpi-client packs them. A checkpoint must go by one observation (ACT, pi0, SmolVLA). Beside the policy it
-leaves the row that says what is sent and what the answers mean (docs/remote.md). Without a policy it says what it wants and ends.
+leaves the row that says what is sent and what the answers mean (docs/remote.md), unless one lies there, as imitate.py leaves it.
+Without a policy it says what it wants and ends.
 """
 
 import argparse
@@ -62,7 +63,7 @@ class Checkpoint:
         return self  # nothing is remembered from one observation to the next
 
     def actions(self, seen):
-        """(steps, numbers), of one observation by the checkpoint's own names, pictures (height, width, 3) of bytes."""
+        """(steps, numbers), of one observation by the checkpoint's own names, pictures of bytes (height, width, 3), or as it takes them."""
         batch = {name: self.tensor(value) for name, value in seen.items()}
         with self.torch.no_grad():
             chunk = self.policy.predict_action_chunk(self.before(batch))[0, : self.steps]
@@ -71,7 +72,7 @@ class Checkpoint:
     def tensor(self, value):
         if not isinstance(value, np.ndarray):
             return [value]
-        value = value.transpose(2, 0, 1) / 255.0 if value.ndim == 3 else value
+        value = value.transpose(2, 0, 1) / 255.0 if value.dtype == np.uint8 else value
         return self.torch.from_numpy(np.array(value, np.float32)[None])
 
 
@@ -119,8 +120,9 @@ def main():
     if not given.policy.exists():
         print(f"there is no policy at {given.policy}: examples/clone.py trains one in minutes")
         return
-    policy = policy_of(given.policy)
-    given.policy.with_suffix(".yaml").write_text(row_of(policy))
+    policy, row = policy_of(given.policy), given.policy.with_suffix(".yaml")
+    if not row.exists():
+        row.write_text(row_of(policy))
     serve(policy, given.host, given.port, given.policy.stem)
 
 

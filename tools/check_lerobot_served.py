@@ -1,7 +1,7 @@
 """A policy of examples/imitate.py or clone.py through other doors; run by tools/check_lerobot.
 
     check_lerobot_served.py --args.policy PATH --host H --port P          a model server of vla-eval, until it is ended
-    check_lerobot_served.py compare RESULTS SERVED VLA_RESULTS            what marketgen.evaluate found of it in process (RESULTS) and by
+    check_lerobot_served.py compare RESULTS SERVED [VLA_RESULTS]          what marketgen.evaluate found of it in process (RESULTS) and by
                                                                           openpi's protocol (SERVED), and what vla-eval found
 """
 
@@ -17,16 +17,19 @@ def rows_of(results):
     return {row["episode"]: row for row in map(json.loads, lines)}
 
 
-def compare(results, served, vla_results):
+def compare(results, served, *vla_results):
     alone, by_openpi = rows_of(results), rows_of(served)
+    solved = f"{sum(row['success_strict'] for row in alone.values())} of {len(alone)} solved"
     for episode, row in alone.items():
         other = by_openpi[episode]
         for name in ("success_strict", "failure", "steps", "path_m", "side_effects"):
             assert other[name] == row[name], (episode, name, row[name], other[name])
-    [file] = pathlib.Path(vla_results).glob("*_aggregate.json")
-    by_vla = {task["task"]: task["episodes"][0]["metrics"]["success"] for task in json.loads(file.read_text())["tasks"]}
-    assert by_vla == {episode: row["success_strict"] for episode, row in alone.items()}, (by_vla, alone)
-    print(f"openpi's protocol and vla-eval find what marketgen.evaluate does: {sum(by_vla.values())} of {len(by_vla)} solved")
+    print(f"openpi's protocol leads to what marketgen.evaluate finds: {solved}")
+    for folder in vla_results:
+        [file] = pathlib.Path(folder).glob("*_aggregate.json")
+        by_vla = {task["task"]: task["episodes"][0]["metrics"]["success"] for task in json.loads(file.read_text())["tasks"]}
+        assert by_vla == {episode: row["success_strict"] for episode, row in alone.items()}, (by_vla, alone)
+        print(f"vla-eval finds what marketgen.evaluate does: {solved}")
 
 
 def serve():

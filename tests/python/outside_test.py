@@ -259,6 +259,31 @@ def test_actions_are_as_the_environment_has_them():
     assert np.allclose(actions[0], [1.25, 0, 0, 0, 0, -0.5, -1, -1])
 
 
+MOVES = ("tool_x", "tool_y", "tool_z", "tool_opening", "stop")
+
+
+def led(tmp_path, numbers):
+    """Of a model that says places of the tool, in centimetres."""
+    file = tmp_path / "row.yaml"
+    file.write_text(ROW.replace("joint_targets, numbers: all", f"tool_targets, unit_m: 0.01, numbers: {numbers}"))
+    return Adaptation(adapter_named(str(file)), task(MOVES, [(0.02, "m")] * 3 + [(0, ""), (0, "")]), SEEN)
+
+
+def test_targets_of_the_tool_are_steps_from_where_it_is_when_they_are_executed(tmp_path):
+    """A third of the way each: of the centimetre ahead and down a sixth of the environment's 20 mm."""
+    adaptation = led(tmp_path, "[tool_x, tool_y, tool_z, tool_opening]")
+    actions = adaptation.actions({"actions": np.array([[31, 10, 39, -1.0]] * 2)})
+    assert np.allclose(adaptation.executed(actions[0], SEEN), [1 / 6, 0, -1 / 6, -1, -1], atol=1e-6)  # the tool is at 0.3, 0.1, 0.4 m
+    moved = {**SEEN, "extra": {**SEEN["extra"], "tcp_pose": SEEN["extra"]["tcp_pose"] + np.array([[0.01, 0, -0.005, 0, 0, 0, 0]])}}
+    assert np.allclose(adaptation.executed(actions[1], moved), [0, 0, -1 / 12, -1, -1], atol=1e-6)
+
+
+def test_a_far_target_is_gone_to_straight(tmp_path):
+    adaptation = led(tmp_path, "[tool_x, tool_z, '-']")
+    [action] = adaptation.actions({"actions": np.array([[110, 20.0, 7]])})
+    assert np.allclose(adaptation.executed(action, SEEN), [1, 0, -0.25, 1, -1], atol=1e-6)  # 0.8 m ahead and 0.2 m down; to the side it stays
+
+
 def test_what_the_model_does_not_say_stays_as_it_is(tmp_path):
     file = tmp_path / "row.yaml"
     file.write_text(

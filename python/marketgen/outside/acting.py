@@ -43,7 +43,7 @@ class ModelActs:
         if not self._steps:
             answer = self._model.infer(self._adaptation.told(observation))
             self._steps.extend(self._adaptation.actions(answer))
-        return self._steps.popleft()
+        return self._adaptation.executed(self._steps.popleft(), observation)
 
     def close(self) -> None:
         self._model.close()

@@ -22,6 +22,7 @@ SPACES = {
     "joint_deltas": "pd_joint_delta_pos",
     "tool_deltas": "pd_ee_delta_pose",
     "tool_moves": "pd_ee_delta_pos",
+    "tool_targets": "pd_ee_delta_pos",  # places, to which Adaptation leads the tool by such steps
 }
 LAYOUTS, VALUES = ("hwc", "chw"), ("bytes", "shares")
 ALL = ("all",)
