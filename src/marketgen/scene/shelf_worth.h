@@ -20,8 +20,8 @@ const std::vector<Margin>& margins();  // scene/margins.inc; one for each catego
 std::string_view own_brand_of(const catalog::Catalog& catalog);
 
 // Share of the price that is left of it: its category's, by its brand's own factor (0.85 to 1.15,
-// drawn once for the brand's name), by 1.3 of the shop's own brand. The same for a product in every
-// store with these rows. The factors have no source.
+// drawn once for the brand's name), or by 1.3 of the shop's own brand. The same for a product in
+// every store with these rows. The factors have no source.
 double margin_of(const catalog::Product& product, std::string_view own_brand);
 
 // Earnings beside those of others on shelves of equal room: asked for (scene/demand.h) x price x
