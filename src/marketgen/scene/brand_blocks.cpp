@@ -109,7 +109,7 @@ class BlockedBay {
     const ShelfRoom& room = bay_.shelves[*board];
     const int deep = rows_that_fit(product, room, stock_.depth_fill) * stack_height(product, room);
     const double usual_packs = 0.5 * (fewest + most) * deep;
-    const int needed = (least_packs(product, usual_packs) + deep - 1) / deep;
+    const int needed = (min_packs(product, usual_packs) + deep - 1) / deep;
     return std::clamp(needed, asked, max_facings);
   }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double strange_share = 0.03, fallen_share = 0.08, leaning_share = 0.25;
 constexpr double falls_from = 2.2, leans_from = 3.3;     // times as high as deep
-constexpr double least_pull = 0.3;                       // of the room in front
+constexpr double min_pull = 0.3;                       // of the room in front
 constexpr double max_box_yaw = 0.22, max_round_yaw = 1;  // tan(half angle): 25 and 90 degrees
 constexpr double apart_m = 0.001, edge_m = 0.002, touching_gap_m = 0.0005;
 
@@ -222,8 +222,8 @@ class HandledShelf {
     const double high = product.height_m(), deep = product.depth_m();
     if (front.count != 1 || !front.behind || high < leans_from * deep || !is_box(product))
       return false;
-    constexpr double least_over = 1.3, most_over = 1.8;  // of the slope at which it would fall back
-    const double slope = deep / high * draw.uniform(least_over, most_over);
+    constexpr double min_over = 1.3, max_over = 1.8;  // of the slope at which it would fall back
+    const double slope = deep / high * draw.uniform(min_over, max_over);
     const double secant = std::sqrt(1 + slope * slope), cos = 1 / secant, sin = slope / secant;
     const Footprint& back = prints_[front.block][*front.behind];
     const double wall_y = back.y - back.reach_y() - touching_gap_m;
@@ -246,7 +246,7 @@ class HandledShelf {
     const Vec3 stood = blocks_[front.block].items[front.first].position;
     const Footprint straight = print_of(product, stood, {});
     const double free_m = std::max(0.0, stood.y - straight.reach_y() - edge_m);
-    const double pull = draw.uniform(least_pull, 1) * free_m;
+    const double pull = draw.uniform(min_pull, 1) * free_m;
     const double most = straight.disc ? max_round_yaw : max_box_yaw;
     const double yaw = draw.uniform(-most, most);
     for (const double share : {1.0, 0.6, 0.3}) {

@@ -13,7 +13,7 @@
 namespace marketgen::scene {
 namespace {
 
-constexpr double least_brand_factor = 0.85, most_brand_factor = 1.15, own_brand_factor = 1.3;
+constexpr double min_brand_factor = 0.85, max_brand_factor = 1.15, own_brand_factor = 1.3;
 constexpr double safety = 2;  // of what is sold between two fillings
 
 // Days on which a shelf that is filled so has to last at most.
@@ -62,7 +62,7 @@ double margin_of(const catalog::Product& product, std::string_view own_brand) {
                             : Seed(0)
                                   .child("margin", product.brand)
                                   .stream()
-                                  .uniform(least_brand_factor, most_brand_factor);
+                                  .uniform(min_brand_factor, max_brand_factor);
   return row_for(margins(), product.category).share * factor;
 }
 
@@ -71,14 +71,14 @@ double earnings_of(const catalog::Product& product, std::string_view own_brand) 
 }
 
 int case_packs(const catalog::Product& product) {
-  constexpr double most_kg = 13, most_m3 = 0.04;
+  constexpr double max_kg = 13, max_m3 = 0.04;
   const double pack_m3 = product.width_m() * product.depth_m() * product.height_m();
   for (const int packs : {24, 12, 10, 8, 6, 4, 2})
-    if (packs * product.mass_kg <= most_kg && packs * pack_m3 <= most_m3) return packs;
+    if (packs * product.mass_kg <= max_kg && packs * pack_m3 <= max_m3) return packs;
   return 1;
 }
 
-int least_packs(const catalog::Product& product, double usual_packs) {
+int min_packs(const catalog::Product& product, double usual_packs) {
   const SalesRate& rate = row_for(sales_rates(), product.category);
   const double sold_a_day = usual_packs / rate.days_of_supply * demand_of(product);
   const double between = safety * days_between(rate.refills) * sold_a_day;

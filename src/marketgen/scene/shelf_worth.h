@@ -36,6 +36,6 @@ int case_packs(const catalog::Product& product);
 // The fewest packs that the shelf should have room for, beside others that are usually given
 // `usual_packs`: one case, and what is sold from one filling to the next with as much again, at the
 // category's turnover (scene/sales.h) and the product's own (scene/demand.h).
-int least_packs(const catalog::Product& product, double usual_packs);
+int min_packs(const catalog::Product& product, double usual_packs);
 
 }  // namespace marketgen::scene

@@ -51,7 +51,7 @@ TEST(Cases, AreWhatOnePersonLifts) {
 
 TEST(LeastPacks, AreACaseOrWhatIsSoldBetweenFillings) {
   catalog::Product tin = stock_row("tin", "food_tin", {75, 75, 110}, 0.45);
-  EXPECT_EQ(scene::least_packs(tin, 0), 24);
+  EXPECT_EQ(scene::min_packs(tin, 0), 24);
   double demand = 0;
   for (int i = 0; i < 500 && demand < 8; ++i) {  // one that many ask for
     tin.sku = "tin-" + std::to_string(i);
@@ -59,7 +59,7 @@ TEST(LeastPacks, AreACaseOrWhatIsSoldBetweenFillings) {
   }
   ASSERT_GE(demand, 8);
   // Tins last 40 days on the mean and are filled every third day at most.
-  EXPECT_EQ(scene::least_packs(tin, 100), static_cast<int>(std::ceil(2 * 3 * 100 / 40.0 * demand)));
+  EXPECT_EQ(scene::min_packs(tin, 100), static_cast<int>(std::ceil(2 * 3 * 100 / 40.0 * demand)));
 }
 
 struct Room {
