@@ -72,8 +72,9 @@ class Checkpoint:
     def tensor(self, value):
         if not isinstance(value, np.ndarray):
             return [value]
-        value = value.transpose(2, 0, 1) / 255.0 if value.dtype == np.uint8 else value
-        return self.torch.from_numpy(np.array(value, np.float32)[None])
+        if value.dtype == np.uint8:  # to the last bit as `lerobot:FOLDER` has it
+            value = value.transpose(2, 0, 1).astype(np.float32) / np.float32(255)
+        return self.torch.from_numpy(np.array(value, np.float32, order="C")[None])
 
 
 def policy_of(path):
