@@ -1,7 +1,7 @@
 // Looks of products kept on disk between runs, so that the next run need not take their pictures
 // again (a tenth of a second a product).
 //
-// Entries (io/cache_entry.h) lie under $MARKETGEN_CACHE/looks by content, some 100 KB each.
+// Entries (io/cache_entry.h) lie under $MARKETGEN_CACHE/looks by content, some 50 KB each.
 #pragma once
 #include <optional>
 #include <string>

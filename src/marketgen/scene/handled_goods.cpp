@@ -15,7 +15,7 @@ namespace {
 
 constexpr double strange_share = 0.03, fallen_share = 0.08, leaning_share = 0.25;
 constexpr double falls_from = 2.2, leans_from = 3.3;     // times as high as deep
-constexpr double min_pull = 0.3;                       // of the room in front
+constexpr double min_pull = 0.3;                         // of the room in front
 constexpr double max_box_yaw = 0.22, max_round_yaw = 1;  // tan(half angle): 25 and 90 degrees
 constexpr double apart_m = 0.001, edge_m = 0.002, touching_gap_m = 0.0005;
 

@@ -26,12 +26,6 @@ double price_factor(double price, double usual) {
   return price > 0 && usual > 0 ? std::clamp(std::sqrt(usual / price), 0.5, 2.0) : 1;
 }
 
-// Rows of a category that the list has not are sold as the slowest are.
-const SalesRate& rate_of(std::string_view category) {
-  const auto found = std::ranges::find(sales_rates(), category, &SalesRate::category);
-  return found == sales_rates().end() ? sales_rates().back() : *found;
-}
-
 bool comes_on(Refills refills, int day) {
   return refills != Refills::three_days_a_week || (day < 5 && day % 2 == 0);
 }
@@ -82,6 +76,11 @@ const std::vector<SalesRate>& sales_rates() {
   };
 #undef SALES_RATE
   return rows;
+}
+
+const SalesRate& rate_of(std::string_view category) {
+  const auto found = std::ranges::find(sales_rates(), category, &SalesRate::category);
+  return found == sales_rates().end() ? sales_rates().back() : *found;
 }
 
 StoreSales::StoreSales(const plan::Plan& plan,

@@ -28,6 +28,8 @@ struct SalesRate {
   Refills refills = Refills::every_day;
 };
 const std::vector<SalesRate>& sales_rates();  // one for each category of data/categories.json
+// The category's; one that has no row is sold as the slowest are.
+const SalesRate& rate_of(std::string_view category);
 
 // Units that shoppers want of a block. Those of before staff last pulled its goods forward are
 // missing at the back, those since then in front.

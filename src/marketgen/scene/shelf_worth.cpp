@@ -29,10 +29,9 @@ double days_between(Refills refills) {
   return 3;  // Friday to Monday
 }
 
-template <class Row>
-const Row& row_for(const std::vector<Row>& rows, std::string_view category) {
-  const auto found = std::ranges::find(rows, category, &Row::category);
-  return found == rows.end() ? rows.back() : *found;
+double category_margin(std::string_view category) {
+  const auto found = std::ranges::find(margins(), category, &Margin::category);
+  return found == margins().end() ? margins().back().share : found->share;
 }
 
 }  // namespace
@@ -63,7 +62,7 @@ double margin_of(const catalog::Product& product, std::string_view own_brand) {
                                   .child("margin", product.brand)
                                   .stream()
                                   .uniform(min_brand_factor, max_brand_factor);
-  return row_for(margins(), product.category).share * factor;
+  return category_margin(product.category) * factor;
 }
 
 double earnings_of(const catalog::Product& product, std::string_view own_brand) {
@@ -79,7 +78,7 @@ int case_packs(const catalog::Product& product) {
 }
 
 int min_packs(const catalog::Product& product, double usual_packs) {
-  const SalesRate& rate = row_for(sales_rates(), product.category);
+  const SalesRate& rate = rate_of(product.category);
   const double sold_a_day = usual_packs / rate.days_of_supply * demand_of(product);
   const double between = safety * days_between(rate.refills) * sold_a_day;
   return std::max(case_packs(product), static_cast<int>(std::ceil(between)));
