@@ -56,9 +56,18 @@ def held(brief, tmp_path):
 
 
 def begun(mark, address, call, *words, **options):
-    """A process group of its own, as a shell gives to what it starts, which has just finished its first job."""
+    """A process group of its own, as a shell gives to what it starts, which has just finished its first job. Ctrl-C reaches it also where
+    these tests themselves run in a background that ignores it, which processes inherit."""
     told = [sys.executable, "-c", SCRIPT, address, call, *map(str, words), repr(options)]
-    script = subprocess.Popen(told, env={**os.environ, MARK: mark}, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    script = subprocess.Popen(
+        told,
+        env={**os.environ, MARK: mark},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
     assert script.stdout is not None and script.stdout.readline().startswith("shard-"), script.communicate()[1]
     return script
 
