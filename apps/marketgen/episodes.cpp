@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "environments/environment_entry.h"
+#include "environments/travelling_stores.h"
 #include "episodes/episode_journal.h"
 #include "episodes/frozen_store.h"
 #include "episodes/track_entry.h"
@@ -24,7 +25,6 @@
 #include "named_flag.h"
 #include "number_flags.h"
 #include "say.h"
-#include "store/open_stores.h"
 
 namespace marketgen::app {
 namespace {
@@ -347,15 +347,28 @@ Result<void> check_can_freeze(const EpisodesFlags& flags,
   return {};
 }
 
+// A frozen store's plan may give another store by now.
+Result<void> check_stays_frozen(const EpisodesFlags& flags,
+                                const environments::NamedStores& named) {
+  if (flags.frozen || named.frozen.empty()) return {};
+  return Error{"usage.bad_flag",
+               "--frozen",
+               fmt::format("the stores of {} are frozen, and so are episodes that are drawn from "
+                           "them: add --frozen",
+                           named.frozen)};
+}
+
 Result<void> write(const EpisodesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   io::Outputs outputs;
   MARKETGEN_CHECK(add_outputs(flags, outputs));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
-  MARKETGEN_TRY(const store::OpenedStores opened,
-                store::open_stores(flags.folders, std::move(rows)));
+  MARKETGEN_TRY(const environments::NamedStores named,
+                environments::open_named_stores(flags.folders, std::move(rows)));
+  const store::OpenedStores& opened = named.opened;
   MARKETGEN_CHECK(check_can_freeze(flags, opened.stores));
+  MARKETGEN_CHECK(check_stays_frozen(flags, named));
   const catalog::Catalog& catalog = opened.catalog;
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
   MARKETGEN_TRY(const episodes::DrawRules rules, rules_of(flags));
@@ -433,7 +446,12 @@ void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
 Run add_episodes(CLI::App& app) {
   auto flags = std::make_shared<EpisodesFlags>();
   CLI::App* command = app.add_subcommand("episodes", "Draw tasks for robots from stores");
-  command->add_option("folders", flags->folders, "store folders")->type_name("STORE")->required();
+  command
+      ->add_option("folders",
+                   flags->folders,
+                   "store folders; of a file or set of episodes (v1/checkout) all its stores")
+      ->type_name("STORE")
+      ->required();
   command->add_option("--track", flags->track, "what kind of task")
       ->type_name(choice_of(names_of(episodes::Track{})))
       ->capture_default_str();

@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "command.h"
+#include "environments/travelling_stores.h"
 #include "evaluation/differences_table.h"
 #include "evaluation/generator_table.h"
 #include "evaluation/goals_table.h"
@@ -14,7 +15,6 @@
 #include "io/json.h"
 #include "io/output.h"
 #include "named_flag.h"
-#include "store/open_stores.h"
 
 namespace marketgen::app {
 namespace {
@@ -57,10 +57,10 @@ Result<std::string> goals(const TablesFlags& flags) {
   const ThreadLimit limit(flags.common.threads);
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
-  MARKETGEN_TRY(const store::OpenedStores opened,
-                store::open_stores(flags.folders, std::move(rows)));
+  MARKETGEN_TRY(const environments::NamedStores named,
+                environments::open_named_stores(flags.folders, std::move(rows)));
   MARKETGEN_TRY(const evaluation::GoalsTable table,
-                until_interrupted([&] { return evaluation::goals_table(opened, data); }));
+                until_interrupted([&] { return evaluation::goals_table(named.opened, data); }));
   return text_of(table, flags);
 }
 
@@ -145,7 +145,7 @@ Run add_tables(CLI::App& app) {
   add("goals",
       "How much of what stores offer tasks may ask for, by track, tool, category, shape, fixture",
       goals,
-      "stores");
+      "stores; of a file or set of episodes (v1/checkout) all its stores");
   add("generator",
       "What generated stores are worth (collisions, floor, wishes, time), and published generators",
       generator,

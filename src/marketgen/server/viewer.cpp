@@ -11,6 +11,7 @@
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "catalog/user_products.h"
+#include "environments/travelling_stores.h"
 #include "export/label_picture.h"
 #include "io/json.h"
 #include "io/png.h"
@@ -19,7 +20,6 @@
 #include "server/editor.h"
 #include "server/page_files.h"
 #include "server/store_summary.h"
-#include "server/travelling_stores.h"
 #include "server/view_files.h"
 
 namespace marketgen::server {
@@ -92,7 +92,8 @@ Result<std::unique_ptr<Viewer>> Viewer::open(store::OpenedStores stores,
   const std::size_t given = stores.stores.size();
   std::set<std::string> elsewhere = runs.scenes_without(stores.stores);
   MARKETGEN_TRY(stores,
-                with_travelling_stores(std::move(stores), std::move(elsewhere), options.episodes));
+                environments::with_travelling_stores(
+                    std::move(stores), std::move(elsewhere), options.episodes));
   std::vector<std::shared_ptr<const store::Store>> opened = std::move(stores.stores);
   std::unique_ptr<Viewer> viewer(new Viewer(std::move(stores), std::move(page), options));
   MARKETGEN_TRY(viewer->search_, StoreSearch::open(viewer->catalog_));

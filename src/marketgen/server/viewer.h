@@ -39,7 +39,7 @@ struct ViewerOptions {
 class Viewer {
  public:
   // Begins to build what the page draws. Behind the stores are those that travel with the episodes
-  // of the results (travelling_stores.h). Errors: those of ReplayRuns::read,
+  // of the results (environments/travelling_stores.h). Errors: those of ReplayRuns::read,
   // with_travelling_stores, StoreSearch::open, read_grasp_facts(), Replays::open and
   // EpisodeGround::of_file; episode.other_store, none of the stores has an episode of the file.
   static Result<std::unique_ptr<Viewer>> open(store::OpenedStores stores,

@@ -6,16 +6,23 @@
 
 namespace marketgen::store {
 
+Result<void> add_distinct(std::vector<std::shared_ptr<const Store>>& stores,
+                          std::shared_ptr<const Store> store,
+                          const std::string& named) {
+  const auto same = [&](const std::shared_ptr<const Store>& other) {
+    return other->manifest.scene_hash == store->manifest.scene_hash;
+  };
+  if (std::ranges::any_of(stores, same))
+    return Error{"usage.bad_flag", named, "is the same store as another one: name each once"};
+  stores.push_back(std::move(store));
+  return {};
+}
+
 Result<OpenedStores> open_stores(const std::vector<std::string>& folders, catalog::Catalog rows) {
   std::vector<std::shared_ptr<const Store>> stores;
   for (const std::string& folder : folders) {
     MARKETGEN_TRY(Store store, open_store(folder, rows));
-    const auto same = [&](const std::shared_ptr<const Store>& other) {
-      return other->manifest.scene_hash == store.manifest.scene_hash;
-    };
-    if (std::ranges::any_of(stores, same))
-      return Error{"usage.bad_flag", folder, "is the same store as another one: name each once"};
-    stores.push_back(std::make_shared<const Store>(std::move(store)));
+    MARKETGEN_CHECK(add_distinct(stores, std::make_shared<const Store>(std::move(store)), folder));
   }
   return opened_stores(std::move(stores), std::move(rows));
 }

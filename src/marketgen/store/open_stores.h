@@ -18,6 +18,11 @@ struct OpenedStores {
 // those of open_store.
 Result<OpenedStores> open_stores(const std::vector<std::string>& folders, catalog::Catalog rows);
 
+// Adds it. Error usage.bad_flag at `named` when one of `stores` is the same.
+Result<void> add_distinct(std::vector<std::shared_ptr<const Store>>& stores,
+                          std::shared_ptr<const Store> store,
+                          const std::string& named);
+
 // Of stores that were opened with `rows`.
 OpenedStores opened_stores(std::vector<std::shared_ptr<const Store>> stores, catalog::Catalog rows);
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "environments/travelling_stores.h"
 #include "episodes/checkout/checkout_lanes.h"
 #include "episodes/episode_header.h"
 #include "episodes/track_view.h"
@@ -18,7 +19,6 @@
 #include "io/gzip.h"
 #include "io/jpeg.h"
 #include "render/stage/robot_actor.h"
-#include "server/travelling_stores.h"
 #include "support/committed_catalog.h"
 #include "support/drawn_checkout.h"
 #include "support/packed_container.h"
@@ -323,7 +323,7 @@ TEST_F(ReplaysOfTwo, OfASetAreShownInItsStores) {
   ASSERT_TRUE(runs.ok()) << to_string(runs.error());
   const std::set<std::string> scenes = runs->scenes_without({});
   EXPECT_EQ(scenes, std::set<std::string>{spec_.scene_hash});
-  auto opened = server::with_travelling_stores(
+  auto opened = environments::with_travelling_stores(
       store::opened_stores({}, catalog::Catalog(committed_catalog())), scenes, "");
   ASSERT_TRUE(opened.ok()) << to_string(opened.error());
   ASSERT_EQ(opened->stores.size(), 1U);
@@ -335,24 +335,6 @@ TEST_F(ReplaysOfTwo, OfASetAreShownInItsStores) {
   for (const std::string run : {"0", "1"})
     EXPECT_TRUE((*replays)->answer(0, {}, {run}).ok());
   EXPECT_TRUE((*replays)->answer(0, {}, {"0", "episodes", "0"}).ok());
-}
-
-// The scenes themselves travel with frozen sets; a store that was named comes first.
-TEST(TravellingStores, AreOpenedAsTheyWereFrozen) {
-  const auto header = episodes::read_episode_header("v1/checkout", data_rows());
-  ASSERT_TRUE(header.ok()) << to_string(header.error());
-  ASSERT_GT(header->stores.size(), 2U);
-  const SharedStore named = pool_store(Track::checkout);
-  const std::string first = header->stores[0].scene_hash, third = header->stores[2].scene_hash;
-  const auto opened = server::with_travelling_stores(
-      store::opened_stores({named}, catalog::Catalog(committed_catalog())),
-      {third, first, "0123"},
-      "v1/checkout");
-  ASSERT_TRUE(opened.ok()) << to_string(opened.error());
-  ASSERT_EQ(opened->stores.size(), 3U) << "nobody has 0123";
-  EXPECT_EQ(opened->stores[0], named);
-  EXPECT_EQ(scene::scene_hash(opened->stores[1]->scene), first);
-  EXPECT_EQ(scene::scene_hash(opened->stores[2]->scene), third);
 }
 
 TEST_F(ReplaysOfTwo, OfAnotherStoreAreRefused) {

@@ -1,4 +1,4 @@
-#include "server/travelling_stores.h"
+#include "environments/travelling_stores.h"
 
 #include <filesystem>
 #include <memory>
@@ -11,7 +11,7 @@
 #include "io/file.h"
 #include "store/store.h"
 
-namespace marketgen::server {
+namespace marketgen::environments {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +47,52 @@ std::shared_ptr<const store::Store> made_of(const episodes::EpisodeStore& row,
   return made;
 }
 
+// A file, or the name of a set that no folder has.
+bool names_episodes(const std::string& name, const fs::path& data) {
+  std::error_code failed;
+  if (fs::is_directory(name, failed)) return false;
+  return fs::is_regular_file(name, failed) || episodes::episode_sets(data).contains(name);
+}
+
+using Stores = std::vector<std::shared_ptr<const store::Store>>;
+
+// All stores of a file or set of episodes.
+Result<Stores> stores_of_episodes(const std::string& named,
+                                  const fs::path& data,
+                                  const catalog::Catalog& rows,
+                                  std::string& frozen) {
+  MARKETGEN_TRY(const episodes::EpisodeHeader header, episodes::read_episode_header(named, data));
+  Arena arena(data, header, rows);
+  Stores stores;
+  for (const episodes::EpisodeStore& row : header.stores) {
+    if (row.scene && frozen.empty()) frozen = named;
+    MARKETGEN_TRY(const auto scene, arena.scene(row.scene_hash));
+    stores.push_back(made_of(row, *scene, named));
+  }
+  return stores;
+}
+
 }  // namespace
+
+Result<NamedStores> open_named_stores(const std::vector<std::string>& names,
+                                      catalog::Catalog rows) {
+  MARKETGEN_TRY(const fs::path data, io::data_folder());
+  NamedStores named;
+  Stores stores;
+  for (const std::string& name : names) {
+    Stores found;
+    if (names_episodes(name, data)) {
+      MARKETGEN_TRY(found, stores_of_episodes(name, data, rows, named.frozen));
+    } else {
+      MARKETGEN_TRY(store::Store store, store::open_store(name, rows));
+      found.push_back(std::make_shared<const store::Store>(std::move(store)));
+    }
+    for (auto& store : found)
+      MARKETGEN_CHECK(store::add_distinct(stores, std::move(store), name));
+  }
+  named.opened = store::opened_stores(std::move(stores), std::move(rows));
+  return named;
+}
 
 Result<store::OpenedStores> with_travelling_stores(store::OpenedStores opened,
                                                    std::set<std::string> scenes,
@@ -58,7 +103,7 @@ Result<store::OpenedStores> with_travelling_stores(store::OpenedStores opened,
   for (const auto& [file, called] : files_with_stores(episodes, data)) {
     if (scenes.empty()) break;
     MARKETGEN_TRY(const episodes::EpisodeHeader header, episodes::read_episode_header(file, data));
-    environments::Arena arena(data, header, opened.rows);
+    Arena arena(data, header, opened.rows);
     for (const episodes::EpisodeStore& row : header.stores) {
       if (scenes.erase(row.scene_hash) == 0) continue;
       MARKETGEN_TRY(const auto scene, arena.scene(row.scene_hash));
@@ -68,4 +113,4 @@ Result<store::OpenedStores> with_travelling_stores(store::OpenedStores opened,
   return store::opened_stores(std::move(stores), std::move(opened.rows));
 }
 
-}  // namespace marketgen::server
+}  // namespace marketgen::environments
