@@ -33,7 +33,8 @@ struct EpisodesFlags {
   CommonFlags common;
   std::vector<std::string> folders;
   std::string track = "checkout", tools, output;
-  std::string split = "planned", instructions = "words", unseen = "products,layouts,looks";
+  std::string split = "planned", instructions = "words", difficulty = "standard";
+  std::string unseen = "products,layouts,looks";
   std::vector<std::string> trained_on;
   int count = 10;
   bool resume = false, frozen = false, doors = false;
@@ -103,6 +104,7 @@ std::string draw_hash(const EpisodesFlags& flags,
   hasher.add(program_version).add(catalog.content_hash).add(flags.track).add(flags.tools);
   hasher.add(flags.split).add(flags.instructions);
   if (flags.doors) hasher.add("doors");
+  if (!rules.difficulty.is_standard()) hasher.add(io::write_json(rules.difficulty));
   if (const auto unseen = rules.trained_on.row()) hasher.add(io::write_json(*unseen));
   hasher.add(std::to_string(flags.common.seed));
   for (const StockedStore& from : stores)
@@ -263,8 +265,10 @@ Result<episodes::Doors> doors_of(const EpisodesFlags& flags) {
   return episodes::Doors::hinged;
 }
 
-Result<episodes::DrawRules> rules_of(const EpisodesFlags& flags) {
+Result<episodes::DrawRules> rules_of(const EpisodesFlags& flags,
+                                     const std::filesystem::path& data) {
   episodes::DrawRules rules;
+  MARKETGEN_TRY(rules.difficulty, episodes::load_difficulty(data, flags.difficulty));
   MARKETGEN_TRY(rules.doors, doors_of(flags));
   MARKETGEN_TRY(rules.split,
                 value_of_flag<episodes::Split>("--split", "there is no split", flags.split));
@@ -363,6 +367,8 @@ Result<void> write(const EpisodesFlags& flags) {
   io::Outputs outputs;
   MARKETGEN_CHECK(add_outputs(flags, outputs));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
+  MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
+  MARKETGEN_TRY(const episodes::DrawRules rules, rules_of(flags, data));
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
   MARKETGEN_TRY(const environments::NamedStores named,
                 environments::open_named_stores(flags.folders, std::move(rows)));
@@ -370,8 +376,6 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_CHECK(check_can_freeze(flags, opened.stores));
   MARKETGEN_CHECK(check_stays_frozen(flags, named));
   const catalog::Catalog& catalog = opened.catalog;
-  MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
-  MARKETGEN_TRY(const episodes::DrawRules rules, rules_of(flags));
   episodes::EpisodeFile file;
   environments::Arena arena(data, file.header, catalog);
   MARKETGEN_TRY(const auto sampler,
@@ -417,6 +421,14 @@ void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
                   "how goals are told: words (a text that fits one product on offer) or ids (SKUs, "
                   "too)")
       ->type_name(choice_of(names_of(episodes::Instructions{})))
+      ->capture_default_str();
+  command
+      .add_option("--difficulty",
+                  flags.difficulty,
+                  "how much is asked for, how full baskets are, how much is alike, on which boards "
+                  "goals stand, how far they are apart: easy, standard, hard, or a JSON file of "
+                  "your own")
+      ->type_name("DIFFICULTY")
       ->capture_default_str();
   command.add_flag("--doors",
                    flags.doors,

@@ -10,6 +10,7 @@
 #include "command.h"
 #include "environments/policies.h"
 #include "environments/run_episode.h"
+#include "episodes/named_dials.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/film.h"
 #include "evaluation/finished_run.h"
@@ -84,7 +85,7 @@ Result<episodes::Realism> realism_of(const ReplayFlags& flags,
                              before->realism,
                              asked)};
   };
-  const bool is_own = before && before->realism.starts_with(episodes::own_realism);
+  const bool is_own = before && before->realism.starts_with(episodes::own_dials);
   if (flags.realism.empty() && is_own) return differs("");
   const std::string kept = before ? before->realism : episodes::Realism{}.name;
   MARKETGEN_TRY(episodes::Realism realism,

@@ -13,6 +13,7 @@
 #include "environments/told_task.h"
 #include "episodes/aisle/aisle_station.h"
 #include "episodes/checkout/checkout_station.h"
+#include "episodes/difficulty.h"
 #include "episodes/drive_log.h"
 #include "episodes/episode_result.h"
 #include "episodes/episode_spec.h"
@@ -80,6 +81,9 @@ std::vector<Document> task_documents() {
       {"market-realism-1",
        "What stands between the world and a robot",
        type_of<episodes::Realism>()},
+      {"market-difficulty-1",
+       "How hard the tasks of a file are drawn",
+       type_of<episodes::Difficulty>()},
       {"market-episode-1", "One task for a robot", type_of<episodes::EpisodeSpec>()},
       {"market-episodes-1",
        "The first line of an episodes file",

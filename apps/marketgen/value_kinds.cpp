@@ -7,6 +7,7 @@
 #include "bench/bench.h"
 #include "catalog/country.h"
 #include "command.h"
+#include "episodes/difficulty_rows.h"
 #include "episodes/episode_sets.h"
 #include "episodes/realism_rows.h"
 #include "io/file.h"
@@ -71,6 +72,9 @@ std::vector<ValueKind> kinds_of_program() {
       {"BENCHMARK", Paths::none, ids_in(bench::benchmarks(), &bench::Benchmark::name)},
       // Also one of every zone, which only the store knows.
       {"CAMERA", Paths::none, {"top", "entrance", "aisle", "checkout", "zone:"}},
+      {"DIFFICULTY",
+       Paths::files,
+       {episodes::difficulty_rows.begin(), episodes::difficulty_rows.end()}},
       {"MODEL", Paths::none, providers_with("")},
       {"PLANNER", Paths::none, providers_with("offline")},
       {"REALISM", Paths::files, {episodes::realism_rows.begin(), episodes::realism_rows.end()}}};

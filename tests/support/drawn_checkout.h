@@ -29,15 +29,24 @@ inline episodes::EpisodeFile pool_file() {
   return std::move(read).value();
 }
 
-inline episodes::EpisodeSpec drawn(std::uint64_t seed, int index) {
+inline episodes::EpisodeSpec drawn_by(const episodes::DrawRules& rules,
+                                      std::uint64_t seed,
+                                      int index) {
   auto spec = episodes::sample_checkout(data_rows(),
                                         checkout_goods_rows(),
                                         committed_catalog().frictions,
                                         {"corner", "s", "p"},
                                         Seed(seed),
-                                        index);
+                                        index,
+                                        {},
+                                        {},
+                                        rules);
   if (!spec.ok()) fatal(to_string(spec.error()).c_str());
   return std::move(spec).value();
+}
+
+inline episodes::EpisodeSpec drawn(std::uint64_t seed, int index) {
+  return drawn_by({}, seed, index);
 }
 
 }  // namespace marketgen

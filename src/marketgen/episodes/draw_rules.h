@@ -1,6 +1,7 @@
 // How episodes are drawn, whatever their track.
 #pragma once
 #include "episodes/certificate.h"
+#include "episodes/difficulty.h"
 #include "episodes/episode_spec.h"
 #include "episodes/training_set.h"
 
@@ -11,6 +12,7 @@ struct DrawRules {
   Instructions instructions = Instructions::words;
   TrainingSet trained_on = {};  // no goal is of it
   Doors doors = Doors::none;    // aisle: where goals stand
+  Difficulty difficulty = {};
 };
 
 }  // namespace marketgen::episodes

@@ -90,9 +90,10 @@ struct EpisodeSpec {
   Track track = Track::checkout;
   std::string store, scene_hash, plan_hash;
   std::string robot, tools;
-  std::optional<std::string> station;  // the counter of Checkout Unloading when absent
-  std::optional<std::string> lane;     // a room of its own when absent
-  std::optional<Doors> doors;          // none when absent
+  std::optional<std::string> station;     // the counter of Checkout Unloading when absent
+  std::optional<std::string> lane;        // a room of its own when absent
+  std::optional<Doors> doors;             // none when absent
+  std::optional<std::string> difficulty;  // standard when absent
   std::uint64_t seed = 0;
   std::string instruction;
   Instructions instructions = Instructions::ids;
@@ -128,6 +129,11 @@ struct EpisodeSpec {
       field("doors",
             &EpisodeSpec::doors,
             "aisle: what goals stand behind, and is to be opened and shut again; none when absent"),
+      field("difficulty",
+            &EpisodeSpec::difficulty,
+            "with which dials it was drawn: a row of data/benchmark/difficulty, or own- and the "
+            "hash of a user's own; standard when absent",
+            reference()),
       field("seed", &EpisodeSpec::seed, "of what the policy draws"),
       field("instruction", &EpisodeSpec::instruction, "what the agent is told", required()),
       field("instructions", &EpisodeSpec::instructions, "how goals are told: by SKU or in words"),

@@ -272,13 +272,8 @@ struct Realism {
             "it is told"));
 };
 
-inline constexpr std::string_view own_realism = "own-";
-
-// A row by its name, or a file of one's own, which ends with .json. Its `name` is then own_realism
-// and the hash of its dials, so that results of equal dials can be compared. Errors: usage.bad_flag
-// at
-// --realism, with the nearest name; input.not_found, io.*; those of read_json; catalog.bad_row for
-// dials that contradict themselves.
+// A row by its name, or a file of one's own (load_named_dials). Errors: those of it;
+// catalog.bad_row for dials that contradict themselves.
 Result<Realism> load_realism(const std::filesystem::path& data, const std::string& asked);
 
 // Of all that is drawn for an episode of that seed.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "environments/run_episode.h"
+#include "episodes/named_dials.h"
 #include "episodes/realism.h"
 #include "episodes/track_world.h"
 #include "evaluation/film.h"
@@ -46,7 +47,7 @@ Result<void> check_can_be_repeated(const FinishedRun& run, const episodes::Episo
   for (const episodes::EpisodeResult& result : run.results)
     if (result.isolation != episodes::PolicyIsolation::own)
       return fault(" is of a policy written in Python: film it where it is run");
-  if (run.record.realism.starts_with(episodes::own_realism))
+  if (run.record.realism.starts_with(episodes::own_dials))
     return fault(
         " has a realism of one's own: `marketgen replay --realism FILE --strip` makes strips");
   const FinishedRun asked{

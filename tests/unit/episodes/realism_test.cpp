@@ -1,6 +1,7 @@
 // What stands between the world and the robot: rows and files of dials, what each dial does, and
 // that nothing of it is left to chance.
 #include "episodes/realism.h"
+#include "episodes/named_dials.h"
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -81,7 +82,7 @@ TEST(RealismRows, AFileOfOnesOwnIsNamedByItsDials) {
         .name;
   };
   const std::string one = named("one", R"("joints": {"turn_deg": 0.1})");
-  EXPECT_TRUE(one.starts_with(episodes::own_realism)) << one;
+  EXPECT_TRUE(one.starts_with(episodes::own_dials)) << one;
   EXPECT_EQ(named("two", R"("joints": {"turn_deg": 0.1})"), one);
   EXPECT_NE(named("standard", R"("joints": {"turn_deg": 0.2})"), one);
 }

@@ -48,7 +48,7 @@ class AisleEntry : public TrackEntry {
       asked += goal.count;
     return asked;
   }
-  int max_items() const override { return max_goals; }
+  int max_items() const override { return episodes::max_items; }
 
   // The basket is part of the robot.
   Result<RecordedPlace> place_of(const std::filesystem::path& data,

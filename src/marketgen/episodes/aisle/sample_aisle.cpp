@@ -75,20 +75,28 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
   std::size_t products = 0;
   for (const auto& [shape, of_shape] : made->shapes_)
     products += of_shape.size();
-  if (products < static_cast<std::size_t>(max_goals))
+  const int needed = made->rules_.difficulty.goals.max;
+  if (products < static_cast<std::size_t>(needed))
     return Error{
         "episode.impossible",
         "aisle",
         fmt::format(
             "a task may ask for {} products within the robot's reach; at least {} are needed",
             products,
-            max_goals)};
+            needed)};
   return made;
+}
+
+// All that can be had of it from the front: whoever fetches it takes any.
+bool AisleSampler::stands_on_levels(const std::string& sku) const {
+  return std::ranges::all_of(store_->front_items(sku), [&](std::uint32_t row) {
+    return rules_.difficulty.has_level(store_->scene.products[row].position_m[2]);
+  });
 }
 
 // In the front row of a shelf within reach; where a robot can stand before it; rigid; unseen.
 bool AisleSampler::is_drawn_from(const catalog::Product& product) const {
-  if (rules_.trained_on.has(product)) return false;
+  if (rules_.trained_on.has(product) || !stands_on_levels(product.sku)) return false;
   if (rules_.split == Split::all) return !store_->front_items(product.sku).empty();
   return (rules_.split == Split::paper || product.rigidity != catalog::Rigidity::soft) &&
          !store_->standing_places(product.sku).empty();
@@ -97,6 +105,7 @@ bool AisleSampler::is_drawn_from(const catalog::Product& product) const {
 // What is_drawn_from misses: of where its items stand what came nearest to it.
 std::string AisleSampler::why_not_drawn(const catalog::Product& product) const {
   if (rules_.trained_on.has(product)) return std::string(seen_in_training);
+  if (!stands_on_levels(product.sku)) return "other_level";
   if (!store_->front_items(product.sku).empty())
     return store_->standing_places(product.sku).empty() ? "no_room_before" : "soft";
   ShelfRefusal nearest = ShelfRefusal::behind_another;
@@ -366,11 +375,24 @@ CategoryPlace AisleSampler::category_place(const catalog::Product& product) cons
   return {product.sku, product.category, middle.x, middle.y};
 }
 
+bool AisleSampler::is_far_enough(const EpisodeSpec& spec) const {
+  if (rules_.difficulty.way == 0) return true;
+  std::vector<std::string> skus;
+  for (const EpisodeGoal& goal : spec.goals)
+    skus.push_back(goal.sku);
+  const RectMm floor = bounds_of(plan::floor_of(store_->scene.layout.shell));
+  const double longer_m = std::max(floor.x1 - floor.x0, floor.y1 - floor.y0) * 1e-3;
+  const auto tour =
+      shortest_tour_m(*store_, floor_point_mm({spec.start.x_m, spec.start.y_m, 0}), skus);
+  return tour && *tour >= rules_.difficulty.way * longer_m;
+}
+
 Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed seed) {
   Stream draw = seed.child("targets").stream();
-  const bool two_of_a_kind = seed.child("counts").stream().chance(two_of_a_kind_share);
-  const int wanted =
-      std::min(draw.integer(min_goals, max_goals), two_of_a_kind ? max_goals - 1 : max_goals);
+  const Difficulty& difficulty = rules_.difficulty;
+  const bool two_of_a_kind = seed.child("counts").stream().chance(difficulty.two_of_one);
+  const int wanted = std::min(draw.integer(difficulty.goals.min, difficulty.goals.max),
+                              two_of_a_kind ? max_items - 1 : max_items);
   const auto start = draw_start(draw);
   if (!start) return std::optional<EpisodeSpec>{};
   Witness witness{axle_of(store_->robot, upright(*start)), {}, {}};
@@ -392,6 +414,7 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
   }
   if (static_cast<int>(spec.goals.size()) < wanted) return std::optional<EpisodeSpec>{};
   spec.start = {start->position.x, start->position.y, start->heading * 180 / std::numbers::pi};
+  if (!is_far_enough(spec)) return std::optional<EpisodeSpec>{};
   if (!tell_goals(offer_, InstructionVerb::collect, words, spec))
     return std::optional<EpisodeSpec>{};
   return std::optional(std::move(spec));
@@ -417,10 +440,12 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
                                          int index,
                                          const EpisodeProver& prove) {
   const bool with_doors = rules_.doors != Doors::none;
-  const Seed own =
-      seed.child(with_doors ? "aisle doors" : "aisle", static_cast<std::uint64_t>(index));
+  const Difficulty& difficulty = rules_.difficulty;
+  const Seed own = difficulty.seed_of(
+      seed.child(with_doors ? "aisle doors" : "aisle", static_cast<std::uint64_t>(index)));
   const std::string kind = "aisle/" + store_->station.tools().id + (with_doors ? "/doors" : "");
-  EpisodeSpec spec = begun_spec(kind, origin, seed, index, own);
+  EpisodeSpec spec = begun_spec(difficulty.kind_of(kind), origin, seed, index, own);
+  spec.difficulty = difficulty.told();
   if (with_doors) spec.doors = rules_.doors;
   spec.track = Track::aisle;
   spec.robot = store_->station.robot;

@@ -21,9 +21,7 @@
 
 namespace marketgen::episodes {
 
-constexpr int min_goals = 2, max_goals = 4;  // items, too, are max_goals at most
-// Share of the episodes that are drawn with two of one product, where two can be fetched.
-constexpr double two_of_a_kind_share = 0.25;
+constexpr int max_items = max_goal_kinds;  // of a task, all goals together
 
 // For one store. Any number of threads may draw at once: an episode depends on seed and index only.
 class AisleSampler {
@@ -58,6 +56,8 @@ class AisleSampler {
   Result<std::vector<int>> grasps_for(const catalog::Product& product);
   std::vector<std::string> shown() const;
   bool is_drawn_from(const catalog::Product& product) const;
+  bool stands_on_levels(const std::string& sku) const;
+  bool is_far_enough(const EpisodeSpec& spec) const;
   std::string why_not_drawn(const catalog::Product& product) const;
   std::vector<std::uint32_t> nearest_rows(const std::string& sku, const Vec3& axle) const;
   bool can_be_told(const catalog::Product& product, Seed words);

@@ -85,7 +85,7 @@ class CheckoutEntry : public TrackEntry {
   int items_of(const EpisodeSpec& spec) const override {
     return static_cast<int>(spec.items.size());
   }
-  int max_items() const override { return max_targets + max_others; }
+  int max_items() const override { return max_goal_kinds + max_other_goods; }
 
   Result<RecordedPlace> place_of(const std::filesystem::path& data,
                                  const Motion& motion,

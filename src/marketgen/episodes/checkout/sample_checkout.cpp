@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -68,14 +69,14 @@ class CheckoutSampler {
                   const EpisodeProver& prove,
                   const CheckoutHand& hand,
                   const Goods& targets,
-                  const TrainingSet& trained_on,
+                  const DrawRules& rules,
                   Seed seed)
       : stock_(stock),
         world_(world),
         certify_(certify),
         judge_(prove),
         hand_(hand),
-        trained_on_(trained_on),
+        rules_(rules),
         seed_(seed) {
     for (const catalog::Product& product : stock_)
       shapes_[product.archetype].push_back(&product);
@@ -90,7 +91,8 @@ class CheckoutSampler {
     const BasketDraw drawn = draw_basket(static_cast<std::uint64_t>(number));
     MARKETGEN_CHECK(
         pour(drawn.goods, seed_.child("pour", static_cast<std::uint64_t>(number)), spec));
-    if (static_cast<int>(spec.items.size()) < drawn.targets + std::min(drawn.others, min_others))
+    if (static_cast<int>(spec.items.size()) <
+        drawn.targets + std::min(drawn.others, rules_.difficulty.others.min))
       return refused("spilled");
     ask_for(drawn.targets, spec);
     if (spec.goals.empty()) return refused("spilled");
@@ -109,8 +111,9 @@ class CheckoutSampler {
     Stream draw = seed_.child("basket", number).stream();
     const auto kinds = static_cast<int>(stock_.size());
     BasketDraw basket;
-    basket.targets = std::min(draw.integer(min_targets, max_targets), std::max(1, kinds / 3));
-    basket.others = std::min(draw.integer(min_others, max_others), kinds - basket.targets);
+    const auto& [goals, others] = std::tie(rules_.difficulty.goals, rules_.difficulty.others);
+    basket.targets = std::min(draw.integer(goals.min, goals.max), std::max(1, kinds / 3));
+    basket.others = std::min(draw.integer(others.min, others.max), kinds - basket.targets);
     draw_products(target_shapes_, basket.targets, draw, basket.goods);
     basket.targets = static_cast<int>(basket.goods.size());
     draw_products(shapes_, basket.targets + basket.others, draw, basket.goods);
@@ -125,7 +128,7 @@ class CheckoutSampler {
     Stream draw = seed.stream();
     const auto first = static_cast<std::size_t>(basket.targets);
     if (basket.goods.size() <= first) return;
-    const bool wanted = draw.chance(look_alikes_share);
+    const bool wanted = draw.chance(rules_.difficulty.look_alikes);
     for (std::size_t i = first; i < (wanted ? first + 1 : basket.goods.size()); ++i)
       if (is_like_a_target(*basket.goods[i], basket) != wanted) replace(i, wanted, basket, draw);
   }
@@ -151,12 +154,12 @@ class CheckoutSampler {
   }
 
   // Of a target; the last of the others makes room for it where there are most of them.
-  static void add_second(Seed seed, BasketDraw& basket) {
+  void add_second(Seed seed, BasketDraw& basket) const {
     Stream draw = seed.stream();
-    if (!draw.chance(two_of_one_share)) return;
+    if (!draw.chance(rules_.difficulty.two_of_one)) return;
     const int target = draw.integer(0, basket.targets - 1);
     if (target >= static_cast<int>(basket.goods.size())) return;
-    if (basket.others == max_others) {
+    if (basket.others == max_other_goods) {
       basket.goods.pop_back();
       --basket.others;
     }
@@ -169,7 +172,8 @@ class CheckoutSampler {
     for (const EpisodeItem& item : spec.items) {
       if (!spec.goals.empty() && spec.goals.back().sku == item.sku)
         ++spec.goals.back().count;
-      else if (static_cast<int>(spec.goals.size()) < kinds && !trained_on_.has(row_of(item.sku)))
+      else if (static_cast<int>(spec.goals.size()) < kinds &&
+               !rules_.trained_on.has(row_of(item.sku)))
         spec.goals.push_back({item.sku, 1});
     }
     const std::vector<catalog::Product> rows = rows_of(spec);
@@ -283,7 +287,7 @@ class CheckoutSampler {
   const CheckoutCertifier& certify_;
   CandidateJudge judge_;
   const CheckoutHand& hand_;
-  const TrainingSet& trained_on_;
+  const DrawRules& rules_;
   Seed seed_;
   Shapes shapes_, target_shapes_;
 };
@@ -338,15 +342,17 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                              min_stock)};
   MARKETGEN_TRY(CheckoutWorld world,
                 CheckoutWorld::create(data, frictions, checkout_station, hand.tools));
-  const Seed own = seed.child("checkout", static_cast<std::uint64_t>(index));
-  EpisodeSpec spec = begun_spec(
-      hand.tools.empty() ? "checkout" : "checkout/" + hand.tools, origin, seed, index, own);
+  const Seed own =
+      rules.difficulty.seed_of(seed.child("checkout", static_cast<std::uint64_t>(index)));
+  const std::string kind = hand.tools.empty() ? "checkout" : "checkout/" + hand.tools;
+  EpisodeSpec spec = begun_spec(rules.difficulty.kind_of(kind), origin, seed, index, own);
+  spec.difficulty = rules.difficulty.told();
   spec.robot = world.station().robot;
   spec.tools = hand.tools;
   spec.instructions = rules.instructions;
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
-  CheckoutSampler sampler(stock, world, certify, prove, hand, targets, rules.trained_on, own);
+  CheckoutSampler sampler(stock, world, certify, prove, hand, targets, rules, own);
   const bool cup = world.robot().tools.front().kind == robots::ToolKind::suction;
   const int max_drawn = cup ? max_cup_baskets : max_baskets;
   for (int number = 0; number < max_drawn; ++number) {

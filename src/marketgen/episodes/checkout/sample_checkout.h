@@ -15,14 +15,8 @@
 
 namespace marketgen::episodes {
 
-constexpr int min_targets = 2, max_targets = 4;
-constexpr int min_others = 4, max_others = 8;
-// Shares of the baskets that are drawn: with two of one target, which are one goal; with a product
-// beside the targets that is easily taken for one of them (catalog/look_alike.h), where the stock
-// has one. Targets may be alike, too.
-constexpr double two_of_one_share = 0.25, look_alikes_share = 0.5;
-// Kinds of goods that the robot takes; baskets of stores with fewer than max_targets + max_others
-// are smaller.
+// Kinds of goods that the robot takes; baskets of stores with fewer than Difficulty asks for are
+// smaller.
 constexpr std::size_t min_stock = 2;
 
 // Of store_stock(), what fits into a checkout's basket, whether the robot takes it or not.
