@@ -93,7 +93,7 @@ class CheckoutOracle : public agent::Policy {
   Result<void> lift();
   Result<void> let_go_for_good(episodes::FailureCode why);
   Result<void> let_go(episodes::FailureCode why);
-  void back_off(double opening_m);
+  bool back_off(double opening_m);  // whether the hand gets up
 
   // ---- Putting it down ----
   Result<void> put_down();

@@ -148,12 +148,14 @@ Result<void> CheckoutOracle::let_go(episodes::FailureCode why) {
   return {};
 }
 
-void CheckoutOracle::back_off(double opening_m) {
+bool CheckoutOracle::back_off(double opening_m) {
   const skills::HandAt hand =
       scene_->in_basket(memory_.item) ? skills::HandAt::basket : skills::HandAt::counter;
   const skills::BasketSurroundings basket{
       scene_->surroundings({}, hand), skills::counter_alone(scene_->place()), scene_->rim_z_m()};
-  say_failed("raise the hand", skills::draw_back(memory_.arm, basket, opening_m, memory_.force_n));
+  const auto raised = skills::draw_back(memory_.arm, basket, opening_m, memory_.force_n);
+  say_failed("raise the hand", raised);
+  return raised.ok();
 }
 
 // ---- Putting it down ----
@@ -215,9 +217,8 @@ Result<void> CheckoutOracle::lower() {
     const double opening = skills::let_go_m(tool_, now_.openings_m.front());
     memory_.arm.wait(settle_s, 0, memory_.force_n);
     memory_.arm.wait(open_s, opening, memory_.force_n);
-    back_off(opening);
+    memory_.placed = back_off(opening);  // a hand that stays there meets what stands beside
     if (memory_.in_area == scene_->is_target(memory_.item)) memory_.tried.put_down(memory_.item);
-    memory_.placed = true;
     memory_.phase = Phase::released;
     return {};
   }

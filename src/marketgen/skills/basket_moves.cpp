@@ -9,7 +9,7 @@ namespace {
 constexpr double held_over_rim_m = 0.07, hand_over_rim_m = 0.05;
 constexpr double close_s = 0.6, firm_s = 0.2;
 constexpr double min_lift_m = 0.05, draw_back_m = 0.12;
-constexpr std::array lift_shares{1.0, 0.85, 0.7};
+constexpr std::array lift_shares{1.0, 0.85, 0.7}, raise_shares{1.0, 0.7, 0.4};
 constexpr double aside_share = 0.4;  // of the way to the middle
 
 }  // namespace
@@ -53,11 +53,16 @@ Result<void> draw_back(ArmExecutor& arm,
                                    {&basket.counter, draw_back_m}}) {
     if (arm.straight(*around, arm.tip() * Pose{{0, 0, -by}, {}}, opening_m, force_n).ok()) break;
   }
-  Pose up = arm.tip();
-  const double clear = basket.rim_z_m + hand_over_rim_m;
-  if (up.position.z >= clear) return {};
-  up.position.z = clear;
-  return arm.straight(basket.around, up, opening_m, force_n);
+  const Pose back = arm.tip();
+  const double up_m = basket.rim_z_m + hand_over_rim_m - back.position.z;
+  if (up_m <= 0) return {};
+  Result<void> raised;
+  for (const double share : raise_shares) {
+    const Pose up{back.position + Vec3{0, 0, up_m * share}, back.rotation};
+    raised = arm.straight(basket.around, up, opening_m, force_n);
+    if (raised.ok()) break;
+  }
+  return raised;
 }
 
 }  // namespace marketgen::skills

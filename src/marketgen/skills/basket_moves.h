@@ -27,7 +27,8 @@ Result<void> lift_out(ArmExecutor& arm,
                       Vec3 middle,
                       double force_n);
 
-// The open hand back along itself, as far as it goes, and up over the rim. Error of the way up.
+// The open hand back along itself, as far as it goes, and up over the rim, or a part of the way
+// there. Error of the way up when not even that goes.
 Result<void> draw_back(ArmExecutor& arm,
                        const BasketSurroundings& basket,
                        double opening_m,
