@@ -218,9 +218,9 @@ TEST(CheckoutRefusal, RoundGoodsAreTakenBesideTheirMiddle) {
   EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none);
   pack.size_mm = {80, 80, 78};
   EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::too_wide);
-  pack.size_mm = {42, 40, 34};
+  pack.size_mm = {42, 40, 35};
   EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none);
-  pack.size_mm = {42, 40, 33};
+  pack.size_mm = {42, 40, 34};
   EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::small_round);
 }
 

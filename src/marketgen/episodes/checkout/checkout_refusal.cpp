@@ -24,7 +24,7 @@ constexpr int widest_mm = 74, flattest_mm = 37, longest_mm = 255;
 // What has grown or was baked is narrower beside its middle: round goods are taken there, or along
 // their shortest way, muffins by their cup.
 constexpr int widest_round_mm = 82, widest_baked_mm = 76;
-constexpr int min_round_mm = 34;  // smaller ones slip out between the pads
+constexpr int min_round_mm = 35;  // of smaller ones (chilies) 3 of 5 reached their place
 constexpr double heaviest_kg = 1.0;
 
 bool is_round(const catalog::Product& product) {
