@@ -99,6 +99,15 @@ TEST(CheckoutTools, WhatTheCupRefusesSaysWhy) {
   EXPECT_EQ(refusal_of(pack), episodes::CheckoutRefusal::soft);
 }
 
+// Both are film drawn onto what is in it: a block, and slices.
+TEST(CheckoutTools, TheCupTakesSoftPacksThatAreFirm) {
+  const auto row = [](std::string_view sku) {
+    return *std::ranges::find(committed_catalog().products, sku, &catalog::Product::sku);
+  };
+  EXPECT_EQ(refusal_of(row("dairy-cheddar-mild-400g")), episodes::CheckoutRefusal::none);
+  EXPECT_EQ(refusal_of(row("dairy-bacon-rashers-150g")), episodes::CheckoutRefusal::soft);
+}
+
 TEST(CheckoutTools, AHandKnowsWhatItTakesOfTheProductsItWasMadeFor) {
   catalog::Product wide = box_pack(), heavy = box_pack();
   heavy.sku = "heavy";

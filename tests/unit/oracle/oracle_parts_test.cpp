@@ -196,6 +196,32 @@ TEST(CheckoutRefusal, NamesWhatIsInTheWay) {
   pack.size_mm = {60, 50, 120};
   pack.rigidity = catalog::Rigidity::soft;
   EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::soft);
+  pack.archetype = "chub";  // a casing filled tight
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none);
+}
+
+TEST(CheckoutRefusal, RoundGoodsAreTakenBesideTheirMiddle) {
+  catalog::Product pack;
+  pack.archetype = "box";
+  pack.mass_kg = 0.2;
+  pack.size_mm = {74, 74, 74};
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none);
+  pack.size_mm = {76, 76, 72};
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::too_wide);
+  pack.archetype = "muffin";
+  pack.material = "skin";
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none) << "by its cup";
+  pack.size_mm = {78, 78, 72};
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::too_wide);
+  pack.archetype = "apple";
+  pack.orientation = catalog::Orientation::any;
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none);
+  pack.size_mm = {80, 80, 78};
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::too_wide);
+  pack.size_mm = {42, 40, 35};
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::none);
+  pack.size_mm = {42, 40, 34};
+  EXPECT_EQ(episodes::checkout_refusal(pack), episodes::CheckoutRefusal::small_round);
 }
 
 // It rehearses in a twin what it decides: what it does in the end is what it foresaw.

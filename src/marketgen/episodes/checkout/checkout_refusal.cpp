@@ -7,6 +7,7 @@
 
 #include "assets/product_model.h"
 #include "base/parallel.h"
+#include "catalog/firm_pack.h"
 #include "episodes/checkout/checkout_station.h"
 #include "grasping/grasp_study.h"
 #include "motion/grasp_candidates.h"
@@ -18,9 +19,23 @@ namespace {
 // ---- What the gripper can be expected to hold ----
 // Flat goods: a finger of 16 mm and its room fit between a pack and the wall only over the ledge,
 // so that the pads' lower ends, 21 mm under the pack's upper side, must stand 16 mm over the floor.
-constexpr int widest_mm = 68, flattest_mm = 37, longest_mm = 255;
-constexpr int min_round_mm = 55;  // smaller ones have a low yield
+// Wide goods: pads that stand 80 mm apart have 2.5 mm to spare on either side.
+constexpr int widest_mm = 74, flattest_mm = 37, longest_mm = 255;
+// What has grown or was baked is narrower beside its middle: round goods are taken there, or along
+// their shortest way, muffins by their cup.
+constexpr int widest_round_mm = 82, widest_baked_mm = 76;
+constexpr int min_round_mm = 35;  // of smaller ones (chilies) 3 of 5 reached their place
 constexpr double heaviest_kg = 1.0;
+
+bool is_round(const catalog::Product& product) {
+  return product.orientation == catalog::Orientation::any;
+}
+
+bool is_too_wide(const catalog::Product& product, int shortest_mm, int middle_mm) {
+  const int beside_mm = is_round(product) ? widest_round_mm : widest_baked_mm;
+  return shortest_mm > widest_mm ||
+         middle_mm > (product.material == "skin" ? beside_mm : widest_mm);
+}
 
 // The pack on its broadest side, or with that up.
 Pose lying(const catalog::Product& product, bool other_way_up) {
@@ -72,12 +87,11 @@ Result<std::shared_ptr<const Refusals>> cup_refusals(
 CheckoutRefusal checkout_refusal(const catalog::Product& product) {
   std::array<int, 3> size = product.size_mm;
   std::ranges::sort(size);
-  const bool round = product.orientation == catalog::Orientation::any;
-  if (product.rigidity == catalog::Rigidity::soft) return CheckoutRefusal::soft;
+  if (catalog::gives_way(product)) return CheckoutRefusal::soft;
   if (product.mass_kg > heaviest_kg) return CheckoutRefusal::too_heavy;
-  if (size[1] > widest_mm) return CheckoutRefusal::too_wide;
-  if (round && size[0] < min_round_mm) return CheckoutRefusal::small_round;
-  if (size[0] < flattest_mm) return CheckoutRefusal::too_flat;
+  if (is_too_wide(product, size[0], size[1])) return CheckoutRefusal::too_wide;
+  if (is_round(product) && size[0] < min_round_mm) return CheckoutRefusal::small_round;
+  if (!is_round(product) && size[0] < flattest_mm) return CheckoutRefusal::too_flat;
   if (size[2] > longest_mm) return CheckoutRefusal::too_long;
   return physics::fits_in(physics::checkout_basket, product) ? CheckoutRefusal::none
                                                              : CheckoutRefusal::too_large;
@@ -86,7 +100,7 @@ CheckoutRefusal checkout_refusal(const catalog::Product& product) {
 Result<CheckoutRefusal> cup_refusal(const catalog::Product& product,
                                     const robots::GraspTool& cup,
                                     double lip_friction) {
-  if (product.rigidity == catalog::Rigidity::soft) return CheckoutRefusal::soft;
+  if (catalog::gives_way(product)) return CheckoutRefusal::soft;
   if (!physics::fits_in(physics::checkout_basket, product)) return CheckoutRefusal::too_large;
   MARKETGEN_TRY(const auto body, assets::product_body(product));
   for (const bool other_way_up : {false, true}) {

@@ -41,7 +41,9 @@ EpisodeItem standing_item(const CheckoutStation& station,
 }  // namespace
 
 bool is_one_item(const catalog::Product& product) {
-  if (!is_checkout_item(product) || product.mass_kg > heaviest_box_kg) return false;
+  if (!is_checkout_item(product) || product.mass_kg > heaviest_box_kg ||
+      product.rigidity == catalog::Rigidity::soft)
+    return false;
   const auto [least, most] = std::minmax(product.size_mm[0], product.size_mm[1]);
   const int height = product.size_mm[2];
   if (least < narrowest_mm || least > widest_between_fingers_mm || most > longest_side_mm ||
