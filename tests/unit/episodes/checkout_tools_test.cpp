@@ -104,7 +104,7 @@ TEST(CheckoutTools, TheCupTakesSoftPacksThatAreFirm) {
   const auto row = [](std::string_view sku) {
     return *std::ranges::find(committed_catalog().products, sku, &catalog::Product::sku);
   };
-  EXPECT_EQ(refusal_of(row("bakery-pumpernickel-500g")), episodes::CheckoutRefusal::none);
+  EXPECT_EQ(refusal_of(row("bakery-pumpernickel-375g")), episodes::CheckoutRefusal::none);
   EXPECT_EQ(refusal_of(row("bakery-toast-bread-wheat-500g")), episodes::CheckoutRefusal::soft);
 }
 
