@@ -99,13 +99,13 @@ TEST(CheckoutTools, WhatTheCupRefusesSaysWhy) {
   EXPECT_EQ(refusal_of(pack), episodes::CheckoutRefusal::soft);
 }
 
-// Both are film drawn onto what is in it: a block, and slices.
+// Both are bread in film: a dense block, and slices that are full of air.
 TEST(CheckoutTools, TheCupTakesSoftPacksThatAreFirm) {
   const auto row = [](std::string_view sku) {
     return *std::ranges::find(committed_catalog().products, sku, &catalog::Product::sku);
   };
-  EXPECT_EQ(refusal_of(row("dairy-cheddar-mild-400g")), episodes::CheckoutRefusal::none);
-  EXPECT_EQ(refusal_of(row("dairy-bacon-rashers-150g")), episodes::CheckoutRefusal::soft);
+  EXPECT_EQ(refusal_of(row("bakery-pumpernickel-375g")), episodes::CheckoutRefusal::none);
+  EXPECT_EQ(refusal_of(row("bakery-toast-bread-wheat-500g")), episodes::CheckoutRefusal::soft);
 }
 
 TEST(CheckoutTools, AHandKnowsWhatItTakesOfTheProductsItWasMadeFor) {
