@@ -18,6 +18,8 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double step_rad = 0.05;               // of the door, between two postures
 constexpr double farthest_rad = 0.35;           // that a joint moves in one of them
+constexpr int swivels = 12;                     // of the elbow
+constexpr std::size_t max_postures = 24;        // at the beginning
 constexpr std::array offs_m{0.10, 0.06, 0.04};  // straight off the leaf: an arm that is folded has
                                                 // no room for more
 constexpr double leaf_margin_m = 0.004;
@@ -54,12 +56,6 @@ Result<motion::JointTrajectory> backwards(const motion::ArmModel& model,
 }
 
 }  // namespace
-
-// Of an arm at the beginning of a swing.
-struct DoorHand::Postures {
-  int swivels;  // of the elbow
-  std::size_t most;
-};
 
 std::vector<double> with_arm(const robots::JointGroup& arm,
                              std::vector<double> state,
@@ -253,11 +249,7 @@ Result<motion::JointTrajectory> DoorHand::leave(const DoorStand& stand,
   return plan.trajectory;
 }
 
-// From the first of so many postures in which the arm can follow the leaf far enough.
-Result<HandOnDoor> DoorHand::plan_from(const Postures& postures,
-                                       const DoorStand& stand,
-                                       const HandSwing& swing,
-                                       Seed seed) const {
+Result<HandOnDoor> DoorHand::plan(const DoorStand& stand, const HandSwing& swing, Seed seed) const {
   MARKETGEN_TRY(const motion::CollisionWorld still, motion::CollisionWorld::make(stand.around));
   MARKETGEN_TRY(const motion::ArmChecker checker,
                 motion::ArmChecker::make(model_, stand.state, stand.world_from_base, still));
@@ -269,8 +261,8 @@ Result<HandOnDoor> DoorHand::plan_from(const Postures& postures,
                                   model_.group,
                                   base_from_world * swing.world_from_tip(swing.from_rad),
                                   robots::values_of(model_.group, stand.state),
-                                  postures.swivels));
-  if (starts.size() > postures.most) starts.resize(postures.most);
+                                  swivels));
+  if (starts.size() > max_postures) starts.resize(max_postures);
   if (swing.worth) starts = by_worth(stand, checker, swing, std::move(starts));
   Error error{"robot.unreachable", model_.group.name, "the arm cannot follow the door"};
   double farthest = -1;
@@ -290,12 +282,6 @@ Result<HandOnDoor> DoorHand::plan_from(const Postures& postures,
     error = made.error();
   }
   return error;
-}
-
-Result<HandOnDoor> DoorHand::plan(const DoorStand& stand, const HandSwing& swing, Seed seed) const {
-  constexpr Postures few{12, 24}, many{48, 120};
-  auto made = plan_from(few, stand, swing, seed);
-  return made.ok() || swing.worth ? std::move(made) : plan_from(many, stand, swing, seed);
 }
 
 }  // namespace marketgen::skills

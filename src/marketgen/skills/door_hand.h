@@ -89,11 +89,6 @@ class DoorHand {
                                               const motion::ArmChecker& checker,
                                               const HandSwing& swing,
                                               std::vector<motion::Configuration> starts) const;
-  struct Postures;
-  Result<HandOnDoor> plan_from(const Postures& postures,
-                               const DoorStand& stand,
-                               const HandSwing& swing,
-                               Seed seed) const;
   Result<HandOnDoor> timed(const DoorStand& stand,
                            const motion::CollisionWorld& still,
                            const HandSwing& swing,
