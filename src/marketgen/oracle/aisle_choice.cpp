@@ -59,8 +59,14 @@ const std::string& AisleOracle::sku_of(std::uint32_t product) const {
   return scene.catalog[scene.products[product].sku].sku;
 }
 
-// Length of the way to where it could stand; empty when it could not.
+// Length of the way to where it could stand; empty when it could not. Before a door that is open it
+// stands nearly there, where the leaf leaves room: as far off as the product is.
 std::optional<double> AisleOracle::way_to(std::uint32_t product) const {
+  if (is_behind_open_door(product)) {
+    const Vec3 off = world_->world().product_pose(product).position -
+                     episodes::axle_of(robot_, world_->world_from_base());
+    return std::hypot(off.x, off.y);
+  }
   const auto place = world_->store().standing_place(product);
   if (!place) return std::nullopt;
   const Vec3 at = episodes::axle_of(robot_, world_->world_from_base());
