@@ -156,9 +156,9 @@ Result<collect::CollectOptions> AisleOracle::collect_options(std::uint32_t produ
 }
 
 Result<motion::BaseFollower> AisleOracle::way_of(const Pose& world_from_base) const {
-  const PointMm stands = on_ways(
-      ways().space(),
-      episodes::floor_point_mm(episodes::axle_of(robot_, world_->world_from_base())));
+  const PointMm stands =
+      on_ways(ways().space(),
+              episodes::floor_point_mm(episodes::axle_of(robot_, world_->world_from_base())));
   const Vec3 from{stands[0] * 1e-3, stands[1] * 1e-3, 0},
       to = episodes::axle_of(robot_, world_from_base);
   const Vec3 ahead = rotate(world_from_base.rotation, {1, 0, 0});

@@ -51,7 +51,8 @@ constexpr std::array pulling_stands{
 };
 // Heights of the tip over the lift's zero.
 constexpr std::array pushing_over_lift_m{0.9, 0.75};
-constexpr std::array pulling_over_lift_m{0.9, 0.95, 1.0};  // the arm follows from some of them alone
+constexpr std::array pulling_over_lift_m{
+    0.9, 0.95, 1.0};  // the arm follows from some of them alone
 
 // ---- At the bar. Fingers end before the leaf, which is 2 cm behind the bar's axis: a hand that
 // is turned more meets it. ----

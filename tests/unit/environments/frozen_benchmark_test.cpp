@@ -70,7 +70,7 @@ TEST_P(FrozenBenchmark, ItsFirstAndLastEpisodesOpen) {
 
 // Frozen before rows said what is seen through glass: they are seen as the catalogue has them now.
 TEST_P(FrozenBenchmark, ItsJarsShowWhatIsInThem) {
-  const auto scene = ground_->arena().scene(ground_->stores().front().scene_hash);
+  const auto scene = ground_->arena().scene(ground_->stores().back().scene_hash);
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());
   int jars = 0;
   for (const catalog::Product& row : (*scene)->catalog) {
