@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,23 @@ namespace {
 
 constexpr double min_item_s = 25;                         // no new item with less time left
 constexpr double max_aside_m = 0.10, min_upright = 0.99;  // of what may be tried once more
+constexpr int most_off_mm = 30;  // the ways of a base that slid on its wheels, or was stopped
+
+// The nearest place on the ways. Where there is none so near, the place itself.
+PointMm on_ways(const navigation::FreeSpace& space, PointMm at) {
+  if (space.free(at)) return at;
+  PointMm nearest = at;
+  double least = std::numeric_limits<double>::infinity();
+  for (int x = -most_off_mm; x <= most_off_mm; ++x) {
+    for (int y = -most_off_mm; y <= most_off_mm; ++y) {
+      const double off = std::hypot(x, y);
+      if (off >= least || off > most_off_mm || !space.free({at[0] + x, at[1] + y})) continue;
+      nearest = {at[0] + x, at[1] + y};
+      least = off;
+    }
+  }
+  return nearest;
+}
 
 }  // namespace
 
@@ -41,8 +59,14 @@ const std::string& AisleOracle::sku_of(std::uint32_t product) const {
   return scene.catalog[scene.products[product].sku].sku;
 }
 
-// Length of the way to where it could stand; empty when it could not.
+// Length of the way to where it could stand; empty when it could not. Before a door that is open it
+// stands nearly there, where the leaf leaves room: as far off as the product is.
 std::optional<double> AisleOracle::way_to(std::uint32_t product) const {
+  if (is_behind_open_door(product)) {
+    const Vec3 off = world_->world().product_pose(product).position -
+                     episodes::axle_of(robot_, world_->world_from_base());
+    return std::hypot(off.x, off.y);
+  }
   const auto place = world_->store().standing_place(product);
   if (!place) return std::nullopt;
   const Vec3 at = episodes::axle_of(robot_, world_->world_from_base());
@@ -132,8 +156,11 @@ Result<collect::CollectOptions> AisleOracle::collect_options(std::uint32_t produ
 }
 
 Result<motion::BaseFollower> AisleOracle::way_of(const Pose& world_from_base) const {
-  const Vec3 from = episodes::axle_of(robot_, world_->world_from_base()),
-             to = episodes::axle_of(robot_, world_from_base);
+  const PointMm stands =
+      on_ways(ways().space(),
+              episodes::floor_point_mm(episodes::axle_of(robot_, world_->world_from_base())));
+  const Vec3 from{stands[0] * 1e-3, stands[1] * 1e-3, 0},
+      to = episodes::axle_of(robot_, world_from_base);
   const Vec3 ahead = rotate(world_from_base.rotation, {1, 0, 0});
   MARKETGEN_TRY(motion::DrivePlan plan,
                 motion::plan_drive(ways(),

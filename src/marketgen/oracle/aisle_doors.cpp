@@ -15,6 +15,8 @@ constexpr double swings_s = 3, latches_s = 6;      // until it rests when it was
 constexpr double held_open_rad =
     0.07;  // less than from where on it stays: its friction, 3.6 degrees
 constexpr int max_door_tries = 2;
+constexpr int max_door_arrivals = 6;  // from where it came to stand no arm may follow the leaf, and
+                                      // from a few millimetres beside it may
 
 }  // namespace
 
@@ -107,7 +109,9 @@ Result<void> AisleOracle::open_door() {
   const auto plan = skills::plan_open_door(robot_, question, seed);
   if (!plan.ok()) {
     note_plan(memory_.plan.product, plan.error());
-    give_up_door();
+    memory_.phase = Phase::choose;
+    if (++memory_.door_arrivals[memory_.door] >= max_door_arrivals)
+      refused_doors_.insert(memory_.door);
     return {};
   }
   say("opens " + question.where);
@@ -126,6 +130,7 @@ Result<void> AisleOracle::check_opened() {
     return {};
   }
   memory_.door_tries.erase(memory_.door);
+  memory_.door_arrivals.erase(memory_.door);
   MARKETGEN_TRY(memory_.open, opened_at(memory_.door, now));
   return {};
 }
@@ -159,7 +164,7 @@ Result<void> AisleOracle::shut_door() {
   if (!plan.ok()) {
     say("no way to shut it from here: " + to_string(plan.error()));
     memory_.phase = Phase::choose;
-    memory_.done = ++memory_.door_tries[memory_.open->joint] >= max_door_tries;
+    memory_.done = ++memory_.door_arrivals[memory_.open->joint] >= max_door_arrivals;
     return {};
   }
   say("shuts " + question.where);
@@ -179,6 +184,7 @@ Result<void> AisleOracle::check_shut() {
   }
   memory_.open.reset();
   memory_.door_tries.erase(joint);
+  memory_.door_arrivals.erase(joint);
   return {};
 }
 

@@ -65,7 +65,9 @@ class AisleOracle : public agent::Policy {
     std::map<std::uint32_t, int> unreached = {};             // times that it came in vain
     std::uint32_t door = 0;                                  // that it goes to open
     std::optional<OpenedDoor> open = {};
-    std::map<std::uint32_t, int> door_tries = {};  // since it was last opened or shut
+    // Since it was last opened or shut: times that it was moved in vain, and that the robot stood
+    // before it where no arm has a way.
+    std::map<std::uint32_t, int> door_tries = {}, door_arrivals = {};
     int moves = 0;
     bool done = false;
     bool held = false;                                           // when the tool had closed

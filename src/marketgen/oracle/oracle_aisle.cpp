@@ -163,7 +163,7 @@ Result<void> AisleOracle::pull_out() {
 }
 
 Result<void> AisleOracle::back_off() {
-  const double room = world_->store().room_behind_m(world_->world_from_base());
+  const double room = world_->store().room_behind_m(world_->world_from_base(), ways());
   MARKETGEN_CHECK(memory_.executor.back_off(room));
   if (!holds_it() && memory_.held) {
     say("lost it while it pulled it out");

@@ -49,7 +49,10 @@ constexpr std::array pulling_stands{
     Stand{-0.02, 0.95, 0},
     Stand{-0.07, 1.05, 30 * radian},
 };
-constexpr std::array tips_over_lift_m{0.9, 0.75};  // heights of the tip over the lift's zero
+// Heights of the tip over the lift's zero.
+constexpr std::array pushing_over_lift_m{0.9, 0.75};
+constexpr std::array pulling_over_lift_m{
+    0.9, 0.95, 1.0};  // the arm follows from some of them alone
 
 // ---- At the bar. Fingers end before the leaf, which is 2 cm behind the bar's axis: a hand that
 // is turned more meets it. ----
@@ -190,23 +193,24 @@ class DoorPlanner {
 
   Result<DoorPlan> opened_from(DoorPlan& plan) {
     Error error{"robot.unreachable", question_.where, "no arm reaches the bar"};
-    const double z = raised_to_bar(plan);
-    for (std::size_t puller = 0; puller < hands_.size(); ++puller) {
-      if (!is_by_the_hinge(hands_[puller].hand())) continue;
-      for (const Lag& lag : lags) {
-        const auto made = opened_by(plan, puller, lag, z);
-        if (made.ok()) return plan;
-        error = made.error();
+    for (const double over : pulling_over_lift_m) {
+      const double z = raised_to_bar(plan, over);
+      for (std::size_t puller = 0; puller < hands_.size(); ++puller) {
+        if (!is_by_the_hinge(hands_[puller].hand())) continue;
+        for (const Lag& lag : lags) {
+          const auto made = opened_by(plan, puller, lag, z);
+          if (made.ok()) return plan;
+          error = made.error();
+        }
       }
     }
     return error;
   }
 
   // Returns the height at which the bar is taken.
-  double raised_to_bar(DoorPlan& plan) const {
+  double raised_to_bar(DoorPlan& plan, double over_lift_m) const {
     const double z = (door_.bar.low_m + door_.bar.high_m) / 2;
-    plan.state =
-        raised_state(robot_, question_.driving, z - tips_over_lift_m.front(), grip_opening_m);
+    plan.state = raised_state(robot_, question_.driving, z - over_lift_m, grip_opening_m);
     plan.grip_opening_m = grip_opening_m;
     return z;
   }
@@ -214,7 +218,7 @@ class DoorPlanner {
   // By the hand and the lag of most worth.
   Result<DoorPlan> pulled_from(DoorPlan& plan) {
     Error error{"robot.unreachable", question_.where, "no arm reaches the bar"};
-    const double z = raised_to_bar(plan);
+    const double z = raised_to_bar(plan, pulling_over_lift_m.front());
     for (std::size_t puller = 0; puller < hands_.size(); ++puller) {
       if (!is_by_the_hinge(hands_[puller].hand())) continue;
       for (const Lag& lag : lags) {
@@ -335,7 +339,7 @@ class DoorPlanner {
     Error error{"robot.unreachable", question_.where, "no arm reaches the leaf"};
     for (const double z : {door_.bar.low_m - over_bar_m, door_.bar.high_m + over_bar_m}) {
       if (z < door_.low_m + over_bar_m || z > door_.high_m - over_bar_m) continue;
-      for (const double over : tips_over_lift_m) {
+      for (const double over : pushing_over_lift_m) {
         plan.state = raised_state(robot_, question_.driving, z - over, 0);
         for (std::size_t pusher = 0; pusher < hands_.size(); ++pusher) {
           for (const double from_edge : outside_from_edge_m) {

@@ -58,6 +58,27 @@ TEST(AisleDoors, NobodyStandsInTheOpenLeaf) {
   EXPECT_TRUE(open->past->space().free(episodes::floor_point_mm(open->shut_from)));
 }
 
+// Whoever took an item backs off, and not into the leaf that stands open behind.
+TEST(AisleDoors, NobodyBacksOffIntoTheOpenLeaf) {
+  const auto store = can_cooler(episodes::Doors::hinged);
+  episodes::DoorBook doors(store);
+  const auto open = doors.before(0);
+  ASSERT_TRUE(open.ok() && open->row);
+  const auto door = collect::hinged_door(store->scene, can_cooler_door).value();
+  // It looks along the shut door, away from the hinge, and the leaf stands behind it.
+  const Pose before{door.point_at(0, 0.55, 0.7, 0),
+                    rotation_about({0, 0, 1}, std::atan2(door.along.y, door.along.x))};
+  const double shut = store->room_behind_m(before, store->ways),
+               past = store->room_behind_m(before, open->ways());
+  EXPECT_GT(shut, past);
+  const auto backed = [&](double back_m) {
+    return episodes::floor_point_mm(
+        episodes::axle_of(store->robot, before * Pose{{-back_m, 0, 0}, {}}));
+  };
+  EXPECT_FALSE(open->past->space().free(backed(shut)));
+  EXPECT_TRUE(past == 0 || open->past->space().free(backed(past)));
+}
+
 // A product that the plan has put somewhere stands on no shelf.
 TEST(AisleDoors, APinnedProductIsAskedForNowhere) {
   HandMadeScene shop;

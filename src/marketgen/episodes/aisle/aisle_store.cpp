@@ -102,11 +102,12 @@ std::optional<PointMm> AisleStore::standing_place(std::uint32_t product) const {
   return std::nullopt;
 }
 
-double AisleStore::room_behind_m(const Pose& world_from_base) const {
+double AisleStore::room_behind_m(const Pose& world_from_base,
+                                 const navigation::VisibilityGraph& past) const {
   constexpr double step_m = 0.04;
   for (double back = max_back_off_m; back > step_m / 2; back -= step_m) {
     const Pose there = world_from_base * Pose{{-back, 0, 0}, {}};
-    if (ways.space().free(floor_point_mm(axle_of(robot, there)))) return back;
+    if (past.space().free(floor_point_mm(axle_of(robot, there)))) return back;
   }
   return 0;
 }

@@ -55,8 +55,8 @@ struct AisleStore {
   std::optional<PointMm> standing_place(std::uint32_t product) const;
   // Such places for all items of a SKU, at most one a facing.
   std::vector<PointMm> standing_places(const std::string& sku) const;
-  // How far it may go straight back, at most max_back_off_m.
-  double room_behind_m(const Pose& world_from_base) const;
+  // How far it may go straight back, at most max_back_off_m; `past` the door that is open, if any.
+  double room_behind_m(const Pose& world_from_base, const navigation::VisibilityGraph& past) const;
   ShelfRefusal shelf_refusal(std::uint32_t product) const;
   ShelfRefusal door_refusal(std::uint32_t product) const;  // of these, what doors have to say
   std::vector<std::uint32_t> items_of(

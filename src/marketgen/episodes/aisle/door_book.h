@@ -33,6 +33,8 @@ struct OpenDoor {
   // Of the axle's way: to the door, and past it to where the item is taken. None: there is no way,
   // or none from there to where the door is shut.
   std::optional<double> way_m(Vec3 from, Vec3 to) const;
+  // While the item is taken.
+  const navigation::VisibilityGraph& ways() const { return row ? *past : *before; }
   // Where the robot is when it has taken the item from there, and shut the door.
   Vec3 left_from(Vec3 axle) const { return row ? shut_from : axle; }
 };

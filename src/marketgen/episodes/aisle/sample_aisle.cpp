@@ -15,13 +15,15 @@
 namespace marketgen::episodes {
 namespace {
 
-constexpr int max_attempts = 12;       // at an episode
-constexpr int max_skus_drawn = 200;    // at an attempt; few suit a cup
-constexpr int max_starts = 200;        // places drawn
-constexpr std::size_t usual_rows = 3;  // items of a SKU that are looked at
+constexpr int max_attempts = 12;        // at an episode
+constexpr int max_other_attempts = 60;  // of another difficulty than the standard one
+constexpr int max_skus_drawn = 200;     // at an attempt; few suit a cup
+constexpr int max_starts = 200;         // places drawn
+constexpr std::size_t usual_rows = 3;   // items of a SKU that are looked at
 constexpr std::size_t wider_rows = 8;
 constexpr int wider_searches = 3;  // each from other random postures
 constexpr double drop_reach_m = 1.4;
+constexpr double doors_limit_s = 1500;  // four doors, each opened and shut in 75 s and driven to
 
 // Whether an error says no more than that an item cannot be fetched so: others may be.
 bool is_about_the_item(const Error& error) {
@@ -165,7 +167,7 @@ EpisodeExclusions AisleSampler::exclusions() const {
 
 // From where the arm is when it has pulled the item out, backed off so far as there is room.
 Result<bool> AisleSampler::can_drop(const collect::CollectPlan& plan,
-                                    const collect::GoodsNow& goods,
+                                    const OpenDoor& door,
                                     Witness& witness,
                                     Seed seed) {
   const robots::Robot& robot = store_->robot;
@@ -183,15 +185,16 @@ Result<bool> AisleSampler::can_drop(const collect::CollectPlan& plan,
   }
   question.state[static_cast<std::size_t>(robot.find_dof("lift"))] = store_->station.lift_m;
   question.world_from_base =
-      plan.world_from_base * Pose{{-store_->room_behind_m(plan.world_from_base), 0, 0}, {}};
+      plan.world_from_base *
+      Pose{{-store_->room_behind_m(plan.world_from_base, door.ways()), 0, 0}, {}};
   question.group = plan.group;
   question.tool = plan.tool;
   question.held = &body;
   question.tip_from_product = inverse(plan.grasp.grasp.product_from_tool);
   const Vec3 middle = question.world_from_base.position + Vec3{0, 0, 0.9};
-  question.around = collect::fixture_obstacles(goods, middle, drop_reach_m);
-  MARKETGEN_CHECK(
-      collect::add_product_obstacles(goods, middle, drop_reach_m, witness.taken, question.around));
+  question.around = collect::fixture_obstacles(door.store, middle, drop_reach_m);
+  MARKETGEN_CHECK(collect::add_product_obstacles(
+      door.store, middle, drop_reach_m, witness.taken, question.around));
   question.inside = witness.inside;
   const auto drop = skills::plan_drop(robot, store_->basket, question, seed);
   if (!drop.ok()) {
@@ -242,8 +245,7 @@ Result<std::optional<WitnessPick>> AisleSampler::pick_row(std::uint32_t row,
   const auto drive_m = door.way_m(witness.axle, axle);
   if (!drive_m) return none;
   witness.taken.push_back(row);
-  MARKETGEN_TRY(const bool dropped,
-                can_drop(*plan, door.store, witness, seed.child("drop", number)));
+  MARKETGEN_TRY(const bool dropped, can_drop(*plan, door, witness, seed.child("drop", number)));
   if (!dropped) {
     witness.taken.pop_back();
     return none;
@@ -452,10 +454,11 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
   spec.tools = store_->station.tools().id;
   spec.cameras = {"head_camera"};
   spec.instructions = rules_.instructions;
-  spec.limit_s = store_->station.limit_s;
+  spec.limit_s = with_doors ? doors_limit_s : store_->station.limit_s;
   spec.certificate.proved = shown();
   CandidateJudge judge(prove);
-  for (int number = 0; number < max_attempts; ++number) {
+  const int attempts = difficulty.is_standard() ? max_attempts : max_other_attempts;
+  for (int number = 0; number < attempts; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made,
                   attempt(spec, own.child("attempt", static_cast<std::uint64_t>(number))));
     if (!made) {
@@ -468,7 +471,7 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
   return Error{"episode.impossible",
                spec.id,
                fmt::format("in {} attempts, too few goals were found that can be fetched ({})",
-                           max_attempts,
+                           attempts,
                            judge.spoken())};
 }
 

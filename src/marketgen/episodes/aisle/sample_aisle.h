@@ -80,7 +80,7 @@ class AisleSampler {
                                               Seed seed,
                                               std::uint64_t number);
   Result<bool> can_drop(const collect::CollectPlan& plan,
-                        const collect::GoodsNow& goods,
+                        const OpenDoor& door,
                         Witness& witness,
                         Seed seed);
   CategoryPlace category_place(const catalog::Product& product) const;

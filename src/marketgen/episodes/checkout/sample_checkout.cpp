@@ -16,8 +16,10 @@ namespace {
 
 constexpr int max_baskets = 20;      // drawn until enough stays in
 constexpr int max_cup_baskets = 80;  // a cup needs a flat face up, and no finger rights a pack
-constexpr double settle_s = 1.5;     // in the station, with the basket free
-constexpr double still_m_s = 0.01;   // at the end of it
+// A full basket has a way through far less often: so many times as many.
+constexpr int other_difficulty_times = 5;
+constexpr double settle_s = 1.5;    // in the station, with the basket free
+constexpr double still_m_s = 0.01;  // at the end of it
 constexpr double max_overlap_m = 0.002;
 // Of the basket's room, what the boxes round all that is poured take up at most: packs lie loose.
 constexpr double max_filled = 0.6;
@@ -354,7 +356,8 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
   spec.limit_s = world.station().limit_s;
   CheckoutSampler sampler(stock, world, certify, prove, hand, targets, rules, own);
   const bool cup = world.robot().tools.front().kind == robots::ToolKind::suction;
-  const int max_drawn = cup ? max_cup_baskets : max_baskets;
+  const int times = rules.difficulty.is_standard() ? 1 : other_difficulty_times;
+  const int max_drawn = times * (cup ? max_cup_baskets : max_baskets);
   for (int number = 0; number < max_drawn; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);
