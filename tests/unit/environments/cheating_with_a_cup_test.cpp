@@ -1,0 +1,53 @@
+// A cup at the counter that stops while it holds: at the stop it lets go, and what falls from high
+// up was not put down. Those of fingers: cheating_policies_test.cpp.
+#include <gtest/gtest.h>
+
+#include "environments/run_episode.h"
+#include "episodes/checkout/checkout_world.h"
+#include "io/json.h"
+#include "support/arm_waypoints.h"
+#include "support/cup_pack.h"
+
+namespace marketgen {
+namespace {
+
+class CheatsWithACup : public testing::Test {
+ protected:
+  // Takes the pack that hangs under its lip to a place over the area, and stops there.
+  episodes::EpisodeResult stopped_over_area(double tip_m) {
+    const catalog::Product pack = box_pack();
+    const auto reset = world_.reset(under_the_lip(world_, pack), {pack});
+    if (!reset.ok()) fatal(to_string(reset.error()).c_str());
+    const auto& center = world_.station().unloading.center_m;
+    Waypoints policy(
+        world_.robot(),
+        {{{center[0], center[1], tip_m + 0.15}, 0, 0.5}, {{center[0], center[1], tip_m}, 0, 0.3}});
+    auto result = environments::run_policy(world_, policy, "cheat");
+    if (!result.ok()) fatal(to_string(result.error()).c_str());
+    return std::move(result).value();
+  }
+
+  bool is_on_area() const {
+    const Vec3 at = world_.item_pose(0).position;
+    return world_.station().unloading.area().holds(at.x, at.y) && at.z < 0.1;
+  }
+
+  episodes::CheckoutWorld world_ = world_with("suction");
+};
+
+TEST_F(CheatsWithACup, StoppingWithAPackOverTheAreaIsWorthNothing) {
+  const episodes::EpisodeResult result = stopped_over_area(0.36);
+  EXPECT_EQ(result.hits, 0) << io::write_json(result);
+  EXPECT_FALSE(result.success_strict);
+  EXPECT_TRUE(is_on_area()) << "it fell elsewhere";
+}
+
+// The rule is the fall, not the stop: from just above it is put down.
+TEST_F(CheatsWithACup, StoppingWithAPackOnTheAreaPutsItDown) {
+  const episodes::EpisodeResult result = stopped_over_area(0.215);
+  EXPECT_TRUE(is_on_area()) << "it fell elsewhere";
+  EXPECT_EQ(result.hits, 1) << io::write_json(result);
+}
+
+}  // namespace
+}  // namespace marketgen
