@@ -17,10 +17,10 @@
 namespace marketgen::episodes {
 namespace {
 
-constexpr std::string_view draw_again = "draw the episodes again";
+constexpr std::string_view remedy = "draw the episodes again, or leave \"certificate\" out";
 
 Error bad_certificate(const std::string& where, const std::string& message) {
-  return {"episode.bad_value", where, fmt::format("{}: {}", message, draw_again)};
+  return {"episode.bad_value", where, fmt::format("{}: {}", message, remedy)};
 }
 
 std::vector<std::string_view> proofs_of(Track track) {
