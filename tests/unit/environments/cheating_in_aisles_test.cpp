@@ -156,7 +156,7 @@ TEST_F(AisleCheats, LeavingADoorAjarIsNotClean) {
       oracle::make_aisle_oracle(*world_, data_rows(), Seed(1)).value(),
       [&](const agent::Action&, bool) {
         steps_in_basket += world_->in_basket().empty() ? 0 : 1;
-        return steps_in_basket > 40;  // two seconds
+        return steps_in_basket > 100;  // it was let go, and the hand has left
       },
       [this](const agent::Action&, int) {
         agent::Action action = episodes::still_action(world_->observe());
