@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "evaluation/leaderboard_page.h"
+#include "evaluation/table_remarks.h"
 #include "say.h"
 
 namespace marketgen::app {
@@ -60,7 +61,12 @@ void print_power(const evaluation::LeaderboardTrack& track) {
 }  // namespace
 
 void print_leaderboard(const evaluation::Leaderboard& board) {
-  say("episodes {}, version {}, realism {}\n", board.episodes_hash, board.version, board.realism);
+  say("episodes {}, version {}, realism {}\n",
+      evaluation::spoken_episodes(board.set, board.episodes_hash),
+      board.version,
+      board.realism);
+  if (const std::string remark = evaluation::realism_remark(board.realism); !remark.empty())
+    say("{}\n", remark);
   for (const evaluation::LeaderboardTrack& track : board.tracks) {
     const evaluation::LeaderboardEntry& best = track.entries.front();
     say("\n{}: {} episodes of {} stores; percent with 95 % intervals; p against {} (Holm)\n",
@@ -81,9 +87,7 @@ void print_leaderboard(const evaluation::Leaderboard& board) {
     for (const evaluation::LeaderboardEntry& entry : track.entries)
       print_entry(entry);
     if (std::ranges::none_of(track.entries, &evaluation::LeaderboardEntry::floor))
-      say("no floor among them: run random, stop or highest on the same episodes to see what "
-          "chance "
-          "scores\n");
+      say("{}\n", evaluation::no_floor_remark());
     print_power(track);
   }
 }

@@ -149,6 +149,16 @@ std::string find_episode_file(const std::string& named) {
       .string();
 }
 
+// Of a file that is one of the program's sets, its name, once all that it consists of is found
+// unchanged; "" for other files, which are not read.
+std::string set_of_episodes(const std::string& file) {
+  if (episodes::set_of_file(file, value_or_raise(io::data_folder())).empty()) return "";
+  return value_or_raise(without_interpreter([&]() -> Result<std::string> {
+    MARKETGEN_TRY(const episodes::EpisodeFile read, episodes::read_episode_file(file));
+    return read.set;
+  }));
+}
+
 // By name, the sets of episodes that come with the program.
 std::map<std::string, std::string> episode_sets() {
   std::map<std::string, std::string> sets;
@@ -180,6 +190,7 @@ void add_evaluations(nb::module_& module) {
   module.def("evaluate_with", &evaluate_with);
   module.def("serve_episodes", &serve);
   module.def("find_episode_file", &find_episode_file);
+  module.def("set_of_episodes", &set_of_episodes);
   module.def("read_shard", [](const std::string& text) {
     const evaluation::Shard shard = value_or_raise(evaluation::read_shard(text));
     return std::pair(shard.part, shard.of);

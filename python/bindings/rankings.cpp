@@ -19,8 +19,12 @@
 namespace marketgen::python {
 namespace {
 
-void merge(const std::vector<std::string>& folders, const std::string& into) {
-  value_or_raise(without_interpreter([&] { return evaluation::merge_folders(folders, into); }));
+// `set`: of the program's, of which the shards ran a copy; "" for others.
+void merge(const std::vector<std::string>& folders,
+           const std::string& into,
+           const std::string& set) {
+  value_or_raise(
+      without_interpreter([&] { return evaluation::merge_folders(folders, into, set); }));
 }
 
 // market-leaderboard/1; also as a page, where `html` names one.

@@ -21,7 +21,7 @@ def merge(results: Sequence[PathLike], folder: PathLike) -> Evaluation:
     store.exists, and what is wrong with one of them: results.*, json.*.
     """
     into = os.path.abspath(arguments.a_path("folder", folder))
-    _core.merge(arguments.paths("results", results), into)
+    _core.merge(arguments.paths("results", results), into, "")
     return evaluation_in(into)
 
 

@@ -23,11 +23,10 @@ import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from . import arguments
+from . import _core, arguments
 from .arguments import MAX_SEED, PathLike, Progress
 from .errors import Error
-from .evaluation import MAX_LIMIT_S, Evaluation
-from .rankings import merge
+from .evaluation import MAX_LIMIT_S, Evaluation, evaluation_in
 from .recording.outputs import alone_in, writing
 from .scaling.crew import Crew, Terms, ray_module
 from .scaling.jobs import Job
@@ -122,11 +121,13 @@ def evaluate(
     """
     _known("options", options, EVALUATE_OPTIONS)
     jobs, parcels = _shards("evaluate", episodes, policy, part, options)
+    of_set = _core.set_of_episodes(arguments.episodes_path("episodes", episodes))  # workers have a copy of it
     into = _new_folder(folder, resume)
     beside = _beside(into)
     with _kept_in(beside):
         _work(_crew(workers, cpus), jobs, parcels, beside, progress)
-        return merge([beside / job.key for job in jobs], into)
+        _core.merge([str(beside / job.key) for job in jobs], str(into), of_set)
+        return evaluation_in(str(into))
 
 
 def record(

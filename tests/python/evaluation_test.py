@@ -76,6 +76,7 @@ def test_motion_is_what_became_of_it(tasks, tmp_path, act_limit_s):
 def test_sets_are_named(tmp_path):
     scores = marketgen.evaluate("pool/checkout", policies.StopsAtOnce, tmp_path, shard="1/20")
     assert len(scores.results) == 2
+    assert json.loads((tmp_path / "run.json").read_text())["set"] == "pool/checkout"
 
 
 @pytest.mark.parametrize("act_limit_s", [0, 120])

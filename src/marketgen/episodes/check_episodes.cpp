@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.h"
+#include "episodes/check_witness.h"
 #include "episodes/track_entry.h"
 
 namespace marketgen::episodes {
@@ -176,6 +177,7 @@ Result<void> check_episode(const EpisodeSpec& spec, const std::string& where) {
   MARKETGEN_CHECK(check_goals(spec, where));
   MARKETGEN_CHECK(check_fields(spec, where));
   MARKETGEN_CHECK(check_certificate(spec.certificate, where + "/certificate"));
+  MARKETGEN_CHECK(check_witness(spec, where));
   return check_cameras(spec, where);
 }
 

@@ -11,7 +11,7 @@ namespace marketgen::episodes {
 // Of one episode by itself, at "WHERE/FIELD". Errors: episode.bad_value for an attitude that is no
 // unit quaternion, a camera or a field that the track does not have, a category of
 // what is no goal, the same goal twice; episode.impossible for no goals, or more of a product than
-// lie in the basket.
+// lie in the basket; those of check_certificate and check_witness.
 Result<void> check_episode(const EpisodeSpec& spec, const std::string& where);
 
 // Of a whole file, at "SOURCE:LINE/FIELD" of the first fault. Errors: those of check_episode;

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.h"
+#include "io/file.h"
 
 namespace marketgen::episodes {
 namespace fs = std::filesystem;
@@ -16,6 +17,21 @@ namespace {
 std::string name_of_set(const std::string& file) {
   for (const std::string_view ending : {".jsonl.gz", ".jsonl"})
     if (file.ends_with(ending)) return file.substr(0, file.size() - ending.size());
+  return "";
+}
+
+constexpr char sums_file[] = "SHA256SUMS";
+
+// What the line of a file says; empty when there is none.
+std::string sum_of(std::string_view sums, std::string_view name) {
+  while (!sums.empty()) {
+    const std::size_t end = sums.find('\n');
+    const std::string_view line = sums.substr(0, end);
+    const std::size_t blank = line.find("  ");
+    if (blank != std::string_view::npos && line.substr(blank + 2) == name)
+      return std::string(line.substr(0, blank));
+    sums.remove_prefix(end == std::string_view::npos ? sums.size() : end + 1);
+  }
   return "";
 }
 
@@ -48,6 +64,29 @@ Result<fs::path> find_episode_file(const fs::path& named, const fs::path& data) 
                            "are: {}",
                            did_you_mean(named.string(), names),
                            fmt::join(names, ", "))};
+}
+
+std::string set_of_file(const fs::path& file, const fs::path& data) {
+  std::error_code failed;
+  for (const auto& [name, of_set] : episode_sets(data))
+    if (fs::equivalent(file, of_set, failed)) return name;
+  return "";
+}
+
+Result<void> check_set_file(const fs::path& folder, const std::string& name) {
+  std::error_code failed;
+  if (!fs::exists(folder / sums_file, failed)) return {};
+  MARKETGEN_TRY(const std::string sums, io::read_file(folder / sums_file));
+  MARKETGEN_TRY(const std::string there, io::sha256_of_file(folder / name));
+  const std::string said = sum_of(sums, name);
+  if (said == there) return {};
+  return Error{"episode.changed_set",
+               (folder / name).string(),
+               fmt::format("{} beside it {}, so that results would not be of the set {}: install "
+                           "the program's data again, or give episodes of your own another place",
+                           sums_file,
+                           said.empty() ? "does not list it" : "has another sum for it",
+                           folder.filename().string())};
 }
 
 }  // namespace marketgen::episodes

@@ -16,4 +16,12 @@ std::map<std::string, std::filesystem::path> episode_sets(const std::filesystem:
 Result<std::filesystem::path> find_episode_file(const std::filesystem::path& named,
                                                 const std::filesystem::path& data);
 
+// The name of the set that lies there; empty for any other file, a copy of a set's included.
+std::string set_of_file(const std::filesystem::path& file, const std::filesystem::path& data);
+
+// Whether a file of a set, `name` below its folder, is the one of the folder's SHA256SUMS (lines of
+// sha256sum). A folder without such a file is not looked at. Errors: episode.changed_set when it is
+// another, or is not listed; those of read_file and sha256_of_file.
+Result<void> check_set_file(const std::filesystem::path& folder, const std::string& name);
+
 }  // namespace marketgen::episodes

@@ -86,17 +86,38 @@ Result<EpisodeFile> read_episodes(std::string_view text, const std::string& sour
   return file;
 }
 
+namespace {
+
+// Each that an episode may open.
+Result<void> check_scenes_of_set(const EpisodeHeader& header, const fs::path& folder) {
+  for (const EpisodeStore& store : header.stores)
+    if (store.scene) {
+      MARKETGEN_CHECK(check_set_file(folder, store.scene->file));
+    }
+  return {};
+}
+
+}  // namespace
+
 Result<EpisodeFile> read_episode_file(const fs::path& file) {
   MARKETGEN_TRY(const fs::path data, io::data_folder());
   const bool told = file == "-";
   MARKETGEN_TRY(const fs::path found,
                 told ? Result<fs::path>("/dev/stdin") : find_episode_file(file, data));
   const std::string source = told ? "standard input" : found.filename().string();
+  const std::string set = told ? "" : set_of_file(found, data);
+  if (!set.empty()) {
+    MARKETGEN_CHECK(check_set_file(found.parent_path(), source));
+  }
   MARKETGEN_TRY(std::string text, io::read_file(found));
   if (io::is_gzip(text)) {
     MARKETGEN_TRY(text, io::gunzip(text, source));
   }
   MARKETGEN_TRY(EpisodeFile episodes, read_episodes(text, source));
+  episodes.set = set;
+  if (!set.empty()) {
+    MARKETGEN_CHECK(check_scenes_of_set(episodes.header, found.parent_path()));
+  }
   MARKETGEN_CHECK(check_robots(episodes, source, data));
   MARKETGEN_CHECK(check_frozen(episodes, source, told ? fs::path() : found.parent_path(), data));
   return episodes;

@@ -260,6 +260,7 @@ struct EpisodeHeader {
 struct EpisodeFile {
   EpisodeHeader header;
   std::vector<EpisodeSpec> episodes;
+  std::string set = {};  // that comes with the program, by its name; empty: it is none of them
 };
 
 // Of all that their certificates say.
@@ -277,8 +278,8 @@ std::string episode_hash(const EpisodeHeader& header, const EpisodeSpec& spec);
 // breaks off; those of check_episodes (episodes/check_episodes.h).
 Result<EpisodeFile> read_episodes(std::string_view text, const std::string& source);
 // A file, packed with gzip or not, or a set by its name (episodes/episode_sets.h); "-": standard
-// input. Errors: those of find_episode_file, read_file, gunzip, read_episodes, data_folder,
-// check_robots and check_frozen.
+// input. Errors: those of find_episode_file, check_set_file, read_file, gunzip, read_episodes,
+// data_folder, check_robots and check_frozen.
 Result<EpisodeFile> read_episode_file(const std::filesystem::path& file);
 std::string write_episodes(const EpisodeFile& file);
 

@@ -32,6 +32,11 @@ class TrackEntry {
   // Whether the goals can be met, as far as the episode tells, at "WHERE/goals". Errors:
   // episode.impossible.
   virtual Result<void> check_goals(const EpisodeSpec& spec, const std::string& where) const = 0;
+  // What EpisodeCertificate::proved may say of its episodes, besides "physics".
+  virtual std::vector<std::string_view> proofs() const = 0;
+  // Whether each pick of the witness is of this episode. Error episode.bad_value at
+  // "witness/PICK/FIELD" (episodes/check_witness.h).
+  virtual Result<void> check_picks(const EpisodeSpec& spec) const = 0;
   // Errors: those of the station's file.
   virtual Result<TrackRobot> robot(const std::filesystem::path& data) const = 0;
   // How many things an episode is about, and how many at most one that is drawn.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "evaluation/table_remarks.h"
 #include "store/store.h"
 
 namespace marketgen::evaluation {
@@ -150,13 +151,16 @@ Result<GeneratorTable> generator_table(const std::vector<std::string>& folders,
       if (other.metric == metric.name) row.published.push_back(other);
     if (row.stores > 0) table.rows.push_back(std::move(row));
   }
-  table.sources = published.sources;
+  std::vector<std::string> keys;
+  for (const GeneratorRow& row : table.rows)
+    for (const PublishedGenerator& other : row.published)
+      keys.push_back(other.source);
+  table.sources = cited_sources(published.sources, keys);
   return table;
 }
 
 TextTable text_of(const GeneratorTable& table) {
   TextTable text{{"metric", "median", "worst", "stores", "published of others"}, {}, {}};
-  std::set<std::string> keys;
   for (const GeneratorRow& row : table.rows) {
     text.rows.push_back({row.metric,
                          fmt::format("{:.4g}", row.median),
@@ -164,11 +168,9 @@ TextTable text_of(const GeneratorTable& table) {
                          std::to_string(row.stores),
                          published_cell(row.published)});
     text.notes.push_back(row.metric + ": " + row.what + ".");
-    for (const PublishedGenerator& other : row.published)
-      keys.insert(other.source);
   }
   for (const robots::SourceRow& source : table.sources)
-    if (keys.contains(source.key)) text.notes.push_back("[" + source.key + "] " + source.text);
+    text.notes.push_back("[" + source.key + "] " + source.text);
   return text;
 }
 

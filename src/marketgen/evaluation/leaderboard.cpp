@@ -113,6 +113,7 @@ Result<Leaderboard> leaderboard_of(const std::vector<FinishedRun>& runs) {
   board.version = record.version;
   board.realism = record.realism;
   board.episodes_hash = record.episodes_hash;
+  board.set = common_set(runs);
   board.split = record.split;
   board.instructions = record.instructions;
   for (const episodes::Track track : tracks_of(runs.front()))

@@ -81,6 +81,7 @@ struct LeaderboardTrack {
 struct Leaderboard {
   std::string schema = "market-leaderboard/1";
   std::string version, realism, episodes_hash, instructions;
+  std::optional<std::string> set = {};
   episodes::Split split = episodes::Split::planned;
   std::vector<LeaderboardTrack> tracks;
   static constexpr auto fields = field_list(
@@ -88,6 +89,9 @@ struct Leaderboard {
       field("version", &Leaderboard::version, "of the program"),
       field("realism", &Leaderboard::realism, "of all runs"),
       field("episodes_hash", &Leaderboard::episodes_hash, "of the file of episodes"),
+      field("set",
+            &Leaderboard::set,
+            "the set that comes with the program of which all runs are; absent for other files"),
       field("split", &Leaderboard::split, "what the file's episodes were shown to be"),
       field("instructions",
             &Leaderboard::instructions,

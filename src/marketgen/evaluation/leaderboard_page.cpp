@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "evaluation/table_remarks.h"
 #include "store/html_page.h"
 
 namespace marketgen::evaluation {
@@ -88,8 +89,7 @@ std::string track_section(const LeaderboardTrack& track) {
     out += entry_row(entry);
   out += "</table>";
   if (std::ranges::none_of(track.entries, &LeaderboardEntry::floor))
-    out +=
-        "<p class=\"warn\">No blind floor is among them: what chance scores here is not known.</p>";
+    out += fmt::format("<p class=\"warn\">{}</p>", escaped_markup(no_floor_remark()));
   return out + power_table(track) + "</section>";
 }
 
@@ -103,11 +103,13 @@ std::string leaderboard_sections(const Leaderboard& board) {
   std::string out = fmt::format(
       "<p class=\"sub\">episodes {} · split {} · instructions in {} · version {} "
       "· realism {}</p>",
-      escaped_markup(board.episodes_hash),
+      escaped_markup(spoken_episodes(board.set, board.episodes_hash)),
       name_of(board.split),
       escaped_markup(board.instructions),
       escaped_markup(board.version),
       escaped_markup(board.realism));
+  if (const std::string remark = realism_remark(board.realism); !remark.empty())
+    out += fmt::format("<p class=\"warn\">{}</p>", escaped_markup(remark));
   for (const LeaderboardTrack& track : board.tracks)
     out += track_section(track);
   return out;

@@ -62,6 +62,7 @@ Result<FinishedRun> merge_runs(const std::vector<FinishedRun>& shards,
   MARKETGEN_TRY(const ResultsById all, each_once(shards));
   FinishedRun merged{folder, shards.front().record, {}};
   merged.record.shard = {};
+  merged.record.set = common_set(shards);
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < merged.record.episodes.size(); ++i) {
     const auto found = all.find(merged.record.episodes[i].id);
@@ -83,11 +84,13 @@ Result<FinishedRun> merge_runs(const std::vector<FinishedRun>& shards,
 }
 
 Result<FinishedRun> merge_folders(const std::vector<std::string>& folders,
-                                  const std::filesystem::path& folder) {
+                                  const std::filesystem::path& folder,
+                                  const std::string& set) {
   io::Outputs place;
   MARKETGEN_CHECK(place.add_folder(folder));
   MARKETGEN_TRY(const std::vector<FinishedRun> shards, read_runs(folders));
   MARKETGEN_TRY(FinishedRun whole, merge_runs(shards, folder));
+  if (!set.empty()) whole.record.set = set;
   MARKETGEN_CHECK(write_run(whole));
   MARKETGEN_CHECK(place.commit());
   return whole;

@@ -15,9 +15,11 @@ namespace marketgen::evaluation {
 Result<FinishedRun> merge_runs(const std::vector<FinishedRun>& shards,
                                const std::filesystem::path& folder);
 
-// The same with what lies in `folders`, written to `folder`, which is looked at first. Errors:
-// those of read_runs and write_run, too.
+// The same with what lies in `folders`, written to `folder`, which is looked at first. `set`: of
+// the program's, where the shards ran a copy of it; else they say so themselves. Errors: those of
+// read_runs and write_run, too.
 Result<FinishedRun> merge_folders(const std::vector<std::string>& folders,
-                                  const std::filesystem::path& folder);
+                                  const std::filesystem::path& folder,
+                                  const std::string& set = {});
 
 }  // namespace marketgen::evaluation

@@ -152,7 +152,7 @@ std::string run_section(const FinishedRun& run,
       escaped_markup(record.realism),
       name_of(record.split),
       escaped_markup(record.instructions),
-      escaped_markup(record.episodes_hash));
+      escaped_markup(spoken_episodes(record.set, record.episodes_hash)));
   return out + figures(run) + failures(run, strips) + successes(run, strips) +
          ledger_table(run.results) + time_lines(run.results) + goods_tables(run.results, catalog) +
          "</section>";

@@ -61,6 +61,7 @@ RunRecord record_of(const episodes::EpisodeFile& file,
   record.realism = realism;
   record.version = program_version;
   record.commits = {commit_of_program()};
+  if (!file.set.empty()) record.set = file.set;
   record.split = file.header.split;
   record.instructions = instructions_of(file);
   record.shard = shard;
@@ -72,6 +73,10 @@ RunRecord record_of(const episodes::EpisodeFile& file,
   }
   record.episodes_hash = hasher.hex();
   return record;
+}
+
+std::string spoken_episodes(const std::optional<std::string>& set, const std::string& hash) {
+  return set ? fmt::format("{} ({})", *set, hash) : hash;
 }
 
 std::filesystem::path record_path(const std::filesystem::path& folder) {

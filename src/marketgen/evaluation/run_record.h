@@ -2,6 +2,7 @@
 // that a folder of results says by itself what is missing from it.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct RunRecord {
   std::vector<std::string> commits;  // more than one when a run was gone on with
   std::string realism = "ideal";
   std::string episodes_hash;
+  std::optional<std::string> set;  // v1/checkout: of the program's sets; absent: of none of them
   episodes::Split split = episodes::Split::planned;
   std::string instructions = "ids";  // of the file's episodes: ids, words, or "ids and words"
   Shard shard;
@@ -66,6 +68,10 @@ struct RunRecord {
             &RunRecord::episodes_hash,
             "over all episodes of the file, in their order",
             required()),
+      field(
+          "set",
+          &RunRecord::set,
+          "the set that comes with the program of which the episodes are; absent for other files"),
       field("split", &RunRecord::split, "what the file's episodes were shown to be"),
       field("instructions",
             &RunRecord::instructions,
@@ -80,6 +86,9 @@ RunRecord record_of(const episodes::EpisodeFile& file,
                     const std::string& policy,
                     const std::string& realism,
                     const Shard& shard);
+
+// "v1/checkout (3f…)": how pages and tables name the file of episodes.
+std::string spoken_episodes(const std::optional<std::string>& set, const std::string& hash);
 
 std::filesystem::path record_path(const std::filesystem::path& folder);
 // Errors: results.no_record; io.*; those of read_json.

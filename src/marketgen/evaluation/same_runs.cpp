@@ -86,4 +86,13 @@ Result<void> check_one_run(const std::vector<FinishedRun>& runs) {
   return {};
 }
 
+std::optional<std::string> common_set(const std::vector<FinishedRun>& runs) {
+  std::optional<std::string> set;
+  for (const FinishedRun& run : runs) {
+    if (!run.record.set || (set && *set != *run.record.set)) return std::nullopt;
+    set = run.record.set;
+  }
+  return set;
+}
+
 }  // namespace marketgen::evaluation

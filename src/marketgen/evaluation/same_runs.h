@@ -1,5 +1,7 @@
 // Which runs may be put side by side.
 #pragma once
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -16,5 +18,8 @@ Result<void> check_same_but_realism(const std::vector<FinishedRun>& runs);
 Result<void> check_same_world(const std::vector<FinishedRun>& runs);
 // Of the same policy and commit, too: parts of one run. The same error.
 Result<void> check_one_run(const std::vector<FinishedRun>& runs);
+
+// The program's set of which they all are; none when some are of another file, a copy included.
+std::optional<std::string> common_set(const std::vector<FinishedRun>& runs);
 
 }  // namespace marketgen::evaluation

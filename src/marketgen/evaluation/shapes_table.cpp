@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "environments/policy_name.h"
 #include "episodes/told_attribute.h"
 #include "evaluation/goods_rows.h"
 #include "evaluation/same_runs.h"
+#include "evaluation/table_remarks.h"
 
 namespace marketgen::evaluation {
 namespace {
@@ -88,6 +90,10 @@ std::string cell(const ShapesRow& row, PackShape shape) {
   return fmt::format("{} of {}", percent(at->share), at->tries);
 }
 
+bool is_of_a_floor(const ShapesRow& row) {
+  return row.source.empty() && environments::is_floor(row.who);
+}
+
 std::string agreement_note(const ShapesRow& row, const ShapesAgreement& agreement) {
   return fmt::format(
       "{} and {}, over {} shapes: Pearson {}, MMRV {:.3f}",
@@ -160,7 +166,10 @@ Result<ShapesTable> shapes_table(const std::vector<FinishedRun>& runs,
     table.rows.push_back(published_row(row));
   for (ShapesRow& row : table.rows)
     add_agreement(row, published.shapes);
-  table.sources = published.sources;
+  std::vector<std::string> keys;
+  for (const ShapesRow& row : table.rows)
+    keys.push_back(row.source);
+  table.sources = cited_sources(published.sources, keys);
   return table;
 }
 
@@ -180,15 +189,16 @@ TextTable text_of(const ShapesTable& table) {
                   "Published: grasps that held, of those tried.",
                   table.version,
                   table.realism));
+  for (std::string& remark :
+       table_remarks(std::ranges::any_of(table.rows, is_of_a_floor), table.realism))
+    text.notes.push_back(std::move(remark));
   for (const ShapesRow& row : table.rows) {
     if (!row.commit.empty()) text.notes.push_back(row.who + ": " + row.commit);
     for (const ShapesAgreement& agreement : row.agreement)
       text.notes.push_back(agreement_note(row, agreement));
   }
   for (const robots::SourceRow& source : table.sources)
-    if (std::ranges::any_of(table.rows,
-                            [&](const ShapesRow& row) { return row.source == source.key; }))
-      text.notes.push_back("[" + source.key + "] " + source.text);
+    text.notes.push_back("[" + source.key + "] " + source.text);
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "environments/policy_name.h"
 #include "evaluation/evaluation_summary.h"
 #include "evaluation/same_runs.h"
+#include "evaluation/table_remarks.h"
 
 namespace marketgen::evaluation {
 namespace {
@@ -175,7 +176,10 @@ Result<TracksTable> tracks_table(const std::vector<FinishedRun>& runs, const Pub
   });
   for (const PublishedPolicy& policy : published.policies)
     table.rows.push_back(published_row(policy));
-  table.sources = published.sources;
+  std::vector<std::string> keys;
+  for (const TracksRow& row : table.rows)
+    keys.push_back(row.source);
+  table.sources = cited_sources(published.sources, keys);
   return table;
 }
 
@@ -187,6 +191,9 @@ TextTable text_of(const TracksTable& table) {
       fmt::format("SR: mean share of goals; 95 % intervals over stores; version {}, realism {}.",
                   table.version,
                   table.realism));
+  for (std::string& remark :
+       table_remarks(std::ranges::any_of(table.rows, &TracksRow::floor), table.realism))
+    text.notes.push_back(std::move(remark));
   for (const TracksRow& row : table.rows)
     if (!row.commit.empty()) text.notes.push_back(row.policy + ": " + row.commit);
   for (const robots::SourceRow& source : table.sources)

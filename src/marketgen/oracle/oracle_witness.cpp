@@ -100,7 +100,7 @@ class CheckoutWitness {
   void note(std::size_t item, const GraspChoice& choice) {
     episodes::WitnessPick pick;
     pick.sku = world_.spec().items[item].sku;
-    pick.product = "item-" + std::to_string(item);
+    pick.product = episodes::witness_item(item);
     pick.arm = "arm";
     pick.strategy = std::string(name_of(choice.strategy));
     picks_.push_back(std::move(pick));

@@ -10,6 +10,7 @@
 #include "io/json.h"
 #include "oracle/oracle_aisle.h"
 #include "support/can_aisle.h"
+#include "support/can_cooler.h"
 #include "support/drawn_checkout.h"
 #include "support/oracle_until.h"
 #include "support/recorded_actions.h"
@@ -142,6 +143,32 @@ TEST_F(AisleCheats, FetchingANeighbourTooCancelsAGoal) {
   expect_nothing(result);
   EXPECT_EQ(result.goals[0].reached, 1);
   EXPECT_EQ(world_->in_basket().size(), 2U);
+}
+
+// ---- Behind a door ----
+
+// The can is fetched as it should be; the work of shutting the door is left to others.
+TEST_F(AisleCheats, LeavingADoorAjarIsNotClean) {
+  const auto store = can_cooler(episodes::Doors::hinged);
+  world_ = can_world(can_cooler_episode(*store, 1), store);
+  int steps_in_basket = 0;
+  OracleUntil policy(
+      oracle::make_aisle_oracle(*world_, data_rows(), Seed(1)).value(),
+      [&](const agent::Action&, bool) {
+        steps_in_basket += world_->in_basket().empty() ? 0 : 1;
+        return steps_in_basket > 100;  // it was let go, and the hand has left
+      },
+      [this](const agent::Action&, int) {
+        agent::Action action = episodes::still_action(world_->observe());
+        action.stop = true;
+        return action;
+      });
+  const episodes::EpisodeResult result = played(policy);
+  ASSERT_TRUE(policy.has_cheated()) << "no can came into the basket";
+  EXPECT_TRUE(result.success_strict) << io::write_json(result);
+  EXPECT_EQ(result.side_effects.doors_open, 1);
+  EXPECT_FALSE(episodes::is_clean(result.side_effects));
+  EXPECT_FALSE(result.success_clean);
 }
 
 TEST_F(AisleCheats, ActingAfterTheEndIsAnErrorAndChangesNothing) {

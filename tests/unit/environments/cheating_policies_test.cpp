@@ -7,9 +7,8 @@
 
 #include "environments/run_episode.h"
 #include "episodes/checkout/checkout_world.h"
-#include "geometry/rotation_axes.h"
 #include "io/json.h"
-#include "robots/arm_ik.h"
+#include "support/arm_waypoints.h"
 #include "support/drawn_checkout.h"
 #include "support/oracle_until.h"
 #include "support/recorded_actions.h"
@@ -18,60 +17,6 @@ namespace marketgen {
 namespace {
 
 using episodes::CheckoutWorld;
-
-// A place of the tip, which points down and closes along Y, and how fast the joints go there.
-struct Waypoint {
-  Vec3 tip;
-  double opening_m = 0, speed_rad_s = 0.8;
-};
-
-// Goes from one to the next in joint space, whatever is in the way, and says then that it has done.
-class Waypoints : public agent::Policy {
- public:
-  Waypoints(const robots::Robot& robot, std::vector<Waypoint> way)
-      : arm_(robots::make_arm_ik(robot, *robot.find_group("arm")).value()), way_(std::move(way)) {}
-
-  Result<void> begin(const agent::Task&, const agent::Observation& first) override {
-    target_ = first.position;
-    return {};
-  }
-
-  Result<agent::Action> act(const agent::Observation& now) override {
-    agent::Action action = episodes::still_action(now);
-    if (steps_left_ == 0 && next_ < way_.size()) MARKETGEN_CHECK(head_for(way_[next_++]));
-    action.stop = steps_left_ == 0;
-    if (steps_left_ > 0) {
-      for (std::size_t joint = 0; joint < target_.size(); ++joint)
-        target_[joint] += (goal_[joint] - target_[joint]) / steps_left_;
-      --steps_left_;
-    }
-    action.position = target_;
-    action.tools[0] = {way_[next_ - 1].opening_m, 70};
-    return action;
-  }
-
- private:
-  Result<void> head_for(const Waypoint& place) {
-    robots::ArmJoints from{};
-    std::ranges::copy(target_, from.begin());
-    MARKETGEN_TRY(const robots::ArmJoints to,
-                  robots::nearest_arm_solution(
-                      arm_, {place.tip, rotation_with_axes({0, 1, 0}, {0, 0, -1})}, from));
-    goal_.assign(to.begin(), to.begin() + std::ssize(target_));
-    double farthest = 0;
-    for (std::size_t joint = 0; joint < goal_.size(); ++joint)
-      farthest = std::max(farthest, std::abs(goal_[joint] - target_[joint]));
-    const double time_s = std::max(0.5, farthest / place.speed_rad_s);
-    steps_left_ = static_cast<int>(std::ceil(time_s / episodes::control_step_s));
-    return {};
-  }
-
-  robots::ArmIk arm_;
-  std::vector<Waypoint> way_;
-  std::size_t next_ = 0;
-  int steps_left_ = 0;
-  std::vector<double> target_, goal_;
-};
 
 // Fingers through the heap and over the rim, again and again.
 std::vector<Waypoint> raking() {
@@ -145,6 +90,15 @@ class Cheats : public testing::Test {
       const bool inside = std::abs(at.x - area.center_m[0]) < area.size_m[0] / 2 &&
                           std::abs(at.y - area.center_m[1]) < area.size_m[1] / 2;
       if (inside && at.z > height_m) return true;
+    }
+    return false;
+  }
+
+  // Whether a goal is so far from the basket, towards the area, and above its rim.
+  bool is_held_beyond(double y_m) const {
+    for (std::size_t item = 0; item < checkout_->item_count(); ++item) {
+      const Vec3 at = checkout_->item_pose(item).position;
+      if (is_goal(item) && at.y < y_m && at.z > 0) return true;
     }
     return false;
   }
@@ -260,6 +214,63 @@ TEST_F(Cheats, LettingFallIsWorthNothing) {
     last.stop = step > 40;
     return last;
   }));
+}
+
+// Joint by joint as far as a swing of the whole arm turns it, away from the basket.
+agent::Action swung(agent::Action held, double by_rad) {
+  held.position[0] -= by_rad;
+  return held;
+}
+
+// Let go on the way to the area, while the arm swings: it flies there, and comes to rest.
+TEST_F(Cheats, ThrowingOntoTheAreaIsWorthNothing) {
+  open(0);
+  constexpr double step_rad = 0.075;  // 1.5 rad/s
+  constexpr int let_go_at = 4, swing_steps = 7;
+  const auto beside_basket = [&](const agent::Action&, bool pressed) {
+    return pressed && is_held_beyond(-0.16);
+  };
+  OracleUntil policy(arena_->policy("oracle", *world_).value(),
+                     beside_basket,
+                     [&](const agent::Action& last, int step) {
+                       agent::Action action = swung(last, step_rad * std::min(step, swing_steps));
+                       if (step >= let_go_at) action.tools[0].opening_m = 0.08;
+                       action.stop = step > 60;
+                       return action;
+                     });
+  expect_nothing(played(policy));
+  EXPECT_TRUE(policy.has_cheated()) << "no goal was carried there";
+  EXPECT_TRUE(is_over_area(-0.02)) << "it flew elsewhere";
+}
+
+TEST_F(Cheats, HoldingHalfOverTheEdgeOfTheAreaIsWorthNothing) {
+  open(0);
+  const double edge_y = checkout_->station().unloading.area().high_m[1];
+  OracleUntil policy(
+      arena_->policy("oracle", *world_).value(),
+      [&](const agent::Action&, bool pressed) { return pressed && is_held_beyond(edge_y); },
+      [](agent::Action last, int step) {
+        last.stop = step > 20;
+        return last;
+      });
+  expect_nothing(played(policy));
+  EXPECT_TRUE(policy.has_cheated()) << "no goal came there";
+  EXPECT_TRUE(is_held_beyond(edge_y - 0.05) || is_held_beyond(edge_y)) << "it is not there";
+}
+
+// It counts from where its middle is on the area on.
+TEST_F(Cheats, StandingHalfOverTheEdgeOfTheAreaIsWorthNothing) {
+  open(0);
+  const episodes::EpisodeSpec drawn = world_->spec();
+  const double edge_x = checkout_->station().unloading.area().low_m[0];
+  for (const double inside_m : {-0.005, 0.03}) {
+    episodes::EpisodeSpec spec = drawn;
+    stand(spec, spec.goals[3].sku, {edge_x + inside_m, -0.46, 0});
+    open(spec);
+    const auto waits = arena_->policy("stop", *world_).value();
+    const episodes::EpisodeResult result = played(*waits);
+    EXPECT_EQ(result.hits, inside_m > 0 ? 1 : 0) << inside_m;
+  }
 }
 
 // Stands on the area as it should, and the hand does not let go.

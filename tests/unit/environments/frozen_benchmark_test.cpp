@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "environments/episode_ground.h"
 #include "episodes/episode_sets.h"
 #include "io/file.h"
+#include "support/run_program.h"
 
 namespace marketgen {
 namespace {
@@ -96,6 +99,94 @@ TEST(FrozenBenchmarkFolder, SumsAreThoseOfAllItsFiles) {
   for (std::string sum, name; sums >> sum >> name; ++files)
     EXPECT_EQ(io::sha256_of_file(v1_folder / name).value(), sum) << name;
   EXPECT_EQ(files, v1_sets.size() + 2 * v1_stores);
+}
+
+// ---- Files that are no longer those of their sums ----
+
+// The program's data, copied, and taken as its own while this lives.
+class OwnData {
+ public:
+  OwnData() {
+    fs::copy(shipped_data, folder(), fs::copy_options::recursive);
+    const char* before = std::getenv("MARKETGEN_DATA");
+    if (before != nullptr) before_ = before;
+    setenv("MARKETGEN_DATA", folder().c_str(), 1);
+  }
+  ~OwnData() {
+    if (before_)
+      setenv("MARKETGEN_DATA", before_->c_str(), 1);
+    else
+      unsetenv("MARKETGEN_DATA");
+  }
+  OwnData(const OwnData&) = delete;
+  OwnData& operator=(const OwnData&) = delete;
+
+  fs::path folder() const { return scratch_.path() / "data"; }
+  fs::path v1() const { return folder() / "benchmark/v1"; }
+  fs::path copied_set() const {
+    fs::copy(v1(), scratch_.path() / "mine", fs::copy_options::recursive);
+    return scratch_.path() / "mine";
+  }
+
+ private:
+  ScratchFolder scratch_;
+  std::optional<std::string> before_;
+};
+
+void flip_a_bit(const fs::path& file) {
+  std::string bytes = io::read_file(file).value();
+  bytes[bytes.size() / 2] ^= 1;
+  ASSERT_TRUE(io::write_file(file, bytes).ok());
+}
+
+Error error_of_reading(const fs::path& named) {
+  const auto read = episodes::read_episode_file(named);
+  return read.ok() ? Error{"none", "", ""} : read.error();
+}
+
+TEST(ChangedSet, ASetHasItsNameHoweverItIsNamed) {
+  const OwnData data;
+  for (const fs::path& named : {fs::path("v1/aisle"), data.v1() / "aisle.jsonl.gz"}) {
+    const auto read = episodes::read_episode_file(named);
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    EXPECT_EQ(read->set, "v1/aisle");
+  }
+  const auto copied = episodes::read_episode_file(data.copied_set() / "aisle.jsonl.gz");
+  ASSERT_TRUE(copied.ok()) << to_string(copied.error());
+  EXPECT_EQ(copied->set, "") << "a copy is the user's own";
+}
+
+TEST(ChangedSet, AChangedFileIsRefusedBeforeItIsRead) {
+  const OwnData data;
+  flip_a_bit(data.v1() / "aisle.jsonl.gz");
+  const Error error = error_of_reading("v1/aisle");
+  EXPECT_EQ(error.code, "episode.changed_set") << to_string(error);
+  EXPECT_EQ(error.where, (data.v1() / "aisle.jsonl.gz").string());
+  EXPECT_NE(error.message.find("install the program's data again"), std::string::npos);
+}
+
+TEST(ChangedSet, AChangedSceneIsRefusedBeforeItIsOpened) {
+  const OwnData data;
+  const auto read = episodes::read_episode_file("v1/aisle");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const fs::path scene = read->header.stores.back().scene->file;
+  const fs::path mine = data.copied_set();
+  for (const fs::path& folder : {data.v1(), mine})
+    flip_a_bit(folder / "scenes" / scene.filename());
+  const Error error = error_of_reading("v1/aisle");
+  EXPECT_EQ(error.code, "episode.changed_set") << to_string(error);
+  EXPECT_EQ(error.where, (data.v1() / "scenes" / scene.filename()).string());
+  EXPECT_EQ(error_of_reading(mine / "aisle.jsonl.gz").code, "none") << "it is the user's own";
+}
+
+TEST(ChangedSet, AFileThatIsNotListedIsRefused) {
+  const OwnData data;
+  ASSERT_TRUE(io::write_file(data.v1() / "SHA256SUMS", "").ok());
+  const Error error = error_of_reading("v1/aisle");
+  EXPECT_EQ(error.code, "episode.changed_set") << to_string(error);
+  EXPECT_NE(error.message.find("does not list it"), std::string::npos) << error.message;
+  fs::remove(data.v1() / "SHA256SUMS");
+  EXPECT_EQ(error_of_reading("v1/aisle").code, "none");
 }
 
 INSTANTIATE_TEST_SUITE_P(V1, FrozenBenchmark, testing::ValuesIn(v1_sets), [](const auto& set) {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "evaluation/evaluate.h"
+#include "evaluation/leaderboard_page.h"
 #include "evaluation/merge_runs.h"
+#include "evaluation/run_page.h"
 #include "io/file.h"
 #include "io/json.h"
 #include "support/run_program.h"
@@ -95,6 +97,44 @@ TEST_F(Runs, AreRankedWithTheirFloors) {
   EXPECT_NEAR(entries[1].to_best->p_strict, 0.0625, 1e-12);
   EXPECT_DOUBLE_EQ(entries[1].to_best->p_partial, 0.5) << "two stores: four ways, two as far";
   EXPECT_FALSE(entries[0].commit.empty());
+}
+
+TEST_F(Runs, OfASetOfTheProgramSayWhich) {
+  episodes::EpisodeFile file = episodes_of_two_stores(4);
+  ASSERT_TRUE(run_quickly(file, folder("copy"), "stop", "").ok());
+  file.set = "v1/checkout";
+  ASSERT_TRUE(run_quickly(file, folder("first"), "oracle", "0", {1, 2}).ok());
+  ASSERT_TRUE(run_quickly(file, folder("second"), "oracle", "1", {2, 2}).ok());
+  const auto whole =
+      evaluation::merge_folders({folder("first"), folder("second")}, folder("whole"));
+  ASSERT_TRUE(whole.ok()) << to_string(whole.error());
+  const auto board = evaluation::leaderboard_of(read_all({folder("whole")}));
+  ASSERT_TRUE(board.ok()) << to_string(board.error());
+  EXPECT_EQ(board->set, "v1/checkout");
+  const std::string said = "episodes v1/checkout (" + board->episodes_hash + ")";
+  EXPECT_NE(evaluation::leaderboard_html(*board).find(said), std::string::npos);
+  const auto page = evaluation::runs_html(read_all({folder("whole")}), {});
+  ASSERT_TRUE(page.ok()) << to_string(page.error());
+  EXPECT_NE(page->find("file of " + said), std::string::npos);
+  EXPECT_EQ(io::read_file(folder("copy") / "run.json").value().find("\"set\""), std::string::npos);
+  const auto mixed = evaluation::leaderboard_of(read_all({folder("whole"), folder("copy")}));
+  ASSERT_TRUE(mixed.ok()) << "the episodes are the same: " << to_string(mixed.error());
+  EXPECT_FALSE(mixed->set.has_value());
+}
+
+TEST_F(Runs, SayWhatTheRankingLacks) {
+  const episodes::EpisodeFile file = episodes_of_two_stores(4);
+  ASSERT_TRUE(run_quickly(file, folder("good"), "oracle", "01").ok());
+  ASSERT_TRUE(run_quickly(file, folder("floor"), "random", "").ok());
+  const auto page = [&](const std::vector<fs::path>& folders) {
+    return evaluation::leaderboard_html(evaluation::leaderboard_of(read_all(folders)).value());
+  };
+  const std::string alone = page({folder("good")}),
+                    beside = page({folder("good"), folder("floor")});
+  EXPECT_NE(alone.find("No blind floor is among them"), std::string::npos);
+  EXPECT_NE(alone.find("Rankings use realism standard; these runs are of ideal."),
+            std::string::npos);
+  EXPECT_EQ(beside.find("No blind floor"), std::string::npos);
 }
 
 TEST_F(Runs, ThatAreNotWholeAreNotRanked) {

@@ -1,11 +1,15 @@
 // Tables for papers, of made-up results with known answers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "evaluation/differences_table.h"
 #include "evaluation/paired_tests.h"
 #include "evaluation/shapes_table.h"
+#include "evaluation/table_remarks.h"
 #include "evaluation/tracks_table.h"
 #include "io/csv.h"
 #include "io/file.h"
@@ -64,6 +68,68 @@ TEST(TracksTable, PutsBothTracksBesideWhatIsPublished) {
   EXPECT_TRUE(table->rows[1].floor);
   EXPECT_EQ(table->rows[2].policy, "GPT-4o");
   EXPECT_FALSE(table->rows[2].overall.value().low.has_value());
+}
+
+std::string notes_of(const evaluation::TextTable& table) {
+  return fmt::format("{}", fmt::join(table.notes, "\n"));
+}
+
+std::vector<FinishedRun> at_realism(std::vector<FinishedRun> runs, const std::string& realism) {
+  for (FinishedRun& run : runs)
+    run.record.realism = realism;
+  return runs;
+}
+
+TEST(TableRemarks, AreOfWhatIsNotThere) {
+  const std::vector<std::string> both = evaluation::table_remarks(false, "ideal");
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_NE(both[0].find("No blind floor is among them"), std::string::npos);
+  EXPECT_EQ(both[1], "Rankings use realism standard; these runs are of ideal.");
+  EXPECT_EQ(evaluation::table_remarks(true, "hard").size(), 1U);
+  EXPECT_TRUE(evaluation::table_remarks(true, "standard").empty());
+}
+
+TEST(TableRemarks, StandBelowTablesOfTracksAndShapes) {
+  using enum episodes::Track;
+  const std::vector<FinishedRun> alone{run_of(aisle, "ours", "10")};
+  std::vector<FinishedRun> ranked{run_of(aisle, "ours", "10"), run_of(aisle, "random", "00")};
+  ranked = at_realism(ranked, "standard");
+  const auto tracks = [&](const std::vector<FinishedRun>& runs) {
+    return notes_of(text_of(evaluation::tracks_table(runs, paper()).value()));
+  };
+  const auto shapes = [&](const std::vector<FinishedRun>& runs) {
+    return notes_of(text_of(evaluation::shapes_table(runs, committed_catalog(), paper()).value()));
+  };
+  for (const std::string& notes : {tracks(alone), shapes(alone)}) {
+    EXPECT_NE(notes.find("No blind floor is among them"), std::string::npos) << notes;
+    EXPECT_NE(notes.find("Rankings use realism standard"), std::string::npos) << notes;
+  }
+  for (const std::string& notes : {tracks(ranked), shapes(ranked)}) {
+    EXPECT_EQ(notes.find("No blind floor"), std::string::npos) << notes;
+    EXPECT_EQ(notes.find("Rankings use"), std::string::npos) << notes;
+  }
+}
+
+// The file has sources of generators, too.
+TEST(TableRemarks, SourcesAreThoseOfTheRows) {
+  const std::vector<robots::SourceRow> sources{{"a", "A."}, {"b", "B."}, {"c", "C."}};
+  const auto cited = evaluation::cited_sources(sources, {"", "c a", "a"});
+  ASSERT_EQ(cited.size(), 2U);
+  EXPECT_EQ(cited[0].key, "a");
+  EXPECT_EQ(cited[1].key, "c");
+  const evaluation::Published published = paper();
+  const auto table =
+      evaluation::tracks_table({run_of(episodes::Track::aisle, "ours", "10")}, published);
+  ASSERT_TRUE(table.ok());
+  EXPECT_GE(table->sources.size(), 1U);
+  EXPECT_LT(table->sources.size(), published.sources.size());
+  const std::string notes = notes_of(text_of(*table));
+  for (const robots::SourceRow& source : published.sources) {
+    const bool shown = std::ranges::any_of(table->rows, [&](const evaluation::TracksRow& row) {
+      return row.source.find(source.key) != std::string::npos;
+    });
+    EXPECT_EQ(notes.find("[" + source.key + "]") != std::string::npos, shown) << source.key;
+  }
 }
 
 // What is published is what the paper prints: its overall is the mean of its tracks.

@@ -1,8 +1,13 @@
 // In-Aisle Item Collection as an entry of episodes/tracks.inc.
+#include <algorithm>
+#include <set>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "episodes/aisle/aisle_view.h"
 #include "episodes/aisle/sample_aisle.h"
+#include "episodes/proved_names.h"
 #include "episodes/track_entry.h"
 
 namespace marketgen::episodes {
@@ -35,6 +40,36 @@ class AisleEntry : public TrackEntry {
 
   // What the store offers is not in the episode: AisleWorld::reset looks.
   Result<void> check_goals(const EpisodeSpec&, const std::string&) const override { return {}; }
+
+  std::vector<std::string_view> proofs() const override {
+    std::set<std::string_view> shown{shown_by_wider_search};
+    shown.insert(shown_by_fetching.begin(), shown_by_fetching.end());
+    shown.insert(shown_behind_doors.begin(), shown_behind_doors.end());
+    shown.insert(shown_on_paper.begin(), shown_on_paper.end());
+    return {shown.begin(), shown.end()};
+  }
+
+  // Goals are drawn one after the other, each from where the witness left off, and nothing else is
+  // fetched.
+  Result<void> check_picks(const EpisodeSpec& spec) const override {
+    auto goal = spec.goals.begin();
+    const std::vector<WitnessPick>& witness = spec.certificate.witness;
+    for (std::size_t i = 0; i < witness.size(); ++i) {
+      const auto next = std::find_if(goal, spec.goals.end(), [&](const EpisodeGoal& each) {
+        return each.sku == witness[i].sku;
+      });
+      if (next == spec.goals.end())
+        return Error{"episode.bad_value",
+                     fmt::format("witness/{}/sku", i),
+                     std::ranges::count(spec.goals, witness[i].sku, &EpisodeGoal::sku) == 0
+                         ? fmt::format("\"{}\" is no goal", witness[i].sku)
+                         : fmt::format("\"{}\" is taken after a goal that comes later: goals are "
+                                       "fetched in their order",
+                                       witness[i].sku)};
+      goal = next;
+    }
+    return {};
+  }
 
   Result<TrackRobot> robot(const std::filesystem::path& data) const override {
     MARKETGEN_TRY(const AisleStation station, load_aisle_station(data));

@@ -10,6 +10,7 @@
 
 #include "episodes/aisle/aisle_stage.h"
 #include "episodes/aisle/aisle_world.h"
+#include "episodes/proved_names.h"
 #include "robots/dexterity.h"
 #include "scene/articulation.h"
 #include "skills/plan_failure.h"
@@ -139,7 +140,7 @@ Result<EpisodeSpec> DoorStages::draw(const EpisodeOrigin& origin, Seed seed) {
   spec.doors = Doors::hinged;
   spec.cameras = {"head_camera"};
   spec.limit_s = stage_limit_s;
-  spec.certificate.proved = {"open", "base", "reach"};
+  spec.certificate.proved.assign(shown_before_a_door.begin(), shown_before_a_door.end());
   std::vector<std::uint32_t> doors;
   for (const auto& [joint, row] : goods_)
     doors.push_back(joint);

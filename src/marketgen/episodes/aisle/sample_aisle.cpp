@@ -10,6 +10,7 @@
 #include "collect/collect_plan.h"
 #include "collect/scene_obstacles.h"
 #include "episodes/aisle/studied_grasps.h"
+#include "episodes/proved_names.h"
 #include "skills/drop_plan.h"
 
 namespace marketgen::episodes {
@@ -427,10 +428,10 @@ std::vector<std::string> AisleSampler::shown() const {
     case Split::planned:
     case Split::certified:
       if (rules_.doors != Doors::none)
-        return {"path", "open", "base", "reach", "approach", "retreat", "place", "shut"};
-      return {"path", "base", "reach", "approach", "retreat", "place"};
+        return {shown_behind_doors.begin(), shown_behind_doors.end()};
+      return {shown_by_fetching.begin(), shown_by_fetching.end()};
     case Split::paper:
-      return {"path", "front_row"};
+      return {shown_on_paper.begin(), shown_on_paper.end()};
     case Split::all:
       return {};
   }

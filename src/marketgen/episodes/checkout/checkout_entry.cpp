@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "episodes/checkout/checkout_scene.h"
 #include "episodes/checkout/checkout_view.h"
 #include "episodes/checkout/sample_checkout.h"
+#include "episodes/proved_names.h"
 #include "episodes/track_entry.h"
 
 namespace marketgen::episodes {
@@ -58,6 +60,13 @@ Result<void> add_items(scene::Scene& scene,
   return {};
 }
 
+// The number of what a witness calls "item-3"; none where the basket has no such item.
+std::optional<std::size_t> item_number(const EpisodeSpec& spec, const std::string& product) {
+  for (std::size_t item = 0; item < spec.items.size(); ++item)
+    if (product == witness_item(item)) return item;
+  return std::nullopt;
+}
+
 class CheckoutEntry : public TrackEntry {
  public:
   std::vector<std::string_view> cameras() const override { return {"scene", "wrist"}; }
@@ -72,6 +81,33 @@ class CheckoutEntry : public TrackEntry {
             where + "/goals",
             fmt::format(
                 "asks for {} of \"{}\"; {} lie in the basket", goal.count, goal.sku, lying)};
+    }
+    return {};
+  }
+
+  std::vector<std::string_view> proofs() const override {
+    std::vector<std::string_view> shown(shown_by_unloading.begin(), shown_by_unloading.end());
+    shown.push_back(shown_settled);
+    return shown;
+  }
+
+  Result<void> check_picks(const EpisodeSpec& spec) const override {
+    const std::vector<WitnessPick>& witness = spec.certificate.witness;
+    for (std::size_t i = 0; i < witness.size(); ++i) {
+      const auto item = item_number(spec, witness[i].product);
+      if (!item)
+        return Error{"episode.bad_value",
+                     fmt::format("witness/{}/product", i),
+                     fmt::format("\"{}\" is none of item-0 to item-{}",
+                                 witness[i].product,
+                                 std::ssize(spec.items) - 1)};
+      if (spec.items[*item].sku != witness[i].sku)
+        return Error{"episode.bad_value",
+                     fmt::format("witness/{}/sku", i),
+                     fmt::format("\"{}\" is a \"{}\", not a \"{}\"",
+                                 witness[i].product,
+                                 spec.items[*item].sku,
+                                 witness[i].sku)};
     }
     return {};
   }

@@ -10,6 +10,7 @@
 #include "catalog/look_alike.h"
 #include "episodes/checkout/checkout_world.h"
 #include "episodes/goal_words.h"
+#include "episodes/proved_names.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -270,12 +271,12 @@ class CheckoutSampler {
   }
 
   Result<std::optional<EpisodeSpec>> certified(EpisodeSpec spec, Seed seed) {
-    spec.certificate.proved = {"settled"};
+    spec.certificate.proved = {std::string(shown_settled)};
     if (certify_) {
       MARKETGEN_TRY(auto witness, certify_(world_, seed));
       if (!witness && !judge_.proves()) return refused("no_witness");
       if (witness) {
-        for (const char* shown : {"order", "grasp", "reach", "approach", "place"})
+        for (const std::string_view shown : shown_by_unloading)
           spec.certificate.proved.emplace_back(shown);
         spec.certificate.witness = std::move(*witness);
       }
@@ -295,6 +296,10 @@ class CheckoutSampler {
 };
 
 }  // namespace
+
+std::string witness_item(std::size_t number) {
+  return fmt::format("item-{}", number);
+}
 
 std::vector<catalog::Product> checkout_stock(const scene::Scene& scene) {
   std::vector<catalog::Product> stock = store_stock(scene);

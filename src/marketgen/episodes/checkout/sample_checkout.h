@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/progress.h"
@@ -25,6 +26,9 @@ std::vector<catalog::Product> checkout_stock(const scene::Scene& scene);
 EpisodeExclusions checkout_exclusions(const scene::Scene& scene,
                                       const CheckoutHand& hand = {},
                                       const TrainingSet& trained_on = {});
+
+// What a witness calls EpisodeSpec::items[number]: "item-3".
+std::string witness_item(std::size_t number);
 
 // Looks for a way through a settled basket: picks in their order, or nothing when it finds none.
 using CheckoutCertifier = std::function<Result<std::optional<std::vector<WitnessPick>>>(
