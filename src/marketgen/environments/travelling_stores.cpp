@@ -56,18 +56,19 @@ bool names_episodes(const std::string& name, const fs::path& data) {
 
 using Stores = std::vector<std::shared_ptr<const store::Store>>;
 
-// All stores of a file or set of episodes.
-Result<Stores> stores_of_episodes(const std::string& named,
+// All stores of a file or set of episodes; notes in `known` what is frozen of them.
+Result<Stores> stores_of_episodes(const std::string& name,
                                   const fs::path& data,
                                   const catalog::Catalog& rows,
-                                  std::string& frozen) {
-  MARKETGEN_TRY(const episodes::EpisodeHeader header, episodes::read_episode_header(named, data));
+                                  NamedStores& known) {
+  MARKETGEN_TRY(const episodes::EpisodeHeader header, episodes::read_episode_header(name, data));
   Arena arena(data, header, rows);
   Stores stores;
   for (const episodes::EpisodeStore& row : header.stores) {
-    if (row.scene && frozen.empty()) frozen = named;
+    if (row.scene && known.frozen.empty()) known.frozen = name;
+    if (row.scene) known.scenes[row.scene_hash] = *row.scene;
     MARKETGEN_TRY(const auto scene, arena.scene(row.scene_hash));
-    stores.push_back(made_of(row, *scene, named));
+    stores.push_back(made_of(row, *scene, name));
   }
   return stores;
 }
@@ -82,7 +83,7 @@ Result<NamedStores> open_named_stores(const std::vector<std::string>& names,
   for (const std::string& name : names) {
     Stores found;
     if (names_episodes(name, data)) {
-      MARKETGEN_TRY(found, stores_of_episodes(name, data, rows, named.frozen));
+      MARKETGEN_TRY(found, stores_of_episodes(name, data, rows, named));
     } else {
       MARKETGEN_TRY(store::Store store, store::open_store(name, rows));
       found.push_back(std::make_shared<const store::Store>(std::move(store)));

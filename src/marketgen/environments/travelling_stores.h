@@ -1,11 +1,13 @@
 // Stores that are in no folder: made of what travels with episodes, which is their scene (frozen
 // sets) or their plan.
 #pragma once
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "episodes/episode_spec.h"
 #include "store/open_stores.h"
 
 namespace marketgen::environments {
@@ -14,6 +16,7 @@ namespace marketgen::environments {
 struct NamedStores {
   store::OpenedStores opened;
   std::string frozen;  // the first name whose stores may not come of their plans any more
+  std::map<std::string, episodes::FrozenScene> scenes = {};  // of frozen ones, by scene_hash
 };
 
 // In the order of `names`. Errors: those of read_episode_header, Arena::scene and open_stores.

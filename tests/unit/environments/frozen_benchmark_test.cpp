@@ -32,6 +32,7 @@ constexpr std::array v1_sets{
     FrozenSet{"checkout", episodes::Track::checkout},
     FrozenSet{"aisle", episodes::Track::aisle},
     FrozenSet{"aisle-suction", episodes::Track::aisle},
+    FrozenSet{"checkout-suction", episodes::Track::checkout, 10},
     FrozenSet{"aisle-doors", episodes::Track::aisle, 20, episodes::Doors::hinged}};
 
 class FrozenBenchmark : public testing::TestWithParam<FrozenSet> {

@@ -53,6 +53,8 @@ TEST(TravellingStores, AllOfASetAreNamedByIt) {
   for (std::size_t i = 0; i < header.stores.size(); ++i) {
     EXPECT_EQ(scene::scene_hash(named->opened.stores[i]->scene), header.stores[i].scene_hash);
     EXPECT_EQ(episodes::plan_hash(named->opened.stores[i]->plan), header.stores[i].plan_hash);
+    const std::string& hash = header.stores[i].scene_hash;
+    EXPECT_EQ(named->scenes.at(hash).sha256, header.stores[i].scene->sha256);
   }
 }
 
