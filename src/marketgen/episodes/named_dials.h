@@ -1,6 +1,7 @@
 // Documents of dials of which some are rows of the program, and others a user's own files
 // (episodes/realism.h, episodes/difficulty.h).
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <span>
 #include <string>
