@@ -18,6 +18,7 @@
 #include "episodes/episode_journal.h"
 #include "episodes/frozen_store.h"
 #include "episodes/track_entry.h"
+#include "freeze_stores.h"
 #include "io/file.h"
 #include "io/gzip.h"
 #include "io/json.h"
@@ -304,47 +305,6 @@ void print_drawn(const episodes::EpisodeFile& file) {
   print_shares(*file.header.drawn);
 }
 
-// As it was frozen, byte for byte, where it was: several sets share a folder of scenes.
-Result<std::string> scene_bytes(const episodes::EpisodeStore& store,
-                                const environments::NamedStores& named,
-                                environments::Arena& arena) {
-  const auto frozen = named.scenes.find(store.scene_hash);
-  if (frozen != named.scenes.end()) return io::read_file(frozen->second.file);
-  MARKETGEN_TRY(const auto scene, arena.scene(store.scene_hash));
-  return episodes::pack_scene(*scene);
-}
-
-// Another set's episodes, which lie there already, are of the file as it is.
-Result<void> check_same_scene(const std::filesystem::path& file, const std::string& bytes) {
-  std::error_code failed;
-  if (!std::filesystem::exists(file, failed)) return {};
-  MARKETGEN_TRY(const std::string there, io::read_file(file));
-  if (there == bytes) return {};
-  return Error{"usage.bad_flag",
-               "--frozen",
-               fmt::format("{} is there already, the same store as another version froze it: draw "
-                           "from the set that it belongs to, or name another folder",
-                           file.string())};
-}
-
-// Gives the episodes their stores' scenes as files beside theirs.
-Result<void> freeze(const EpisodesFlags& flags,
-                    const std::filesystem::path& data,
-                    const environments::NamedStores& named,
-                    environments::Arena& arena,
-                    io::Outputs& outputs,
-                    episodes::EpisodeFile& file) {
-  const std::filesystem::path folder = std::filesystem::path(flags.output).parent_path();
-  for (episodes::EpisodeStore& store : file.header.stores) {
-    MARKETGEN_TRY(const std::string bytes, scene_bytes(store, named, arena));
-    store.scene = {episodes::frozen_scene_file(store), io::sha256_hex(bytes)};
-    MARKETGEN_CHECK(check_same_scene(folder / store.scene->file, bytes));
-    MARKETGEN_CHECK(outputs.put(folder / store.scene->file, bytes));
-  }
-  MARKETGEN_TRY(file.header.rows_hash, episodes::rows_hash(data, file));
-  return {};
-}
-
 std::filesystem::path scenes_folder(const EpisodesFlags& flags) {
   return std::filesystem::path(flags.output).parent_path() / episodes::scenes_folder;
 }
@@ -414,7 +374,7 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_TRY(file.episodes, draw(flags, stores, *sampler, journal.get()));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   finish_header(flags, rules, stores, file);
-  if (flags.frozen) MARKETGEN_CHECK(freeze(flags, data, named, arena, outputs, file));
+  if (flags.frozen) MARKETGEN_CHECK(freeze_stores(data, named, arena, flags.output, outputs, file));
   const std::string text = episodes::write_episodes(file);
   const bool packed = flags.output.ends_with(".gz");
   MARKETGEN_CHECK(outputs.put(flags.output, packed ? io::gzip(text) : text));

@@ -14,19 +14,19 @@ namespace {
 
 constexpr double min_item_s = 25;                         // no new item with less time left
 constexpr double max_aside_m = 0.10, min_upright = 0.99;  // of what may be tried once more
-constexpr int most_off_mm = 30;  // the ways of a base that slid on its wheels, or was stopped
+constexpr int max_off_mm = 30;  // the ways of a base that slid on its wheels, or was stopped
 
 // The nearest place on the ways. Where there is none so near, the place itself.
 PointMm on_ways(const navigation::FreeSpace& space, PointMm at) {
   if (space.free(at)) return at;
   PointMm nearest = at;
-  double least = std::numeric_limits<double>::infinity();
-  for (int x = -most_off_mm; x <= most_off_mm; ++x) {
-    for (int y = -most_off_mm; y <= most_off_mm; ++y) {
+  double min_off = std::numeric_limits<double>::infinity();
+  for (int x = -max_off_mm; x <= max_off_mm; ++x) {
+    for (int y = -max_off_mm; y <= max_off_mm; ++y) {
       const double off = std::hypot(x, y);
-      if (off >= least || off > most_off_mm || !space.free({at[0] + x, at[1] + y})) continue;
+      if (off >= min_off || off > max_off_mm || !space.free({at[0] + x, at[1] + y})) continue;
       nearest = {at[0] + x, at[1] + y};
-      least = off;
+      min_off = off;
     }
   }
   return nearest;

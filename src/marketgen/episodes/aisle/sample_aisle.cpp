@@ -92,6 +92,7 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
 
 // All that can be had of it from the front: whoever fetches it takes any.
 bool AisleSampler::stands_on_levels(const std::string& sku) const {
+  if (rules_.difficulty.levels.empty()) return true;
   return std::ranges::all_of(store_->front_items(sku), [&](std::uint32_t row) {
     return rules_.difficulty.has_level(store_->scene.products[row].position_m[2]);
   });

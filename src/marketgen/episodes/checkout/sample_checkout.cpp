@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -114,7 +113,7 @@ class CheckoutSampler {
     Stream draw = seed_.child("basket", number).stream();
     const auto kinds = static_cast<int>(stock_.size());
     BasketDraw basket;
-    const auto& [goals, others] = std::tie(rules_.difficulty.goals, rules_.difficulty.others);
+    const DrawnCount &goals = rules_.difficulty.goals, &others = rules_.difficulty.others;
     basket.targets = std::min(draw.integer(goals.min, goals.max), std::max(1, kinds / 3));
     basket.others = std::min(draw.integer(others.min, others.max), kinds - basket.targets);
     draw_products(target_shapes_, basket.targets, draw, basket.goods);
