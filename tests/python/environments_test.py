@@ -181,7 +181,10 @@ def test_bad_actions_change_nothing(store, spoil):
 @pytest.mark.parametrize(
     ("change", "code"),
     [
-        ({"items": [{"sku": "no-such-sku"}], "goals": [{"sku": "no-such-sku", "text": "no such thing"}]}, "catalog.unknown_sku"),
+        (
+            {"items": [{"sku": "no-such-sku"}], "goals": [{"sku": "no-such-sku", "text": "no such thing"}], "certificate": {}},
+            "catalog.unknown_sku",
+        ),
         ({"scene_hash": "0" * 32}, "episode.other_store"),
         ({"robot": "panda-2"}, "robot.unknown"),
         ({"track": "juggling"}, "json.unknown_name"),
