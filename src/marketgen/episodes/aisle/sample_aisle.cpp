@@ -9,6 +9,7 @@
 
 #include "collect/collect_plan.h"
 #include "collect/scene_obstacles.h"
+#include "episodes/aisle/look_alikes_beside.h"
 #include "episodes/aisle/studied_grasps.h"
 #include "episodes/proved_names.h"
 #include "skills/drop_plan.h"
@@ -45,6 +46,13 @@ Result<void> check_opens_doors(const AisleStore& store) {
                            gripper)};
 }
 
+std::size_t count_of(const std::map<std::string, std::vector<const catalog::Product*>>& shapes) {
+  std::size_t products = 0;
+  for (const auto& [shape, of_shape] : shapes)
+    products += of_shape.size();
+  return products;
+}
+
 Pose upright(const motion::FloorPlace& place) {
   return {{place.position.x, place.position.y, 0}, rotation_about({0, 0, 1}, place.heading)};
 }
@@ -68,16 +76,8 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
   made->doors_ = std::make_unique<DoorBook>(made->store_);
   made->rules_ = std::move(rules);
   made->offer_ = Offer(store_stock(made->store_->scene));
-  const scene::Scene& scene = made->store_->scene;
-  std::set<std::uint32_t> seen;
-  for (const scene::SceneProduct& product : scene.products) {
-    if (!seen.insert(product.sku).second) continue;
-    const catalog::Product& goods = scene.catalog[product.sku];
-    if (made->is_drawn_from(goods)) made->shapes_[goods.archetype].push_back(&goods);
-  }
-  std::size_t products = 0;
-  for (const auto& [shape, of_shape] : made->shapes_)
-    products += of_shape.size();
+  made->add_drawn_from();
+  const std::size_t products = count_of(made->shapes_);
   const int needed = made->rules_.difficulty.goals.max;
   if (products < static_cast<std::size_t>(needed))
     return Error{
@@ -88,6 +88,38 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
             products,
             needed)};
   return made;
+}
+
+void AisleSampler::add_drawn_from() {
+  const scene::Scene& scene = store_->scene;
+  const std::set<std::string> alike = skus_with_look_alikes_beside(scene);
+  std::set<std::uint32_t> seen;
+  for (const scene::SceneProduct& product : scene.products) {
+    if (!seen.insert(product.sku).second) continue;
+    const catalog::Product& goods = scene.catalog[product.sku];
+    if (!is_drawn_from(goods)) continue;
+    shapes_[goods.archetype].push_back(&goods);
+    (alike.contains(goods.sku) ? alike_ : unlike_)[goods.archetype].push_back(&goods);
+  }
+}
+
+// A task with look-alikes has them of its first goal at least, one without of none, as far as the
+// store has goods for that.
+const AisleSampler::Shapes& AisleSampler::shapes_for_next(const EpisodeSpec& spec,
+                                                          bool look_alikes) const {
+  if (!look_alikes)
+    return count_of(unlike_) > static_cast<std::size_t>(rules_.difficulty.goals.max) ? unlike_
+                                                                                     : shapes_;
+  return spec.goals.empty() && !alike_.empty() ? alike_ : shapes_;
+}
+
+bool AisleSampler::has_look_alike(const EpisodeSpec& spec) const {
+  return std::ranges::any_of(spec.goals, [&](const EpisodeGoal& goal) {
+    return std::ranges::any_of(alike_, [&](const auto& shape) {
+      return std::ranges::find(shape.second, goal.sku, &catalog::Product::sku) !=
+             shape.second.end();
+    });
+  });
 }
 
 // All that can be had of it from the front: whoever fetches it takes any.
@@ -402,10 +434,12 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
   Witness witness{axle_of(store_->robot, upright(*start)), {}, {}};
   std::set<std::string> drawn;
   const Seed words = seed.child("words");
+  const bool alike = seed.child("look_alikes").stream().chance(difficulty.look_alikes);
   int most = two_of_a_kind ? 2 : 1;  // items of the next goal
   for (int i = 0; i < max_skus_drawn && static_cast<int>(spec.goals.size()) < wanted; ++i) {
-    auto shape = shapes_.begin();
-    std::advance(shape, draw.integer(0, static_cast<int>(shapes_.size()) - 1));
+    const Shapes& shapes = shapes_for_next(spec, alike);
+    auto shape = shapes.begin();
+    std::advance(shape, draw.integer(0, static_cast<int>(shapes.size()) - 1));
     const auto& of_shape = shape->second;
     const catalog::Product& product =
         *of_shape[static_cast<std::size_t>(draw.integer(0, static_cast<int>(of_shape.size()) - 1))];
@@ -419,6 +453,7 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
   if (static_cast<int>(spec.goals.size()) < wanted) return std::optional<EpisodeSpec>{};
   spec.start = {start->position.x, start->position.y, start->heading * 180 / std::numbers::pi};
   if (!is_far_enough(spec)) return std::optional<EpisodeSpec>{};
+  spec.look_alikes = has_look_alike(spec);
   if (!tell_goals(offer_, InstructionVerb::collect, words, spec))
     return std::optional<EpisodeSpec>{};
   return std::optional(std::move(spec));
