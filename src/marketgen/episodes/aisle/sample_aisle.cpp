@@ -489,7 +489,7 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
   spec.track = Track::aisle;
   spec.robot = store_->station.robot;
   spec.tools = store_->station.tools().id;
-  spec.cameras = {"head_camera"};
+  spec.cameras = {aisle_cameras.begin(), aisle_cameras.end()};
   spec.instructions = rules_.instructions;
   spec.limit_s = with_doors ? doors_limit_s : store_->station.limit_s;
   spec.certificate.proved = shown();
