@@ -17,7 +17,7 @@ struct OracleSearch {
   int max_rehearsals = 8, max_rehearsals_of_item = 3;
   // In the aisles: tries of an item of a SKU, times that it comes to one in vain, grasps rehearsed
   // from where the base stands, items of a SKU looked at.
-  int max_item_tries = 3, max_unreached = 2, max_rehearsals_here = 3;
+  int max_item_tries = 3, max_unreached = 3, max_rehearsals_here = 3;
   std::size_t max_items_looked_at = 4;
 };
 
