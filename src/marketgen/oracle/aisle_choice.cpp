@@ -209,9 +209,9 @@ bool AisleOracle::go_to(std::uint32_t product) {
 }
 
 // Planned anew from where the base came to stand, and rehearsed; what does no harm is done.
-// Otherwise another grasp is tried. Where each does harm the robot comes once more, perhaps to stand
-// elsewhere and with its other hand, and then does the one that does least; none of those that
-// would not bring the item into the basket.
+// Otherwise another grasp is tried. Where each does harm the robot comes once more, perhaps to
+// stand elsewhere and with its other hand, and then does the one that does least; none of those
+// that would not bring the item into the basket.
 Result<void> AisleOracle::reach() {
   const std::uint32_t product = memory_.plan.product;
   const Memory before = memory_;

@@ -54,15 +54,20 @@ class AisleSampler {
   struct Witness;
   using Shapes = std::map<std::string, std::vector<const catalog::Product*>>;  // by archetype
   AisleSampler() = default;
-  Result<std::vector<int>> grasps_for(const catalog::Product& product);
-  std::vector<std::string> shown() const;
-  bool is_drawn_from(const catalog::Product& product) const;
+
+  // ---- What is asked for: aisle_goals.cpp ----
+  static std::size_t count_of(const Shapes& shapes);  // products
   void add_drawn_from();
   const Shapes& shapes_for_next(const EpisodeSpec& spec, bool look_alikes) const;
   bool has_look_alike(const EpisodeSpec& spec) const;
+  bool is_drawn_from(const catalog::Product& product) const;
   bool stands_on_levels(const std::string& sku) const;
-  bool is_far_enough(const EpisodeSpec& spec) const;
   std::string why_not_drawn(const catalog::Product& product) const;
+
+  // ---- A way to it ----
+  Result<std::vector<int>> grasps_for(const catalog::Product& product);
+  std::vector<std::string> shown() const;
+  bool is_far_enough(const EpisodeSpec& spec) const;
   std::vector<std::uint32_t> nearest_rows(const std::string& sku, const Vec3& axle) const;
   bool can_be_told(const catalog::Product& product, Seed words);
   Result<int> witnessed(
