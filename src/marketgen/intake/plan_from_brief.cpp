@@ -89,6 +89,7 @@ Result<Planned> plan_from_brief(const Brief& brief,
   MARKETGEN_TRY(const Drawn drawn, with_drawing(brief, catalog));
   MARKETGEN_TRY(Planned planned, planner.plan(drawn.brief, catalog, seed, concessions));
   planned.trace.insert(planned.trace.begin(), drawn.warnings.begin(), drawn.warnings.end());
+  if (!planned.plan.shelves) planned.plan.shelves = plan::ShelfPitch::fitted;
   planned.drawn = drawn.brief.zones;
   if (const auto& photos = drawn.brief.photos; !photos.empty()) {
     PhotosFile file;

@@ -49,6 +49,9 @@ struct Fixture {
   int levels = 5;          // stocked levels, base included
   int base_mm = 150;       // top of the lowest level
   int spacing_mm = 350;    // between levels
+  // Of boards that are fitted to their goods: from each to the next and over the last, lowest
+  // first. Those of the back, where it has others.
+  std::optional<std::vector<int>> spacings_mm, back_spacings_mm;
   int sides = 1;           // 1, or 2 for double-sided
   std::string endcap_of;   // the run whose end it closes; empty otherwise
   bool run_start = false;  // has no neighbour on its left (seen from its front)
@@ -70,6 +73,16 @@ struct Fixture {
       field("levels", &Fixture::levels, "stocked levels, base included", range(0, 12)),
       field("base_mm", &Fixture::base_mm, "top of the lowest level", range(0, 2000)),
       field("spacing_mm", &Fixture::spacing_mm, "between levels", range(0, 2000)),
+      field("spacings_mm",
+            &Fixture::spacings_mm,
+            "from each board to the next and over the last, lowest first; absent: spacing_mm",
+            range(80, 2000),
+            at_most_items(12)),
+      field("back_spacings_mm",
+            &Fixture::back_spacings_mm,
+            "those of its back; absent: as in front",
+            range(80, 2000),
+            at_most_items(12)),
       field("sides", &Fixture::sides, "1, or 2 when stocked from both sides", range(1, 2)),
       field("endcap_of", &Fixture::endcap_of, "run whose end it closes"),
       field("run_start", &Fixture::run_start, "no neighbour on its left"),
