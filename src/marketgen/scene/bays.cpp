@@ -33,12 +33,13 @@ bool shows_promotions(const layout::Fixture& fixture) {
 // In the zone's pattern.
 std::vector<PlannedShelf> plan_of_range(const BayRef& bay,
                                         const BayRange& range,
+                                        const std::vector<std::uint32_t>& assortment,
                                         const plan::StockSpec& stock,
                                         const catalog::Catalog& catalog,
                                         Stream draw) {
   if (stock.block == plan::BlockPattern::brand_vertical ||
       stock.block == plan::BlockPattern::mixed)
-    return plan_range(bay.bay, range, stock, catalog, bay.certain);
+    return plan_range(bay.bay, range, assortment, stock, catalog, bay.certain);
   std::vector<std::uint32_t> rows = bay.certain;
   for (const RangedGoods& goods : range)
     if (std::ranges::find(rows, goods.product) == rows.end()) rows.push_back(goods.product);
@@ -118,12 +119,12 @@ void plan_bays(std::vector<BayRef>& bays,
     const Seed bay_seed =
         seed.child("bay", fixture).child("side", static_cast<std::uint64_t>(bay.side));
     const plan::StockSpec& stock = stocks.zone_of(bay).stock;
+    const std::vector<std::uint32_t>& assortment = stocks.of(bay).assortment;
     const auto range = ranges.find({fixture, bay.side});
     if (range != ranges.end()) {
-      bay.plan = plan_of_range(bay, range->second, stock, catalog, bay_seed.stream());
+      bay.plan = plan_of_range(bay, range->second, assortment, stock, catalog, bay_seed.stream());
       return;
     }
-    const std::vector<std::uint32_t>& assortment = stocks.of(bay).assortment;
     const auto& plan_goods = has_brand_blocks(bay.bay, stock) ? plan_brand_blocks : plan_bay;
     bay.plan =
         plan_goods(bay.bay, assortment, stock, catalog, cursor, bay_seed.stream(), bay.certain);

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <string_view>
 #include <tuple>
+#include <utility>
 
 namespace marketgen::scene {
 namespace {
@@ -14,19 +18,33 @@ constexpr double same_height_m = 0.03;
 // Facings that a board may have of one product where nothing else is there to fill it.
 constexpr int most_facings = 12;
 
+// Gaps are filled with goods that are high rather than with wide ones.
+constexpr double usual_gap_m = 0.1;
+// A block has so many facings at most, a product with more has two and more blocks.
+constexpr int widest_block = 6;
+
 double pitch_of(const BoardPiece& piece, const catalog::Catalog& catalog) {
   return facing_pitch_m(catalog.products[piece.product]);
 }
+
+// What may fill a gap.
+struct Candidate {
+  std::size_t turn = 0;
+  std::uint32_t product = 0;
+  bool ranged = false;
+};
 
 // A bay's boards while goods are put on them.
 class RangePlan {
  public:
   RangePlan(const Bay& bay,
             const BayRange& range,
+            const std::vector<std::uint32_t>& assortment,
             const plan::StockSpec& stock,
             const catalog::Catalog& catalog,
             const std::vector<std::uint32_t>& certain)
       : bay_(bay), range_(range), stock_(stock), catalog_(catalog), certain_(certain) {
+    extend_range(assortment);
     for (const ShelfRoom& room : bay.shelves) {
       free_m_.push_back(room.width_m * stock.fill);
       front_m_ += free_m_.back();
@@ -48,6 +66,25 @@ class RangePlan {
  private:
   const catalog::Product& product_of(const BoardPiece& piece) const {
     return catalog_.products[piece.product];
+  }
+
+  // Goods of the assortment that may stand here, each after those of the range that it comes after.
+  void extend_range(const std::vector<std::uint32_t>& assortment) {
+    std::set<std::pair<std::string_view, std::string_view>> kinds;
+    std::map<std::uint32_t, std::size_t> turns;
+    for (std::size_t i = 0; i < range_.size(); ++i) {
+      const catalog::Product& p = catalog_.products[range_[i].product];
+      kinds.insert({p.category, p.subcategory});
+      turns[range_[i].product] = i;
+    }
+    std::size_t turn = 0;
+    for (const std::uint32_t row : assortment) {
+      const catalog::Product& p = catalog_.products[row];
+      const auto ranged = turns.find(row);
+      if (ranged != turns.end()) turn = ranged->second;
+      if (kinds.contains({p.category, p.subcategory}))
+        candidates_.push_back({turn, row, ranged != turns.end()});
+    }
   }
 
   bool takes(std::size_t board, const BoardPiece& piece) const {
@@ -104,9 +141,11 @@ class RangePlan {
 
   void top_up(std::size_t board) {
     const bool heap = bay_.shelves[board].use == assets::ShelfUse::heap;
-    while (widen(board, max_facings)) {
+    while (widen(board, std::max(stock_.facings[1], 2))) {
     }
-    while (add_other(board)) {
+    while (add_other(board, true)) {
+    }
+    while (add_other(board, false)) {
     }
     while (widen(board, heap ? 2 * most_facings : most_facings)) {
     }
@@ -124,23 +163,37 @@ class RangePlan {
     return true;
   }
 
-  // The tallest of the range that stands elsewhere and has room here.
-  bool add_other(std::size_t board) {
-    const RangedGoods* best = nullptr;
-    int high = 0;
-    for (const RangedGoods& goods : range_) {
+  // What shows the most in the gap: of the range, or else of its kinds.
+  bool add_other(std::size_t board, bool ranged) {
+    const Candidate* best = nullptr;
+    double most = 0;
+    for (const Candidate& goods : candidates_) {
       const catalog::Product& p = catalog_.products[goods.product];
-      const bool stands = std::ranges::find(boards_[board], goods.product, &BoardPiece::product) !=
-                          boards_[board].end();
-      if (stands || facing_pitch_m(p) > free_m_[board]) continue;
-      const int filled_mm = stack_height(p, bay_.shelves[board]) * p.size_mm[2];
-      if (fits(p, bay_.shelves[board]) && filled_mm > high) std::tie(best, high) = std::pair(&goods, filled_mm);
+      if (goods.ranged != ranged || facing_pitch_m(p) > free_m_[board] || stands_on(board, goods))
+        continue;
+      const double shown = stack_height(p, bay_.shelves[board]) * p.height_m() *
+                           std::min(facing_pitch_m(p), usual_gap_m);
+      if (shown > most && fits(p, bay_.shelves[board]))
+        std::tie(best, most) = std::pair(&goods, shown);
     }
     if (best == nullptr) return false;
-    BoardPiece piece{static_cast<std::size_t>(best - range_.data()), best->product, 1, false};
-    piece.facings = std::clamp(room_for(board, piece), 1, std::max(1, stock_.facings[1]));
+    BoardPiece piece{best->turn, best->product, 1, false};
+    piece.facings = std::clamp(room_for(board, piece), 1, std::max(1, stock_.facings[0]));
     add(board, piece);
     return true;
+  }
+
+  bool stands_on(std::size_t board, const Candidate& goods) const {
+    return std::ranges::find(boards_[board], goods.product, &BoardPiece::product) !=
+           boards_[board].end();
+  }
+
+  static void add_blocks(PlannedShelf& shelf, const BoardPiece& piece, bool stands) {
+    const int blocks = stands ? (piece.facings + widest_block - 1) / widest_block : 1;
+    for (int i = 0; i < blocks; ++i) {
+      const int facings = piece.facings * (i + 1) / blocks - piece.facings * i / blocks;
+      shelf.push_back({piece.product, facings, piece.certain});
+    }
   }
 
   std::vector<PlannedShelf> ordered() {
@@ -149,7 +202,7 @@ class RangePlan {
       std::ranges::stable_sort(board, {}, &BoardPiece::turn);
       PlannedShelf shelf;
       for (const BoardPiece& piece : board)
-        shelf.push_back({piece.product, piece.facings, piece.certain});
+        add_blocks(shelf, piece, bay_.shelves.front().use == assets::ShelfUse::stand);
       shelves.push_back(std::move(shelf));
     }
     return shelves;
@@ -160,6 +213,7 @@ class RangePlan {
   const plan::StockSpec& stock_;
   const catalog::Catalog& catalog_;
   const std::vector<std::uint32_t>& certain_;
+  std::vector<Candidate> candidates_;  // for gaps
   double front_m_ = 0;              // of all boards
   std::vector<double> free_m_;      // per board
   std::vector<BoardGoods> boards_;  // per board
@@ -217,11 +271,12 @@ std::vector<BoardGoods> deal_out(const std::vector<BoardPiece>& pieces,
 
 std::vector<PlannedShelf> plan_range(const Bay& bay,
                                      const BayRange& range,
+                                     const std::vector<std::uint32_t>& assortment,
                                      const plan::StockSpec& stock,
                                      const catalog::Catalog& catalog,
                                      const std::vector<std::uint32_t>& certain) {
   if (range.empty() && certain.empty()) return std::vector<PlannedShelf>(bay.shelves.size());
-  return RangePlan(bay, range, stock, catalog, certain).plan();
+  return RangePlan(bay, range, assortment, stock, catalog, certain).plan();
 }
 
 }  // namespace marketgen::scene

@@ -35,10 +35,11 @@ std::vector<BoardGoods> deal_out(const std::vector<BoardPiece>& pieces,
 // Goods from here on stand on the lowest boards.
 bool stands_low(const catalog::Product& product);
 
-// As plan_bay(): the range on the bay's boards, each of them filled as far as its goods, and others
-// of the range, go. `certain` first.
+// As plan_bay(): the range on the bay's boards, `certain` first. What is left of a board is filled
+// with more facings, with others of the range, with others of its kinds of the zone's assortment.
 std::vector<PlannedShelf> plan_range(const Bay& bay,
                                      const BayRange& range,
+                                     const std::vector<std::uint32_t>& assortment,
                                      const plan::StockSpec& stock,
                                      const catalog::Catalog& catalog,
                                      const std::vector<std::uint32_t>& certain);

@@ -15,6 +15,9 @@ constexpr double nearly = 0.93;
 // Over the top edge of an open bay its goods may rise by so much.
 constexpr double over_edge_m = 0.10;
 constexpr double open_clearance_m = 0.35;  // assets/fixtures: over a board with nothing above
+// A board is raised for one more layer where that fills no less than this share of what it is
+// raised by: over goods that do not stack there is only air then.
+constexpr double raised_share = 0.45;
 // A board takes some of what it could show: of two ways that show as much, the one with fewer.
 constexpr double board_cost_m = 0.02;
 
@@ -118,7 +121,7 @@ class BoardFit {
              const std::vector<BoardGoods>& boards,
              double& left_m) const {
     while (left_m >= opening_.slot_m - 1e-9) {
-      double most = 0;
+      double most = raised_share * board_m_ * opening_.slot_m;  // for a slot
       std::size_t at = 0;
       int by = 0;
       for (std::size_t i = 0; i < boards.size(); ++i) {

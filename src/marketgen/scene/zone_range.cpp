@@ -17,6 +17,10 @@ namespace {
 constexpr double most_stretch = 4;
 // Of what a shop would choose by demand alone, its buyer thinks between half and one and a half.
 constexpr double least_liked = 0.5, most_liked = 1.5;
+// Up to the first, goods have the zone's fewest facings; from so much more on, its most.
+constexpr double medium_liked = 0.8, much_liked = 4;
+// From here on a pack is bulk, which boards have less of than it is asked for.
+constexpr double bulk_kg = 4, bulk_on_boards = 0.4, bulk_in_small_shops = 0.05;
 // A heap of loose goods is no narrower, and has no fewer pieces across.
 constexpr double min_heap_m = 0.36;
 constexpr int min_heap_pieces = 3;
@@ -83,8 +87,14 @@ class ZoneRange {
       return std::clamp(0.25 * liked, std::max(min_heap_m, min_heap_pieces * pitch_m), widest_heap_m);
     const int fewest = wish_.stock.facings[0];
     const int most = std::max(fewest, wish_.stock.facings[1]);
-    const double share = std::clamp(liked - 0.3, 0.0, 1.0);
+    const double share = std::clamp((liked - medium_liked) / much_liked, 0.0, 1.0);
     return pitch_m * (fewest + static_cast<int>(std::lround(share * (most - fewest))));
+  }
+
+  // Crates and other bulk stand on pallets rather than on boards, and in small shops hardly at all.
+  double share_of_bulk(const catalog::Product& product) const {
+    if (heaps_ || product.mass_kg < bulk_kg) return 1;
+    return wish_.small_shop ? bulk_in_small_shops : bulk_on_boards;
   }
 
   void collect_kinds() {
@@ -100,7 +110,7 @@ class ZoneRange {
       if (is_new) kinds_.push_back({shelf_share_of(p, wish_.small_shop), {}, 0, 0});
       Kind& kind = kinds_[entry->second];
       const double among = heaps_ ? std::sqrt(namesakes[{p.subcategory, p.name}]) : 1;
-      const double liked = asked_for(p) * taste / among;
+      const double liked = asked_for(p) * taste / among * share_of_bulk(p);
       kind.goods.push_back({place, liked, usual_front_m(p, liked)});
       kind.usual_m += kind.goods.back().front_m;
     }
