@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "catalog/country.h"
 #include "intake/brief.h"
@@ -78,6 +80,20 @@ Result<void> check_brief(const Brief& brief, const catalog::Catalog& catalog) {
   return check_known(catalog.styles, "style", brief.style, "--style");
 }
 
+// Boards as high as their goods. How many there are is left to the goods, too, where nobody asked
+// for more or fewer than the kind of fixture usually has.
+void fit_shelves(plan::Plan& plan, const catalog::Catalog& catalog) {
+  plan.shelves = plan::ShelfPitch::fitted;
+  for (std::size_t i = 0; i < plan.zones.size(); ++i) {
+    plan::FixtureSpec& fixture = plan.zones[i].fixture;
+    const std::string path = fmt::format("/zones/{}/fixture/levels", i);
+    const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+    const bool said =
+        std::ranges::find(plan.provenance, path, &plan::Provenance::path) != plan.provenance.end();
+    if (!said && kind != nullptr && fixture.levels == kind->levels) fixture.levels.reset();
+  }
+}
+
 }  // namespace
 
 Result<Planned> plan_from_brief(const Brief& brief,
@@ -89,7 +105,7 @@ Result<Planned> plan_from_brief(const Brief& brief,
   MARKETGEN_TRY(const Drawn drawn, with_drawing(brief, catalog));
   MARKETGEN_TRY(Planned planned, planner.plan(drawn.brief, catalog, seed, concessions));
   planned.trace.insert(planned.trace.begin(), drawn.warnings.begin(), drawn.warnings.end());
-  if (!planned.plan.shelves) planned.plan.shelves = plan::ShelfPitch::fitted;
+  if (!planned.plan.shelves) fit_shelves(planned.plan, catalog);
   planned.drawn = drawn.brief.zones;
   if (const auto& photos = drawn.brief.photos; !photos.empty()) {
     PhotosFile file;

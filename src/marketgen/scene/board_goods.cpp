@@ -255,11 +255,14 @@ std::vector<BoardGoods> deal_out(const std::vector<BoardPiece>& pieces,
     const double pitch_m = pitch_of(piece, catalog);
     while (piece.facings > 0 && board < boards) {
       const int here = std::min(piece.facings, static_cast<int>(free_m / pitch_m));
-      if (here == piece.facings || here >= 2) {
+      const bool is_fresh = free_m == board_m;
+      if (here == piece.facings || here >= 2 || (is_fresh && here == 1)) {
         dealt[board].push_back({piece.turn, piece.product, here, false});
         piece.facings -= here;
         free_m -= here * pitch_m;
         if (piece.facings < 2) break;
+      } else if (is_fresh) {
+        break;  // wider than the board
       }
       ++board;
       free_m = board_m;

@@ -7,6 +7,7 @@
 
 #include "io/json.h"
 #include "scene/assortment.h"
+#include "scene/brand_blocks.h"
 #include "scene/fitted_boards.h"
 #include "scene/shelf_shares.h"
 
@@ -137,6 +138,14 @@ std::vector<ZoneBays> zones_of(const std::vector<BayRef>& bays,
   return zones;
 }
 
+// The leader, the shop's own brand, the others, from left to right: so, too, where the plan says
+// nothing of brands.
+plan::StockSpec brands_by_demand(plan::StockSpec stock) {
+  if (stock.block == plan::BlockPattern::brand_vertical)
+    stock.block = plan::BlockPattern::brand_columns;
+  return stock;
+}
+
 bool stand_alike(const ZoneBays& zone, std::size_t a, std::size_t b) {
   const auto &one = zone.openings[a], &other = zone.openings[b];
   return zone.bays[a]->run == zone.bays[b]->run && zone.bays[a]->side == zone.bays[b]->side &&
@@ -210,7 +219,8 @@ FittedShelves fit_shelves(const Scene& bare,
   for (ZoneBays& zone : zones_of(bays, bare, plan, catalog, stocks)) {
     const BayRef& first = *zone.bays.front();
     const plan::Zone& row = stocks.zone_of(first);
-    const std::vector<std::uint32_t>& assortment = stocks.of(first).assortment;
+    std::vector<std::uint32_t> assortment = stocks.of(first).assortment;
+    order_by_demand(assortment, brands_by_demand(row.stock), catalog);
     const RangeWish wish{assortment,
                          row.stock,
                          is_small_shop(plan.profile, floor_m2),

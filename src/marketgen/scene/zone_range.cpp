@@ -176,12 +176,16 @@ std::vector<BayRange> ranges_of(const std::vector<const Bay*>& bays,
   std::vector<BayRange> ranges(bays.size());
   if (bays.empty() || wish.assortment.empty()) return ranges;
   const double front_m = std::accumulate(fronts_m.begin(), fronts_m.end(), 0.0);
+  const std::vector<Ranged> all = ZoneRange(bays, wish, catalog, seed).share_out(front_m);
+  double shared_m = 0;
+  for (const Ranged& goods : all)
+    shared_m += goods.front_m;
   std::size_t bay = 0;
   double left_m = fronts_m[0];
-  for (const Ranged& goods : ZoneRange(bays, wish, catalog, seed).share_out(front_m)) {
+  for (const Ranged& goods : all) {
     const std::uint32_t row = wish.assortment[goods.place];
     const double pitch_m = facing_pitch_m(catalog.products[row]);
-    double rest_m = goods.front_m;
+    double rest_m = goods.front_m * front_m / shared_m;  // no bay is left without
     // Less than one facing is no reason to stand in the next bay, too.
     while (bay + 1 < bays.size() && rest_m > left_m + pitch_m / 2) {
       if (left_m >= pitch_m / 2) {
