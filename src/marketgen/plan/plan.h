@@ -470,11 +470,12 @@ struct Plan {
             "restocking is gone; absent: no time",
             at_most_bytes(16)),
       field("vary", &Plan::vary, "seeds of single axes in the place of the store's own"),
-      field("shelves",
-            &Plan::shelves,
-            "how far boards are apart. fitted: as high as the goods on them, and each kind of goods "
-            "has the room that shops give it; even: all over a fixture alike, and goods come in the "
-            "order of the assortment; absent: even"),
+      field(
+          "shelves",
+          &Plan::shelves,
+          "how far boards are apart. fitted: as high as the goods on them, and each kind of goods "
+          "has the room that shops give it; even: all over a fixture alike, and goods come in the "
+          "order of the assortment; absent: even"),
       field("shell", &Plan::shell, "the room", required()),
       field("look", &Plan::look, "materials and light"),
       field("nodes",

@@ -37,8 +37,7 @@ std::vector<PlannedShelf> plan_of_range(const BayRef& bay,
                                         const plan::StockSpec& stock,
                                         const catalog::Catalog& catalog,
                                         Stream draw) {
-  if (stock.block == plan::BlockPattern::brand_vertical ||
-      stock.block == plan::BlockPattern::mixed)
+  if (stock.block == plan::BlockPattern::brand_vertical || stock.block == plan::BlockPattern::mixed)
     return plan_range(bay.bay, range, assortment, stock, catalog, bay.certain);
   std::vector<std::uint32_t> rows = bay.certain;
   for (const RangedGoods& goods : range)

@@ -37,10 +37,10 @@ std::vector<BayRef> bays_of(const Scene& scene);
 // What stands in which bay, by fixture id and side.
 using BayRanges = std::map<std::pair<std::string, int>, BayRange>;
 
-// Plans every bay; one that has a range has goods of that and no others. Slices of the assortment run on from bay to bay, separately for each zone and
-// temperature. The user's own products, and what zones must stock, come into bays that sell and
-// hold them where no slice has them (scene/own_goods.h); without such goods nothing is other than
-// it was.
+// Plans every bay; one that has a range has goods of that and no others. Slices of the assortment
+// run on from bay to bay, separately for each zone and temperature. The user's own products, and
+// what zones must stock, come into bays that sell and hold them where no slice has them
+// (scene/own_goods.h); without such goods nothing is other than it was.
 void plan_bays(std::vector<BayRef>& bays,
                const Scene& scene,
                const plan::Plan& plan,

@@ -214,9 +214,9 @@ class RangePlan {
   const catalog::Catalog& catalog_;
   const std::vector<std::uint32_t>& certain_;
   std::vector<Candidate> candidates_;  // for gaps
-  double front_m_ = 0;              // of all boards
-  std::vector<double> free_m_;      // per board
-  std::vector<BoardGoods> boards_;  // per board
+  double front_m_ = 0;                 // of all boards
+  std::vector<double> free_m_;         // per board
+  std::vector<BoardGoods> boards_;     // per board
 };
 
 }  // namespace
@@ -235,7 +235,8 @@ std::vector<BoardPiece> in_board_order(const BayRange& range,
   for (std::size_t i = 0; i < range.size(); ++i) {
     const double pitch_m = facing_pitch_m(catalog.products[range[i].product]);
     const double facings = range[i].front_m * front_m / ranged_m / pitch_m;
-    pieces.push_back({i, range[i].product, std::max(1, static_cast<int>(std::lround(facings))), false});
+    pieces.push_back(
+        {i, range[i].product, std::max(1, static_cast<int>(std::lround(facings))), false});
   }
   std::ranges::stable_sort(pieces, {}, [&](const BoardPiece& piece) {
     const catalog::Product& p = catalog.products[piece.product];

@@ -32,7 +32,10 @@ class BoardFit {
            const BayRange& range,
            const plan::StockSpec& stock,
            const catalog::Catalog& catalog)
-      : opening_(opening), range_(range), catalog_(catalog), board_m_(opening.width_m * stock.fill) {}
+      : opening_(opening),
+        range_(range),
+        catalog_(catalog),
+        board_m_(opening.width_m * stock.fill) {}
 
   FittedBoards best() const {
     FittedBoards best;
@@ -89,7 +92,8 @@ class BoardFit {
     return sum;
   }
 
-  double shown_m2(const std::vector<BoardGoods>& boards, const std::vector<double>& pitches_m) const {
+  double shown_m2(const std::vector<BoardGoods>& boards,
+                  const std::vector<double>& pitches_m) const {
     double sum = -board_cost_m * opening_.width_m * static_cast<double>(boards.size());
     for (std::size_t i = 0; i < boards.size(); ++i)
       sum += shown_m2(boards[i], clearance_m(pitches_m, i));
@@ -105,7 +109,8 @@ class BoardFit {
       const bool last = i + 1 == boards.size();
       const double needed_m = needed_clearance_m(boards[i]);
       double pitch_m = in_slots(needed_m + opening_.lost_m);
-      if (last) pitch_m = opening_.open_top ? std::max(min_opening_m, needed_m - over_edge_m) : needed_m;
+      if (last)
+        pitch_m = opening_.open_top ? std::max(min_opening_m, needed_m - over_edge_m) : needed_m;
       fitted.pitches_m.push_back(pitch_m);
       left_m -= pitch_m;
     }

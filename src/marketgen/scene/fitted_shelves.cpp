@@ -70,8 +70,7 @@ std::optional<BayOpening> opening_of(const BayRef& bay,
   const double top_m =
       opening.open_top ? fixture.height_mm * 1e-3 : highest.board_m + highest.clearance_m;
   opening.height_m = top_m - lowest.board_m;
-  opening.lost_m =
-      std::clamp(shelves[1].board_m - lowest.board_m - lowest.clearance_m, 0.0, 0.06);
+  opening.lost_m = std::clamp(shelves[1].board_m - lowest.board_m - lowest.clearance_m, 0.0, 0.06);
   opening.slot_m = kind->slot_mm * 1e-3;
   opening.levels = wish.levels ? IntRange{fixture.levels, fixture.levels} : kind->level_range;
   return opening;
@@ -81,7 +80,11 @@ std::optional<BayOpening> opening_of(const BayRef& bay,
 Bay room_of(const BayRef& bay, const std::optional<BayOpening>& opening) {
   if (!opening) return bay.bay;
   const double clearance_m = std::min(opening->height_m, tallest_goods_m);
-  return {{{opening->width_m, opening->depth_m, clearance_m, assets::ShelfUse::stand, opening->base_m}}};
+  return {{{opening->width_m,
+            opening->depth_m,
+            clearance_m,
+            assets::ShelfUse::stand,
+            opening->base_m}}};
 }
 
 double front_of(const BayRef& bay, const std::vector<int>& spacings, double fill) {
@@ -128,11 +131,10 @@ std::vector<ZoneBays> zones_of(const std::vector<BayRef>& bays,
     zone.openings.push_back(opening_of(bay, bare, plan, catalog));
     zone.rooms.push_back(room_of(bay, zone.openings.back()));
     const auto& opening = zone.openings.back();
-    const int levels =
-        opening ? std::clamp(static_cast<int>(opening->height_m / usual_pitch_m),
-                             opening->levels[0],
-                             opening->levels[1])
-                : 0;
+    const int levels = opening ? std::clamp(static_cast<int>(opening->height_m / usual_pitch_m),
+                                            opening->levels[0],
+                                            opening->levels[1])
+                               : 0;
     zone.spacings.emplace_back(static_cast<std::size_t>(levels), 0);
   }
   return zones;
@@ -225,8 +227,7 @@ FittedShelves fit_shelves(const Scene& bare,
                          row.stock,
                          is_small_shop(plan.profile, floor_m2),
                          certain_goods(row, assortment, catalog)};
-    const Seed own = seed.child("range", zone.zone)
-                         .child(name_of(stocks.temperature_of(first)));
+    const Seed own = seed.child("range", zone.zone).child(name_of(stocks.temperature_of(first)));
     std::vector<BayRange> ranges = fit_zone(zone, wish, catalog, own);
     for (std::size_t i = 0; i < zone.bays.size(); ++i) {
       layout::Fixture& fixture = fitted.layout.fixtures[zone.bays[i]->fixture];

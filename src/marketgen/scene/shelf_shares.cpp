@@ -10,7 +10,7 @@
 namespace marketgen::scene {
 namespace {
 
-constexpr double usual_share = 10;   // of a kind without a row
+constexpr double usual_share = 10;  // of a kind without a row
 constexpr double small_shop_m2 = 150;
 
 using Kind = std::pair<std::string_view, std::string_view>;

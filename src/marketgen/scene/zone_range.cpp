@@ -46,9 +46,8 @@ class ZoneRange {
             const catalog::Catalog& catalog,
             Seed seed)
       : bays_(bays), wish_(wish), catalog_(catalog), draw_(seed.stream()) {
-    heaps_ = std::ranges::any_of(bays, [](const Bay* bay) {
-      return bay->shelves.front().use == assets::ShelfUse::heap;
-    });
+    heaps_ = std::ranges::any_of(
+        bays, [](const Bay* bay) { return bay->shelves.front().use == assets::ShelfUse::heap; });
     collect_kinds();
   }
 
@@ -84,7 +83,8 @@ class ZoneRange {
   double usual_front_m(const catalog::Product& product, double liked) const {
     const double pitch_m = facing_pitch_m(product);
     if (heaps_)
-      return std::clamp(0.25 * liked, std::max(min_heap_m, min_heap_pieces * pitch_m), widest_heap_m);
+      return std::clamp(
+          0.25 * liked, std::max(min_heap_m, min_heap_pieces * pitch_m), widest_heap_m);
     const int fewest = wish_.stock.facings[0];
     const int most = std::max(fewest, wish_.stock.facings[1]);
     const double share = std::clamp((liked - medium_liked) / much_liked, 0.0, 1.0);
@@ -147,9 +147,8 @@ class ZoneRange {
     });
     double taken_m = 0;
     std::size_t count = 0;
-    while (count < by_liking.size() &&
-           (count == 0 || is_certain(by_liking[count].place) ||
-            taken_m + by_liking[count].front_m / 2 < kind.front_m))
+    while (count < by_liking.size() && (count == 0 || is_certain(by_liking[count].place) ||
+                                        taken_m + by_liking[count].front_m / 2 < kind.front_m))
       taken_m += by_liking[count++].front_m;
     by_liking.resize(count);
     std::ranges::sort(by_liking, {}, &Ranged::place);

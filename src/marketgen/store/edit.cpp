@@ -165,9 +165,9 @@ Result<scene::Scene> scene_after(const Store& store,
                                  const catalog::Catalog& catalog) {
   const auto shelves = scene::shelves_changed(store.plan, now.plan, catalog);
   const StoreVersions& made_by = store.manifest.versions;
-  const bool same_floor =
-      shelves && made_by.marketgen == program_version && made_by.catalog == catalog.content_hash &&
-      scene::same_but_for_boards(store.scene.layout, now.layout);
+  const bool same_floor = shelves && made_by.marketgen == program_version &&
+                          made_by.catalog == catalog.content_hash &&
+                          scene::same_but_for_boards(store.scene.layout, now.layout);
   Result<scene::Scene> scene =
       same_floor ? scene::restocked(store.scene, *shelves, now.plan, catalog)
                  : scene::build_scene(now.layout,
