@@ -119,7 +119,7 @@ Result<void> AisleOracle::choose() {
   for (const Fetch& fetch : found) {
     if (looked_at[sku_of(fetch.product)]++ >= search_.max_items_looked_at) continue;
     if (go_to(fetch.product)) return {};
-    refused_.insert(fetch.product);
+    if (++unplanned_[fetch.product] >= search_.max_unplanned) refused_.insert(fetch.product);
   }
   // The others at the next step: one answer must not take for ever.
   memory_.done = looked_at.empty();
