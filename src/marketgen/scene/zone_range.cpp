@@ -45,9 +45,13 @@ class ZoneRange {
             const RangeWish& wish,
             const catalog::Catalog& catalog,
             Seed seed)
-      : bays_(bays), wish_(wish), catalog_(catalog), draw_(seed.stream()) {
-    heaps_ = std::ranges::any_of(
-        bays, [](const Bay* bay) { return bay->shelves.front().use == assets::ShelfUse::heap; });
+      : bays_(bays),
+        wish_(wish),
+        catalog_(catalog),
+        draw_(seed.stream()),
+        heaps_(std::ranges::any_of(bays, [](const Bay* bay) {
+          return bay->shelves.front().use == assets::ShelfUse::heap;
+        })) {
     collect_kinds();
   }
 
