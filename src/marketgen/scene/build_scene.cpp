@@ -378,7 +378,7 @@ Result<Scene> build_scene(const layout::Layout& layout,
   const catalog::Catalog& rows = local.get();
   const bool fits_boards = plan.shelves == plan::ShelfPitch::fitted;
   MARKETGEN_TRY(Scene scene,
-                bare_scene(fits_boards ? with_even_boards(layout) : layout, rows, seed));
+                bare_scene(fits_boards ? before_fitting(layout, plan, rows) : layout, rows, seed));
 
   const auto of = [&](std::optional<std::uint64_t> plan::Vary::*axis) {
     return plan::axis_seed(plan.vary, axis, seed, scene_stream);

@@ -200,6 +200,17 @@ layout::Layout with_even_boards(layout::Layout layout) {
   return layout;
 }
 
+layout::Layout before_fitting(layout::Layout layout,
+                              const plan::Plan& plan,
+                              const catalog::Catalog& catalog) {
+  for (layout::Fixture& fixture : layout.fixtures) {
+    const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
+    if (fixture.spacings_mm && kind != nullptr && !wish_of(plan, fixture).levels)
+      fixture.levels = kind->levels;
+  }
+  return with_even_boards(std::move(layout));
+}
+
 bool same_but_for_boards(const layout::Layout& a, const layout::Layout& b) {
   const auto line_of = [](const layout::Layout& layout) {
     layout::Layout bare = with_even_boards(layout);

@@ -17,6 +17,12 @@ struct FittedShelves {
 // The layout with boards that nobody has fitted.
 layout::Layout with_even_boards(layout::Layout layout);
 
+// As it was before its boards were fitted: also as many as the fixture's row has, where the plan
+// does not say how many.
+layout::Layout before_fitting(layout::Layout layout,
+                              const plan::Plan& plan,
+                              const catalog::Catalog& catalog);
+
 // Whether two layouts differ in nothing but how boards were fitted.
 bool same_but_for_boards(const layout::Layout& a, const layout::Layout& b);
 
