@@ -16,12 +16,12 @@ constexpr double low_kg = 1.4;
 // Packs whose heights differ by no more share a board.
 constexpr double same_height_m = 0.03;
 // Facings that a board may have of one product where nothing else is there to fill it.
-constexpr int most_facings = 12;
+constexpr int max_gap_facings = 12;
 
 // Gaps are filled with goods that are high rather than with wide ones.
 constexpr double usual_gap_m = 0.1;
 // A block has so many facings at most, a product with more has two and more blocks.
-constexpr int widest_block = 6;
+constexpr int max_block_facings = 6;
 
 double pitch_of(const BoardPiece& piece, const catalog::Catalog& catalog) {
   return facing_pitch_m(catalog.products[piece.product]);
@@ -147,7 +147,7 @@ class RangePlan {
     }
     while (add_other(board, false)) {
     }
-    while (widen(board, heap ? 2 * most_facings : most_facings)) {
+    while (widen(board, heap ? 2 * max_gap_facings : max_gap_facings)) {
     }
   }
 
@@ -189,7 +189,7 @@ class RangePlan {
   }
 
   static void add_blocks(PlannedShelf& shelf, const BoardPiece& piece, bool stands) {
-    const int blocks = stands ? (piece.facings + widest_block - 1) / widest_block : 1;
+    const int blocks = stands ? (piece.facings + max_block_facings - 1) / max_block_facings : 1;
     for (int i = 0; i < blocks; ++i) {
       const int facings = piece.facings * (i + 1) / blocks - piece.facings * i / blocks;
       shelf.push_back({piece.product, facings, piece.certain});

@@ -14,7 +14,6 @@ namespace {
 constexpr double nearly = 0.93;
 // Over the top edge of an open bay its goods may rise by so much.
 constexpr double over_edge_m = 0.10;
-constexpr double open_clearance_m = 0.35;  // assets/fixtures: over a board with nothing above
 // A board is raised for one more layer where that fills no less than this share of what it is
 // raised by: over goods that do not stack there is only air then.
 constexpr double raised_share = 0.45;
@@ -73,7 +72,7 @@ class BoardFit {
 
   double clearance_m(const std::vector<double>& pitches_m, std::size_t board) const {
     if (board + 1 < pitches_m.size()) return pitches_m[board] - opening_.lost_m;
-    return opening_.open_top ? std::min(open_clearance_m, pitches_m[board] + over_edge_m)
+    return opening_.open_top ? std::min(open_top_m, pitches_m[board] + over_edge_m)
                              : pitches_m[board];
   }
 

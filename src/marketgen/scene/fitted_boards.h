@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "assets/fixtures/units.h"
 #include "catalog/catalog.h"
 #include "plan/plan.h"
 #include "scene/zone_range.h"
@@ -22,6 +23,8 @@ struct BayOpening {
 // Kept over the packs that a board is fitted to, beside what the raster leaves: a hand, or a
 // gripper, comes in there. Planogram practice keeps 30 to 60 mm.
 constexpr double hand_room_m = 0.035;
+// Over a board with nothing above it.
+constexpr double open_top_m = assets::open_top_mm / 1000;
 // No board is fitted to less: one must see and reach what stands behind.
 constexpr double min_opening_m = 0.12;
 

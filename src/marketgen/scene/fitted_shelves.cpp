@@ -15,7 +15,6 @@ namespace marketgen::scene {
 namespace {
 
 constexpr double usual_pitch_m = 0.27;  // of fitted boards, until they are known
-constexpr double open_room_m = 0.35;    // assets/fixtures: over a board with nothing above it
 constexpr double tallest_goods_m = 0.45;
 constexpr int rounds = 2;  // ranges follow from how many boards there are, and those from ranges
 
@@ -66,7 +65,7 @@ std::optional<BayOpening> opening_of(const BayRef& bay,
   opening.width_m = std::ranges::min_element(shelves, {}, &ShelfRoom::width_m)->width_m;
   opening.depth_m = std::ranges::min_element(shelves, {}, &ShelfRoom::depth_m)->depth_m;
   opening.base_m = lowest.board_m;
-  opening.open_top = std::abs(highest.clearance_m - open_room_m) < 1e-6;
+  opening.open_top = std::abs(highest.clearance_m - open_top_m) < 1e-6;
   const double top_m =
       opening.open_top ? fixture.height_mm * 1e-3 : highest.board_m + highest.clearance_m;
   opening.height_m = top_m - lowest.board_m;

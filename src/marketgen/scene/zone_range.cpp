@@ -14,9 +14,9 @@ namespace {
 
 // A product has up to so many times the front that it is usually given, where its kind has few
 // others.
-constexpr double most_stretch = 4;
+constexpr double max_stretch = 4;
 // Of what a shop would choose by demand alone, its buyer thinks between half and one and a half.
-constexpr double least_liked = 0.5, most_liked = 1.5;
+constexpr double min_taste = 0.5, max_taste = 1.5;
 // Up to the first, goods have the zone's fewest facings; from so much more on, its most.
 constexpr double medium_liked = 0.8, much_liked = 4;
 // From here on a pack is bulk, which boards have less of than it is asked for.
@@ -24,7 +24,7 @@ constexpr double bulk_kg = 4, bulk_on_boards = 0.4, bulk_in_small_shops = 0.05;
 // A heap of loose goods is no narrower, and has no fewer pieces across.
 constexpr double min_heap_m = 0.36;
 constexpr int min_heap_pieces = 3;
-constexpr double widest_heap_m = 1.2;
+constexpr double max_heap_m = 1.2;
 
 struct Ranged {
   std::size_t place = 0;  // in the assortment
@@ -87,8 +87,7 @@ class ZoneRange {
   double usual_front_m(const catalog::Product& product, double liked) const {
     const double pitch_m = facing_pitch_m(product);
     if (heaps_)
-      return std::clamp(
-          0.25 * liked, std::max(min_heap_m, min_heap_pieces * pitch_m), widest_heap_m);
+      return std::clamp(0.25 * liked, std::max(min_heap_m, min_heap_pieces * pitch_m), max_heap_m);
     const int fewest = wish_.stock.facings[0];
     const int most = std::max(fewest, wish_.stock.facings[1]);
     const double share = std::clamp((liked - medium_liked) / much_liked, 0.0, 1.0);
@@ -108,7 +107,7 @@ class ZoneRange {
       ++namesakes[{catalog_.products[row].subcategory, catalog_.products[row].name}];
     for (std::size_t place = 0; place < wish_.assortment.size(); ++place) {
       const catalog::Product& p = product(place);
-      const double taste = draw_.uniform(least_liked, most_liked);
+      const double taste = draw_.uniform(min_taste, max_taste);
       if (!some_bay_holds(p)) continue;
       const auto [entry, is_new] = known.try_emplace({p.category, p.subcategory}, kinds_.size());
       if (is_new) kinds_.push_back({shelf_share_of(p, wish_.small_shop), {}, 0, 0});
@@ -130,14 +129,14 @@ class ZoneRange {
       for (const Kind* kind : open)
         shares += kind->share;
       const auto full = std::ranges::find_if(open, [&](const Kind* kind) {
-        return front_m * kind->share / shares > most_stretch * kind->usual_m;
+        return front_m * kind->share / shares > max_stretch * kind->usual_m;
       });
       if (full == open.end()) {
         for (Kind* kind : open)
           kind->front_m = front_m * kind->share / shares;
         return;
       }
-      (*full)->front_m = most_stretch * (*full)->usual_m;
+      (*full)->front_m = max_stretch * (*full)->usual_m;
       front_m -= (*full)->front_m;
       open.erase(full);
     }
