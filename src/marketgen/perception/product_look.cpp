@@ -126,7 +126,7 @@ Vec3f vector_of(const auto& numbers) {
 
 Surfel unpacked(const PackedSurfel& packed) {
   return {vector_of(packed.point) / points_per_m,
-          normalized(vector_of(packed.normal)),
+          vector_of(packed.normal) / normals_per_unit,  // made unit again it would pack to others
           vector_of(packed.color) / colors_per_unit};
 }
 

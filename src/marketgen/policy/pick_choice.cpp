@@ -2,8 +2,23 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/progress.h"
 
 namespace marketgen::policy {
+namespace {
+
+double least_intrusion_m(const std::vector<perception::SeenGrasp>& grasps) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const perception::SeenGrasp& grasp : grasps)
+    least = std::min(least, grasp.intrusion_m);
+  return least;
+}
+
+}  // namespace
 
 DueTargets due_targets(const SoughtGoals& goals,
                        const Sight& sight,
@@ -51,6 +66,10 @@ Result<void> find_grasps(PickChoice& choice,
                                place.base_from_basket,
                                choice.others,
                                {&sight.views}}));
+  log_debug(fmt::format("{}: {} grasps, {:.0f} mm least in the way",
+                        choice.look->sku(),
+                        choice.grasps.size(),
+                        1000 * least_intrusion_m(choice.grasps)));
   return {};
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
+#include <vector>
 
 #include "support/committed_catalog.h"
 
@@ -30,6 +32,24 @@ TEST(ProductPictures, AreTheSameWhateverOthersThereAre) {
     EXPECT_EQ(a.color.pixels, b.color.pixels) << side;
     EXPECT_EQ(a.depth_m, b.depth_m) << side;
   }
+}
+
+TEST(ProductPictures, OfEachShapeAreTheSameInAnyCompany) {
+  std::vector<const catalog::Product*> some;
+  std::set<std::string> shapes;
+  for (const catalog::Product& product : committed_catalog().products)
+    if (shapes.insert(product.archetype).second) some.push_back(&product);
+  std::vector<const catalog::Product*> backwards(some.rbegin(), some.rend());
+  const auto one = episodes::product_pictures(some);
+  const auto other = episodes::product_pictures(backwards);
+  ASSERT_TRUE(one.ok() && other.ok());
+  for (std::size_t i = 0; i < some.size(); ++i)
+    for (std::size_t side = 0; side < 6; ++side) {
+      const agent::ProductPicture& a = (*one)[i][side];
+      const agent::ProductPicture& b = (*other)[some.size() - 1 - i][side];
+      EXPECT_EQ(a.color.pixels, b.color.pixels) << some[i]->sku << " " << side;
+      EXPECT_EQ(a.depth_m, b.depth_m) << some[i]->sku << " " << side;
+    }
 }
 
 TEST(ProductPictures, ShowAllOfItFromEverySide) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -92,6 +93,29 @@ TEST_F(LooksKept, AnotherProcessFindsThemTheSame) {
     }
   }
   EXPECT_NE((*kept)[0]->surfels().front().color, (*kept)[2]->surfels().front().color);
+}
+
+// Round things have normals in all directions, which the grid of what is kept does not hold.
+TEST(ProductLook, PacksToWhatItWasUnpackedFrom) {
+  std::vector<perception::PackedSurfel> packed;
+  for (int i = 0; i < 2000; ++i) {
+    const double z = 1 - (2 * i + 1.0) / 2000, r = std::sqrt(1 - z * z), angle = 2.4 * i;
+    perception::PackedSurfel surfel;
+    std::size_t axis = 0;
+    for (const double part : {r * std::cos(angle), r * std::sin(angle), z}) {
+      surfel.normal[axis] = static_cast<std::int16_t>(std::lround(part * 32767));
+      surfel.point[axis] = static_cast<std::int16_t>(std::lround(part * 700));
+      surfel.color[axis++] = static_cast<std::uint8_t>(i % 256);
+    }
+    packed.push_back(surfel);
+  }
+  const auto again = perception::ProductLook::of("ball", packed).packed();
+  ASSERT_EQ(again.size(), packed.size());
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    EXPECT_EQ(again[i].normal, packed[i].normal) << i;
+    EXPECT_EQ(again[i].point, packed[i].point) << i;
+    EXPECT_EQ(again[i].color, packed[i].color) << i;
+  }
 }
 
 TEST_F(LooksKept, NotWherePicturesAreOthersOrNobodySaysWhatDecidesThem) {
