@@ -3,6 +3,7 @@
 // A picture is orthographic, against nothing: what is not the product has no depth. Product frame
 // as in assets/product_model.h.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct ProductPicture {
   double pixel_m = 0;        // side of a pixel on the product
   Image color;
   std::vector<float> depth_m;  // along the optical axis, row-major; 0 = not the product
+  // 1 where one looks into it, so that its colour is that of what it holds and stands before;
+  // empty: nowhere.
+  std::vector<std::uint8_t> clear = {};
 };
 
 using ProductPictures = std::vector<ProductPicture>;  // of one product, from all sides

@@ -9,6 +9,7 @@
 #include "episodes/product_pictures_fingerprint.h"
 #include "geometry/rotation_axes.h"
 #include "render/catalogue_renderer.h"
+#include "render/matter.h"
 #include "render/picture_objects.h"
 #include "scene/scene.h"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr int stage_mm = 5000, stage_ceiling_mm = 3000;  // as episodes/checkout/checkout_view.cpp
 constexpr double product_over_floor_m = 0.95;
 constexpr float waiting_z_m = -10, waiting_apart_m = 2;
+constexpr auto clear = static_cast<std::uint8_t>(render::Matter::clear);
 constexpr double pixel_m = 0.001, border_m = 0.004, away_m = 0.6;
 
 struct Side {
@@ -82,8 +84,10 @@ Result<agent::ProductPictures> pictures_of(render::Renderer& renderer,
                                               pixels_of(size, cross(side.down, side.towards)),
                                               pixels_of(size, side.down));
     MARKETGEN_TRY(render::Frame frame, renderer.render(camera, {}));
-    for (std::size_t i = 0; i < frame.depth_m.size(); ++i)
+    for (std::size_t i = 0; i < frame.depth_m.size(); ++i) {
       if (frame.instance[i] != shown) frame.depth_m[i] = 0;
+      picture.clear.push_back(frame.matter[i] == clear ? 1 : 0);
+    }
     picture.color = std::move(frame.color);
     picture.depth_m = std::move(frame.depth_m);
     pictures.push_back(std::move(picture));

@@ -12,6 +12,7 @@
 #include "episodes/checkout/checkout_senses.h"
 #include "episodes/pictured_products.h"
 #include "geometry/rotation_axes.h"
+#include "perception/look_library.h"
 #include "perception/target_choice.h"
 #include "policy/checkout_pictures.h"
 
@@ -77,19 +78,19 @@ class PerceptionTrial {
     measure_.episode = spec.id;
   }
 
-  Result<void> learn_goals(const std::vector<catalog::Product>& products,
+  Result<void> learn_goals(perception::LookLibrary& library,
+                           const std::vector<catalog::Product>& products,
                            const std::vector<catalog::FrictionRow>& frictions) {
     const auto began = std::chrono::steady_clock::now();
     const episodes::PicturedProducts known(products, frictions);
-    std::vector<std::string> skus;
-    for (const episodes::EpisodeGoal& goal : spec_.goals)
-      skus.push_back(goal.sku);
-    MARKETGEN_TRY(const auto pictures, known.pictures(skus));
-    for (std::size_t i = 0; i < skus.size(); ++i) {
-      MARKETGEN_TRY(perception::ProductLook look,
-                    perception::ProductLook::make(skus[i], pictures[i]));
-      looks_.push_back(std::move(look));
+    std::vector<const catalog::Product*> rows;
+    for (const episodes::EpisodeGoal& goal : spec_.goals) {
+      const auto row = std::ranges::find(known.rows(), goal.sku, &catalog::Product::sku);
+      if (row == known.rows().end())
+        return Error{"catalog.unknown_sku", goal.sku, "the episode's header has no such product"};
+      rows.push_back(&*row);
     }
+    MARKETGEN_TRY(looks_, library.of(rows, known));
     measure_.pictures_s = seconds_since(began);
     return {};
   }
@@ -123,8 +124,8 @@ class PerceptionTrial {
                views_[v],
                perception::goods_in_basket(views_[v], place_, place_.base_from_basket))});
     std::vector<perception::WantedProduct> wanted;
-    for (const perception::ProductLook& look : looks_)
-      wanted.push_back({&look, {}});
+    for (const perception::ProductLook* look : looks_)
+      wanted.push_back({look, {}});
     const perception::SweptPoses poses;
     found_ = perception::CatalogueMatching(poses).find(wanted, views_, masked_);
     measure_.find_s = seconds_since(began);
@@ -142,7 +143,7 @@ class PerceptionTrial {
     const std::vector<int>&in_scene = eyes_.items_shown(views_[0].view().camera),
           &in_wrist = eyes_.items_shown(views_[1].view().camera);
     PerceivedTarget target;
-    target.sku = looks_[look].sku();
+    target.sku = looks_[look]->sku();
     const auto item = std::ranges::find(spec_.items, target.sku, &episodes::EpisodeItem::sku);
     const auto number = static_cast<int>(item - spec_.items.begin());
     const auto scene_px = static_cast<int>(std::ranges::count(in_scene, number));
@@ -159,7 +160,7 @@ class PerceptionTrial {
   void add_pose(const perception::FoundProduct& found,
                 const Pose& true_pose,
                 PerceivedTarget& target) const {
-    const perception::ProductLook& look = looks_[found.look];
+    const perception::ProductLook& look = *looks_[found.look];
     const Pose& pose = found.pose.base_from_product;
     target.found = true;
     target.offset_m = length(middle_at(look, pose) - middle_at(look, true_pose));
@@ -179,13 +180,14 @@ class PerceptionTrial {
   episodes::CheckoutEyes eyes_;
   agent::Workplace place_;
   PerceptionMeasure measure_;
-  std::vector<perception::ProductLook> looks_;  // one a goal
+  perception::Looks looks_;  // one a goal
   std::vector<perception::ViewCloud> views_;
   std::vector<perception::MaskedView> masked_;
   std::vector<perception::FoundProduct> found_;
 };
 
 Result<PerceptionMeasure> measured(environments::Arena& arena,
+                                   perception::LookLibrary& library,
                                    const episodes::EpisodeSpec& spec,
                                    const episodes::Realism& realism) {
   if (spec.track != episodes::Track::checkout)
@@ -195,7 +197,7 @@ Result<PerceptionMeasure> measured(environments::Arena& arena,
                              name_of(spec.track))};
   MARKETGEN_TRY(const auto opened, arena.open(spec, {}, realism));
   PerceptionTrial trial(*opened, spec);
-  MARKETGEN_CHECK(trial.learn_goals(arena.header().products, arena.catalog().frictions));
+  MARKETGEN_CHECK(trial.learn_goals(library, arena.header().products, arena.catalog().frictions));
   MARKETGEN_CHECK(trial.look());
   trial.find();
   return trial.compared();
@@ -207,9 +209,10 @@ Result<std::vector<PerceptionMeasure>> measure_perception(
     environments::Arena& arena,
     const std::vector<episodes::EpisodeSpec>& episodes,
     const episodes::Realism& realism) {
+  perception::LookLibrary library;
   std::vector<PerceptionMeasure> measures;
   for (const episodes::EpisodeSpec& spec : episodes) {
-    auto measure = measured(arena, spec, realism);
+    auto measure = measured(arena, library, spec, realism);
     if (measure.ok()) {
       measures.push_back(std::move(measure).value());
       continue;

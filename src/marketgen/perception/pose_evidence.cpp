@@ -10,12 +10,12 @@ namespace {
 
 constexpr float min_facing = 0.25F;  // cosine; surface more aslant says little
 constexpr float min_tolerance_m = 0.003F;
-constexpr float covered_m = 0.006F;
 constexpr double violation_weight = 1.5;
 constexpr double color_scale = 0.16;  // error at which the score is down to 1/e
 constexpr double enough_seen = 0.35;  // share from which on more does not count
 constexpr double enough_area_m2 = 1.2e-3;
 constexpr float min_gain = 0.55F, max_gain = 1.7F;  // of light on a side against its picture
+constexpr float of_clear = 0.15F;                   // weight of the colour of what one sees into
 constexpr std::size_t sides = 6;
 
 std::size_t side_of(Vec3f n) {
@@ -29,12 +29,12 @@ std::size_t side_of(Vec3f n) {
 // then remains.
 class ColorPairs {
  public:
-  void add(std::size_t side, Vec3f model, Vec3f seen) {
+  void add(std::size_t side, Vec3f model, Vec3f seen, float weight) {
     Sum& s = sums_[side];
-    s.mm += dot(model, model);
-    s.mo += dot(model, seen);
-    s.oo += dot(seen, seen);
-    s.count += 3;
+    s.mm += weight * dot(model, model);
+    s.mo += weight * dot(model, seen);
+    s.oo += weight * dot(seen, seen);
+    s.count += 3 * weight;
   }
   double error() const {
     double squares = 0, count = 0;
@@ -54,7 +54,10 @@ class ColorPairs {
   std::array<Sum, sides> sums_{};
 };
 
-double covered_share(const ProductLook& look, const Placed& placed, const SurfacePatch& patch) {
+double covered_share(const ProductLook& look,
+                     const Placed& placed,
+                     const SurfacePatch& patch,
+                     float covered_m) {
   if (patch.points.empty()) return 1;
   double covered = 0;
   for (const Vec3f& point : patch.points) {
@@ -90,17 +93,25 @@ void look_at(const Surfel& surfel,
     (shown->off_m > 0 ? tally.hidden : tally.violated) += 1 - near;
     tally.area_m2 += near * surfel_m2;
     if (near > 0.5)
-      tally.colors.add(side_of(surfel.normal), surfel.color, cloud.color(shown->pixel));
+      tally.colors.add(side_of(surfel.normal),
+                       surfel.color,
+                       cloud.color(shown->pixel),
+                       surfel.clear ? of_clear : 1.0F);
   }
 }
 
 }  // namespace
 
+double PoseEvidence::likeness() const {
+  return fit * covered * std::exp(-color_error / color_scale);
+}
+
 PoseEvidence evidence_of(const ProductLook& look,
                          const Pose& base_from_product,
                          const SurfacePatch& patch,
                          const std::vector<ViewCloud>& views,
-                         std::size_t max_surfels) {
+                         std::size_t max_surfels,
+                         float covered_m) {
   const Placed placed(base_from_product);
   const std::vector<Surfel>& surfels = look.surfels();
   const std::size_t step = std::max<std::size_t>(1, surfels.size() / max_surfels);
@@ -115,12 +126,11 @@ PoseEvidence evidence_of(const ProductLook& look,
   if (tally.supported < 4) return e;
   e.fit = tally.supported / (tally.supported + violation_weight * tally.violated);
   e.seen = shown / (shown + tally.hidden);
-  e.covered = covered_share(look, placed, patch);
+  e.covered = covered_share(look, placed, patch, covered_m);
   e.color_error = tally.colors.error();
   e.area_m2 = tally.area_m2;
-  e.score =
-      e.fit * e.covered * std::exp(-e.color_error / color_scale) *
-      std::sqrt(std::min(1.0, e.seen / enough_seen) * std::min(1.0, e.area_m2 / enough_area_m2));
+  e.score = e.likeness() * std::sqrt(std::min(1.0, e.seen / enough_seen) *
+                                     std::min(1.0, e.area_m2 / enough_area_m2));
   return e;
 }
 

@@ -20,6 +20,9 @@ struct PoseEvidence {
   double color_error = 1;  // root mean square, sRGB as 0..1, brightness of each side set free
   double area_m2 = 0;      // of the surface that is seen, all pictures together
   double score = 0;        // 0..1, of all of them
+  // 0..1: as the score, however little of it is seen. Of one product's finds the lower ones may be
+  // of something else.
+  double likeness() const;
 };
 
 struct FittedPose {
@@ -58,17 +61,13 @@ class SweptPoses : public PoseSource {
                   const std::vector<ViewCloud>& views) const override;
 };
 
-// What the pictures say of a pose. About `max_surfels` pieces of the product are looked at.
+// What the pictures say of a pose. About `max_surfels` pieces of the product are looked at. Of the
+// mask what is within `covered_m` of the product is explained, at twice as far nothing.
 PoseEvidence evidence_of(const ProductLook& look,
                          const Pose& base_from_product,
                          const SurfacePatch& patch,
                          const std::vector<ViewCloud>& views,
-                         std::size_t max_surfels);
-
-// The pose nearby that explains the pictures best.
-FittedPose refined_pose(const ProductLook& look,
-                        const Pose& near,
-                        const SurfacePatch& patch,
-                        const std::vector<ViewCloud>& views);
+                         std::size_t max_surfels,
+                         float covered_m = 0.006F);
 
 }  // namespace marketgen::perception

@@ -35,7 +35,7 @@ class PictureSurface {
         const Vec3f along = point(x, y + 1) - point(x, y - 1);
         const Vec3f normal = normalized(cross(along, across));
         if (dot(normal, ahead_) > -min_picture_facing) continue;
-        surfels.push_back({point(x, y), normal, color(x, y, step)});
+        surfels.push_back({point(x, y), normal, color(x, y, step), is_clear(x, y)});
       }
     }
   }
@@ -56,6 +56,10 @@ class PictureSurface {
         (static_cast<float>(y) - 0.5F * static_cast<float>(picture_.color.height - 1)) * side;
     return to_float(picture_.product_from_camera.position) + right_ * across + down_ * along +
            ahead_ * depth(x, y);
+  }
+  bool is_clear(int x, int y) const {
+    return !picture_.clear.empty() &&
+           picture_.clear[static_cast<std::size_t>(y * picture_.color.width + x)] != 0;
   }
   // Mean over what the surfel stands for.
   Vec3f color(int x, int y, int step) const {
@@ -113,7 +117,8 @@ PackedSurfel packed_surfel(const Surfel& surfel) {
   };
   return {rows(surfel.point, points_per_m),
           rows(surfel.normal, normals_per_unit),
-          {channel(surfel.color.x), channel(surfel.color.y), channel(surfel.color.z)}};
+          {channel(surfel.color.x), channel(surfel.color.y), channel(surfel.color.z)},
+          static_cast<std::uint8_t>(surfel.clear ? 1 : 0)};
 }
 
 Vec3f vector_of(const auto& numbers) {
@@ -127,7 +132,8 @@ Vec3f vector_of(const auto& numbers) {
 Surfel unpacked(const PackedSurfel& packed) {
   return {vector_of(packed.point) / points_per_m,
           vector_of(packed.normal) / normals_per_unit,  // made unit again it would pack to others
-          vector_of(packed.color) / colors_per_unit};
+          vector_of(packed.color) / colors_per_unit,
+          packed.clear != 0};
 }
 
 std::vector<PackedSurfel> ProductLook::packed() const {

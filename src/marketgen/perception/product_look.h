@@ -16,14 +16,15 @@ namespace marketgen::perception {
 struct Surfel {
   Vec3f point, normal;  // unit within 1e-4, outwards
   Vec3f color;          // sRGB as 0..1
+  bool clear = false;   // one sees into it there: the colour says little
 };
 
-// As a look has it: so exact that nothing is lost when it is kept on disk. What was unpacked packs to
-// the same again.
+// As a look has it: so exact that nothing is lost when it is kept on disk. What was unpacked packs
+// to the same again.
 struct PackedSurfel {
   std::array<std::int16_t, 3> point{}, normal{};  // in 1/20 mm; in 1/32767
   std::array<std::uint8_t, 3> color{};
-  std::uint8_t unused = 0;  // so that all its bytes are said
+  std::uint8_t clear = 0;
 };
 Surfel unpacked(const PackedSurfel& packed);
 

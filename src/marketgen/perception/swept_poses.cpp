@@ -21,6 +21,7 @@ constexpr float first_gate_m = 0.018F, last_gate_m = 0.006F;
 constexpr float min_normals = 0.5F;  // cosine between a point's normal and its surfel's
 constexpr double damping = 1e-3;     // of a fit in which a shape may slide along itself
 constexpr std::size_t quick_surfels = 120, careful_surfels = 500;
+constexpr float closely_covered_m = 0.003F;  // of the mask, in the last fit
 
 // Directions spread evenly over the sphere (Fibonacci's lattice).
 std::vector<Vec3> sphere_directions() {
@@ -191,11 +192,18 @@ double lowest_z_m(const ProductLook& look, const Pose& base_from_product) {
   return lowest;
 }
 
+namespace {
+
+// The pose nearby that explains the pictures best, by what evidence_of() says closely: what else it
+// bears lets surface that looks the same where it goes on slide along itself, under what hides it.
 FittedPose refined_pose(const ProductLook& look,
                         const Pose& near,
                         const SurfacePatch& patch,
                         const std::vector<ViewCloud>& views) {
-  FittedPose best{near, evidence_of(look, near, patch, views, careful_surfels)};
+  const auto weigh = [&](const Pose& pose) {
+    return evidence_of(look, pose, patch, views, careful_surfels, closely_covered_m);
+  };
+  FittedPose best{near, weigh(near)};
   const Vec3 middle = to_double(look.middle());
   for (double step_m = 0.006; step_m > 0.0007; step_m /= 2) {
     const double step_rad = step_m / (0.4 * static_cast<double>(look.diagonal_m()));
@@ -208,7 +216,7 @@ FittedPose refined_pose(const ProductLook& look,
                                  Pose{middle - rotate(turned, middle), turned}};
           for (const Pose& move : moves) {
             const Pose pose = best.base_from_product * move;
-            const PoseEvidence e = evidence_of(look, pose, patch, views, careful_surfels);
+            const PoseEvidence e = weigh(pose);
             if (e.score > best.evidence.score) best = {pose, e};
           }
         }
@@ -216,8 +224,12 @@ FittedPose refined_pose(const ProductLook& look,
       if (best.evidence.score < before * 1.002) break;
     }
   }
+  // Products are told apart by what is borne else.
+  best.evidence = evidence_of(look, best.base_from_product, patch, views, careful_surfels);
   return best;
 }
+
+}  // namespace
 
 FittedPose SweptPoses::pose(const ProductLook& look,
                             const SurfacePatch& patch,

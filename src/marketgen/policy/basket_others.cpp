@@ -8,17 +8,20 @@
 namespace marketgen::policy {
 namespace {
 
-constexpr std::size_t others_tried = 4, likenesses_tried = 8;
+constexpr std::size_t likenesses_tried = 8;
 constexpr double min_other_score = 0.25;
 
 bool is_of_target(const perception::SurfacePatch& patch,
                   const Sight& sight,
                   const SoughtGoals& goals) {
-  return std::ranges::any_of(sight.found, [&](const perception::FoundProduct& found) {
-    const auto left =
-        perception::other_points(patch.points, goals.look_of(found), found.pose.base_from_product);
+  const auto explains = [&](const perception::FoundProduct* found) {
+    const auto left = perception::other_points(
+        patch.points, goals.look_of(*found), found->pose.base_from_product);
     return left.size() < patch.points.size() * 7 / 10;
-  });
+  };
+  for (std::size_t goal = 0; goal < goals.size(); ++goal)
+    if (std::ranges::any_of(goals.found_of(sight, goal), explains)) return true;
+  return false;
 }
 
 // What of the whole catalogue explains the patch best.
@@ -48,7 +51,8 @@ std::vector<RecognisedProduct> others_in_basket(const Sight& sight,
                                                 const SoughtGoals& goals,
                                                 const agent::Workplace& place,
                                                 const Recognition& recognition,
-                                                const std::optional<Vec3>& near) {
+                                                const std::optional<Vec3>& near,
+                                                std::size_t max_others) {
   const perception::MaskedView& masked = sight.masked.back();
   const perception::ViewCloud& cloud = sight.views[masked.view];
   std::vector<std::pair<double, perception::SurfacePatch>> ranked;
@@ -62,7 +66,7 @@ std::vector<RecognisedProduct> others_in_basket(const Sight& sight,
   }
   std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
   std::vector<RecognisedProduct> others;
-  for (std::size_t i = 0; i < std::min(others_tried, ranked.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_others, ranked.size()); ++i)
     if (auto other = recognised(ranked[i].second, sight, recognition))
       others.push_back(std::move(*other));
   return others;

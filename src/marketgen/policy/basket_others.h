@@ -24,12 +24,13 @@ struct Recognition {
   const perception::PoseSource& poses;
 };
 
-// Goods in the basket that are not asked for, a few: those nearest to `near`, or the highest ones.
+// Goods in the basket that are not asked for: the `max_others` nearest to `near`, or the highest.
 // What no product explains well is left out.
 std::vector<RecognisedProduct> others_in_basket(const Sight& sight,
                                                 const SoughtGoals& goals,
                                                 const agent::Workplace& place,
                                                 const Recognition& recognition,
-                                                const std::optional<Vec3>& near);
+                                                const std::optional<Vec3>& near,
+                                                std::size_t max_others);
 
 }  // namespace marketgen::policy

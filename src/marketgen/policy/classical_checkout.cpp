@@ -1,6 +1,7 @@
 #include "policy/classical_checkout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -29,13 +30,19 @@ constexpr double wider_m = 0.014;  // than what was held, when it is let go
 constexpr double min_left_s = 8;   // no new grasp with less time left
 constexpr int max_cleared = 8;
 constexpr double measured_within_m = 0.004;  // of a point of the cameras: noise and their grid
-constexpr double tight_m = 0.006, tightest_m = 0.012;  // intrusion of an open hand that is borne
 // An open hand may push so hard past what lies about a grasp, and what is held, beside its weight,
 // where it is put down. So near to either it is where it was to go.
 constexpr double push_n = 35, near_grasp_m = 0.015, near_place_m = 0.02;
 constexpr double raised_m = 0.08;  // off what it met there
-// At grasps of a product since anything was taken out: what lies by it comes first then; enough.
-constexpr int some_contacts = 2, max_contacts = 5;
+// How hard it tries: intrusion of an open hand that is borne, contacts at grasps of a product since
+// anything was taken out, and how many things that are in the way it looks at.
+struct Effort {
+  double borne_m;
+  int max_contacts;
+  std::size_t max_others;
+};
+constexpr std::array<Effort, 3> efforts{{{0.006, 2, 4}, {0.012, 5, 4}, {0.02, 5, 12}}};
+constexpr int max_tried_again = 2;
 // From where the wrist camera looks into the basket: tip over its middle, fingers down.
 constexpr double look_back_m = 0.06, look_height_m = 0.40;
 
@@ -228,18 +235,29 @@ class ClassicalCheckout : public agent::Policy {
       stop("NotFound");
       return {};
     }
-    for (const auto& [borne, contacts] :
-         {std::pair{tight_m, some_contacts}, {tightest_m, max_contacts}}) {
-      MARKETGEN_TRY(const bool begun, take_one_of(targets, borne, contacts));
-      if (begun) return {};
-      if (cleared_ >= max_cleared) continue;
-      std::vector<PickChoice> others =
-          others_near(targets, goals_, sight_, setup_.place, {catalogue_, *modules_.poses});
-      MARKETGEN_TRY(const bool clears, take_one_of(others, borne, contacts));
-      if (clears) return {};
+    MARKETGEN_TRY(const bool begun, take_something(targets));
+    if (begun) return {};
+    // Goods have been moved since by what came upon them: once more where it was felt, too.
+    if (tried_again_++ < max_tried_again && felt_.any()) {
+      felt_.forget();
+      MARKETGEN_TRY(const bool again, take_something(targets));
+      if (again) return {};
     }
     stop(failure_);
     return {};
+  }
+
+  Result<bool> take_something(std::vector<PickChoice>& targets) {
+    for (const auto& [borne, contacts, max_others] : efforts) {
+      MARKETGEN_TRY(const bool begun, take_one_of(targets, borne, contacts));
+      if (begun) return true;
+      if (cleared_ >= max_cleared) continue;
+      std::vector<PickChoice> others = others_near(
+          targets, goals_, sight_, setup_.place, {catalogue_, *modules_.poses}, max_others);
+      MARKETGEN_TRY(const bool clears, take_one_of(others, borne, contacts));
+      if (clears) return true;
+    }
+    return false;
   }
 
   // Those that the hand came upon something at as often are passed over.
@@ -321,6 +339,7 @@ class ClassicalCheckout : public agent::Policy {
         if (way.ok()) return &grasp;
         note(skills::failure_of_plan(way.error()));
         trial.outcome = failure_;
+        felt_.note_no_way(tip);
       }
     }
     return nullptr;
@@ -330,6 +349,7 @@ class ClassicalCheckout : public agent::Policy {
     skills::close_hand(arm_, grasp.force_n);
     goal_ = choice.goal;
     held_look_ = choice.look;
+    likeness_ = choice.likeness;
     known_ = choice.known;
     tip_from_product_ = inverse(arm_.tip()) * choice.base_from_product;
     width_m_ = grasp.width_m;
@@ -344,7 +364,7 @@ class ClassicalCheckout : public agent::Policy {
 
   void count_try() {
     if (goal_)
-      goals_.note_taken(*goal_, *held_look_);
+      goals_.note_taken(*goal_, *held_look_, likeness_);
     else
       ++cleared_;
   }
@@ -423,6 +443,7 @@ class ClassicalCheckout : public agent::Policy {
       }
     }
     log_held(agent::DecisionKind::place, failure_);
+    felt_.note_grasp(grasp_tip_, *held_look_);  // held otherwise there may be a place for it
     put_back();
   }
 
@@ -489,7 +510,8 @@ class ClassicalCheckout : public agent::Policy {
   std::optional<std::size_t> goal_;  // that is being taken; none: something in the way
   const perception::ProductLook* held_look_ = nullptr;
   std::vector<const perception::ProductLook*> catalogue_;  // the whole of it
-  int cleared_ = 0;
+  double likeness_ = 0;                                    // of that find
+  int cleared_ = 0, tried_again_ = 0;
   const agent::KnownProduct* known_ = nullptr;  // that is held, and how
   Pose tip_from_product_;
   Pose grasp_tip_;  // base_from_tip that it is taken by

@@ -34,7 +34,8 @@ DueTargets due_targets(const SoughtGoals& goals,
         due.found.push_back({&goals.look_of(*found),
                              goal,
                              found->pose.base_from_product,
-                             found->pose.evidence.seen});
+                             found->pose.evidence.seen,
+                             found->pose.evidence.likeness()});
   }
   std::ranges::stable_sort(due.found, std::greater<>{}, &PickChoice::seen);
   return due;
@@ -44,11 +45,13 @@ std::vector<PickChoice> others_near(const std::vector<PickChoice>& targets,
                                     const SoughtGoals& goals,
                                     const Sight& sight,
                                     const agent::Workplace& place,
-                                    const Recognition& recognition) {
+                                    const Recognition& recognition,
+                                    std::size_t max_others) {
   std::optional<Vec3> near;
   if (!targets.empty()) near = middle_of(*targets[0].look, targets[0].base_from_product);
   std::vector<PickChoice> others;
-  for (const RecognisedProduct& other : others_in_basket(sight, goals, place, recognition, near))
+  for (const RecognisedProduct& other :
+       others_in_basket(sight, goals, place, recognition, near, max_others))
     others.push_back({other.look, {}, other.pose.base_from_product, other.pose.evidence.seen});
   return others;
 }

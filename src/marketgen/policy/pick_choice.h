@@ -18,6 +18,7 @@ struct PickChoice {
   std::optional<std::size_t> goal;  // none: it is in the way
   Pose base_from_product;
   double seen = 0;                             // share of it that nothing hides
+  double likeness = 0;                         // PoseEvidence::likeness()
   const agent::KnownProduct* known = nullptr;  // null: its grasps were not looked for yet
   std::vector<perception::SeenGrasp> grasps = {};
   std::vector<Vec3f> others = {};  // measured points that are not its own
@@ -33,13 +34,14 @@ DueTargets due_targets(const SoughtGoals& goals,
                        const agent::WorkArea& unloading,
                        int max_tries);
 
-// Goods in the basket that are not asked for: nearest to the first target, or highest when there is
-// none.
+// Goods in the basket that are not asked for, `max_others` of them: nearest to the first target, or
+// highest when there is none.
 std::vector<PickChoice> others_near(const std::vector<PickChoice>& targets,
                                     const SoughtGoals& goals,
                                     const Sight& sight,
                                     const agent::Workplace& place,
-                                    const Recognition& recognition);
+                                    const Recognition& recognition,
+                                    std::size_t max_others);
 
 // Its row and grasps, by what is seen. Errors: those of KnownProducts::product and of the source.
 Result<void> find_grasps(PickChoice& choice,

@@ -38,6 +38,7 @@ class SoughtGoals {
     return *wanted_[found.look].look;
   }
   // Of one product: that which was taken before, or else the goal's reading that was found best.
+  // Once one was put down, what is much less like it is left out.
   std::vector<const perception::FoundProduct*> found_of(const Sight& sight, std::size_t goal) const;
   bool is_unloaded(const perception::FoundProduct& found, const agent::WorkArea& unloading) const;
   // How many are there. What was put down counts until as many are seen elsewhere.
@@ -48,8 +49,9 @@ class SoughtGoals {
   // Something is missing of which it is known what it is.
   bool may_find_more(const Sight& sight, const agent::WorkArea& unloading) const;
 
-  void note_taken(std::size_t goal, const perception::ProductLook& look);
-  void note_put_down(std::size_t goal) { ++goals_[goal].put_down; }
+  // `likeness`: of the find that it was taken as.
+  void note_taken(std::size_t goal, const perception::ProductLook& look, double likeness);
+  void note_put_down(std::size_t goal);
 
  private:
   struct Goal {
@@ -57,6 +59,7 @@ class SoughtGoals {
     std::string words;   // that it was told in
     int count = 1, put_down = 0, tries = 0;
     const perception::ProductLook* taken_as = nullptr;
+    double taken_likeness = 0, sure_likeness = 0;  // of the last taken; of the best put down
   };
   Result<Goal> read(const agent::TaskGoal& told,
                     const perception::GoalReader* reader,

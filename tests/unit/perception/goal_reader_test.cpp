@@ -64,6 +64,17 @@ TEST(CatalogueReader, ReadsNamesVariantsAmountsAndSynonyms) {
   EXPECT_EQ(read(rows, "the original cola"), (std::vector<std::string>{"cola", "cola-litre"}));
 }
 
+// What shoppers say for what labels call otherwise, in the whole catalogue.
+TEST(CatalogueReader, ReadsEverydayWords) {
+  const auto first = [](const std::string& text) {
+    return read(committed_catalog().products, text).front();
+  };
+  EXPECT_EQ(first("the ice tea in the variety peach"), "beverages-iced-tea-peach-0-5l");
+  EXPECT_EQ(first("the cherry coke"), "beverages-cola-cherry-330ml");
+  EXPECT_EQ(first("the garbanzo beans"), first("the chickpeas"));
+  EXPECT_EQ(first("the bottled water"), first("the mineral water"));
+}
+
 TEST(CatalogueReader, ACanIsAShapeThoughTheWordSaysNothingElsewhere) {
   catalog::Product bottle = product("a-cola", "Cola", "Original", "330 ml");
   bottle.archetype = "pet_bottle";

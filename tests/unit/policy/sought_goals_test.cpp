@@ -65,6 +65,26 @@ TEST_F(SoughtGoals, WhatWasPutDownCountsUntilItIsSeenElsewhere) {
   EXPECT_EQ(goals.there_of(sight_, 0, unloading_), 0);
 }
 
+// Of which nothing is seen any more, while something that is a little like it is found.
+TEST_F(SoughtGoals, WhatIsMuchLessLikeWhatWasPutDownIsSomethingElse) {
+  policy::SoughtGoals goals;
+  ASSERT_TRUE(goals.learn({{"tea", 1}}, nullptr, catalogue_).ok());
+  const auto like = [&](double color_error) {
+    perception::FoundProduct other = found(0, 0.5);
+    other.pose.evidence.fit = other.pose.evidence.covered = 1;
+    other.pose.evidence.color_error = color_error;
+    return other;
+  };
+  goals.note_taken(0, tea_, like(0.08).pose.evidence.likeness());
+  sight_.found = {like(0.14)};
+  EXPECT_EQ(goals.found_of(sight_, 0).size(), 1U) << "not put down yet";
+  goals.note_put_down(0);
+  EXPECT_TRUE(goals.found_of(sight_, 0).empty());
+  EXPECT_TRUE(goals.is_there(sight_, 0, unloading_));
+  sight_.found = {like(0.09)};
+  EXPECT_FALSE(goals.is_there(sight_, 0, unloading_)) << "it is seen where it was";
+}
+
 TEST_F(SoughtGoals, TheReadingThatIsFoundBestIsMeantUntilAnotherWasTaken) {
   policy::SoughtGoals goals;
   const BothReader reader;
@@ -73,7 +93,7 @@ TEST_F(SoughtGoals, TheReadingThatIsFoundBestIsMeantUntilAnotherWasTaken) {
   sight_.found = {found(1, 0.5), found(0, 0.2)};
   ASSERT_EQ(goals.found_of(sight_, 0).size(), 1U);
   EXPECT_EQ(goals.look_of(*goals.found_of(sight_, 0)[0]).sku(), "coffee");
-  goals.note_taken(0, tea_);
+  goals.note_taken(0, tea_, 0);
   EXPECT_EQ(goals.look_of(*goals.found_of(sight_, 0)[0]).sku(), "tea");
 }
 
