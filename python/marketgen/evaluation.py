@@ -106,7 +106,7 @@ def evaluate(
     start_limit_s  processor time until that process is ready, beside hang_limit_s of wall time; a policy that takes more over
                  its imports ends the run. For a server: wall time until it answers
     shard        "2/4": the second of four parts of the file; merge() joins their results
-    realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard", "hard", "randomized", or a
+    realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard", "hard", "crowded", "randomized", or a
                  file of your own that ends with .json. Rankings are meant to use "standard"
     record_motion  also keep what moved, in motion/ID.bin.gz of the folder (read_motion()); of the program's own policies
     record_decisions  also keep what "classical", "vlm" or "hybrid" decided and which of its modules was first wrong, in decisions/ID.json.gz

@@ -252,6 +252,11 @@ assets::WayPlace place_in_round(const PersonRound& person, double time_s) {
   return {act.position, act.heading_rad + turned};
 }
 
+bool stands_in_round(const PersonRound& person, double time_s) {
+  const PersonAct& act = act_at(person, time_s);
+  return !act.way && act.turn_rad == 0;
+}
+
 double room_in_round(const PersonRound& person, double time_s) {
   // The foot ahead strikes 0.62 of a step before the body and reaches past its ankle.
   constexpr double share_of_step = 0.62, past_ankle_m = 0.23;

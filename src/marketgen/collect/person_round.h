@@ -33,6 +33,7 @@ std::vector<PersonAct> acts_of_standing(const StandingPlace& place);
 
 // Where they are, `time_s` after the beginning of the round, 0 to round_s.
 assets::WayPlace place_in_round(const PersonRound& person, double time_s);
+bool stands_in_round(const PersonRound& person, double time_s);
 double room_in_round(const PersonRound& person, double time_s);
 assets::PersonPose pose_in_round(const PersonRound& person, double time_s);
 

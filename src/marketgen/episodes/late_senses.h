@@ -26,10 +26,11 @@ struct Scenery {
   std::vector<double> robot = {};                             // all degrees of freedom
   std::vector<std::pair<std::uint32_t, Pose>> products = {};  // those that have moved, by row
   std::optional<Pose> basket = {};                            // one that is loose
+  std::vector<double> people = {};                            // PeopleAround::clocks()
 
   template <class Archive, class Self>
   static void bytes(Archive& archive, Self& self) {
-    archive(self.time_s, self.robot, self.products, self.basket);
+    archive(self.time_s, self.robot, self.products, self.basket, self.people);
   }
 };
 

@@ -18,6 +18,10 @@ constexpr double jerk_time_s = 0.05;
 // heading it cannot be moved without going to and fro.
 constexpr double near_m = 0.002, near_rad = 0.002, max_settling_s = 1.0;
 
+// Between the base, whose own margin is 0.1 m, and a person's body: where personal distance begins,
+// 0.46 m (Hall, "The Hidden Dimension", 1966), and a little.
+constexpr double clear_of_people_m = 0.4;
+
 double wrapped(double angle) {
   return std::remainder(angle, 2 * M_PI);
 }
@@ -121,6 +125,18 @@ void BodyExecutor::wait(double seconds) {
   push(std::move(motion));
 }
 
+// Where it is taken to stand people are, with what the base keeps clear of them.
+std::vector<motion::MovingDisc> BodyExecutor::people_about(const agent::Observation& now) {
+  std::vector<motion::MovingDisc> people = now.people;
+  const double c = std::cos(now.base.heading), s = std::sin(now.base.heading);
+  for (motion::MovingDisc& person : people) {
+    const Vec2 at = person.position;
+    person.position = {now.base.x_m + c * at.x - s * at.y, now.base.y_m + s * at.x + c * at.y};
+    person.radius += clear_of_people_m;
+  }
+  return people;
+}
+
 // From where the base is to where the follower is now.
 BodyExecutor::BaseError BodyExecutor::error_of(const motion::BaseFollower& wanted,
                                                const agent::Observation& now) const {
@@ -155,7 +171,7 @@ bool BodyExecutor::is_over(Motion& motion, const agent::Observation& now) const 
 void BodyExecutor::play_step(Motion& motion, const agent::Observation& now, agent::Action& action) {
   played_s_ += body_step_s;
   if (motion.base) {
-    motion.base->step(body_step_s);
+    motion.base->step(body_step_s, people_about(now));
     steer(*motion.base, now, action);
   } else if (motion.straight) {
     action.drive_m_s = motion.trajectory.at(std::min(played_s_, motion.duration_s)).velocity[0];

@@ -69,6 +69,7 @@ class BodyExecutor {
     double along = 0, across = 0, turn = 0;
   };
   void play_step(Motion& motion, const agent::Observation& now, agent::Action& action);
+  static std::vector<motion::MovingDisc> people_about(const agent::Observation& now);
   BaseError error_of(const motion::BaseFollower& wanted, const agent::Observation& now) const;
   void steer(const motion::BaseFollower& wanted,
              const agent::Observation& now,
