@@ -17,4 +17,7 @@ Result<navigation::VisibilityGraph> drive_graph(const scene::Scene& scene,
                                                 const std::vector<RectMm>& more = {},
                                                 double margin_m = 0.03);
 
+// The floor that nothing up to such a height stands on, m2.
+double free_floor_m2(const scene::Scene& scene, double height_m);
+
 }  // namespace marketgen::collect

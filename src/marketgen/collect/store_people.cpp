@@ -56,12 +56,6 @@ class Company {
            take_round(person, true, draw);
   }
 
-  // Only with a round that is walked.
-  bool add_walker(PersonRound person, Seed seed) {
-    Stream draw = seed.child("round").stream();
-    return take_round(person, true, draw);
-  }
-
   std::vector<PersonRound> rounds() { return std::move(rounds_); }
 
  private:
@@ -110,11 +104,6 @@ class Company {
   std::vector<Stands> stands_;
 };
 
-Result<void> check_count(int count) {
-  if (count >= 0 && count <= max_people) return {};
-  return Error{"usage.bad_flag", "people", fmt::format("give 0 to {} people", max_people)};
-}
-
 double in_round(const PersonRound& person, double time_s) {
   const double t = std::fmod(time_s + person.ahead_s, round_s);
   return t < 0 ? t + round_s : t;
@@ -126,22 +115,9 @@ Seed people_seed(const scene::Scene& scene) {
   return Seed(scene.seed).child("people");
 }
 
-Result<StorePeople> StorePeople::walkers(const scene::Scene& scene, int max_count, Seed seed) {
-  MARKETGEN_CHECK(check_count(max_count));
-  StorePeople people;
-  if (max_count == 0) return people;
-  MARKETGEN_TRY(const PeopleFloor floor, people_floor(scene));
-  Company company(floor);
-  for (int i = 0; i < max_count; ++i) {
-    const Seed own = seed.child("person", static_cast<std::uint64_t>(i));
-    company.add_walker(new_person(scene, i, own), own);
-  }
-  people.rounds_ = company.rounds();
-  return people;
-}
-
 Result<StorePeople> StorePeople::make(const scene::Scene& scene, int count, Seed seed) {
-  MARKETGEN_CHECK(check_count(count));
+  if (count < 0 || count > max_people)
+    return Error{"usage.bad_flag", "people", fmt::format("give 0 to {} people", max_people)};
   StorePeople people;
   if (count == 0) return people;
   MARKETGEN_TRY(const PeopleFloor floor, people_floor(scene));
@@ -164,21 +140,12 @@ assets::WayPlace StorePeople::place(std::size_t person, double time_s) const {
   return place_in_round(rounds_[person], in_round(rounds_[person], time_s));
 }
 
-bool StorePeople::stands(std::size_t person, double time_s) const {
-  return stands_in_round(rounds_[person], in_round(rounds_[person], time_s));
-}
-
 double StorePeople::room_m(std::size_t person, double time_s) const {
   return room_in_round(rounds_[person], in_round(rounds_[person], time_s));
 }
 
 assets::PlacedPerson StorePeople::person(std::size_t person, double time_s) const {
-  const PersonRound& round = rounds_[person];
-  const double t = in_round(round, time_s);
-  const assets::WayPlace place = place_in_round(round, t);
-  return {round.look,
-          pose_in_round(round, t),
-          {{place.position.x, place.position.y, 0}, rotation_about({0, 0, 1}, place.heading_rad)}};
+  return placed_in_round(rounds_[person], in_round(rounds_[person], time_s));
 }
 
 std::vector<assets::PlacedPerson> StorePeople::at(double time_s) const {

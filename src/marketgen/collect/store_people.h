@@ -33,6 +33,7 @@ struct PersonAct {
   Vec2 position;  // standing, turning
   double heading_rad = 0, turn_rad = 0;
   std::shared_ptr<const FloorWay> way = {};  // walking
+  double walk_m = 0;                         // of the way, from its beginning
   int steps = 0;
 };
 
@@ -54,16 +55,10 @@ class StorePeople {
   // of drive_graph().
   static Result<StorePeople> make(const scene::Scene& scene, int count, Seed seed);
 
-  // People all of whom walk their rounds, staff too: as many of `max_count` as find one that keeps
-  // clear of the others'. Errors: as make(), but for people.no_room.
-  static Result<StorePeople> walkers(const scene::Scene& scene, int max_count, Seed seed);
-
   std::size_t count() const { return rounds_.size(); }
   const PersonRound& round(std::size_t person) const { return rounds_[person]; }
   // Where a person's origin is; O(log acts).
   assets::WayPlace place(std::size_t person, double time_s) const;
-  // Whether the person stands still then, before a shelf or a till.
-  bool stands(std::size_t person, double time_s) const;
   // The radius about it that body, feet and things carried keep.
   double room_m(std::size_t person, double time_s) const;
   // Posed.

@@ -68,6 +68,7 @@ class EpisodeWatch {
   bool is_joint_held(const physics::World& world, std::uint32_t joint) const;
   double max_tilt_deg() const { return tilt_deg_; }  // of the basket
   int person_contacts() const { return person_contacts_; }
+  double person_hardest_n() const;  // the greatest force on one, mean over 10 ms
 
   // Counts contacts that still last as ended. Of loose goods `displaced`, and what else needs the
   // track's areas, is the judge's.
@@ -86,7 +87,7 @@ class EpisodeWatch {
   static void bytes(Archive& archive, Self& self) {
     archive(self.items_, self.pushes_, self.toppled_, self.dropped_, self.displaced_);
     archive(self.base_collisions_, self.base_touches_, self.tilt_deg_);
-    archive(self.person_contacts_, self.touched_people_);
+    archive(self.person_contacts_, self.touched_people_, self.person_pushes_);
   }
 
  private:
@@ -102,7 +103,7 @@ class EpisodeWatch {
     std::map<std::uint32_t, std::set<std::pair<int, int>>> fingers;  // product: tool, finger
     std::set<std::uint32_t> met, basket;
     std::map<std::uint64_t, double> force_n;
-    std::set<std::uint32_t> people;  // MuJoCo's bodies
+    std::map<std::uint64_t, double> people_n;  // force on them; MuJoCo's bodies
     bool base_hit = false;
   };
   using Fingers = std::set<std::pair<int, int>>;  // tool, finger
@@ -127,6 +128,7 @@ class EpisodeWatch {
                        const Quaternion& now,
                        const Moment& moment);
   void follow_events(physics::World& world);
+  void look_at_people(const Touches& seen);
 
   std::vector<GeomRole> roles_;       // by geom
   std::vector<std::int32_t> joints_;  // by part
@@ -136,7 +138,8 @@ class EpisodeWatch {
   int base_collisions_ = 0;
   bool base_touches_ = false;
   int person_contacts_ = 0;
-  std::set<std::uint32_t> touched_people_;
+  PushLedger person_pushes_;
+  std::set<std::uint64_t> touched_people_;
   double tilt_deg_ = 0;
 };
 

@@ -238,14 +238,18 @@ struct BasketDials {
 };
 
 // Who else is in the store (episodes/aisle/people_around.h). They walk from shelf to shelf, stop
-// before the robot and step back from it.
+// before the robot and make room for it.
 struct PeopleDials {
-  int max_count = 0;
+  // Shops are reckoned to hold a person on 300 square feet of their floor: 0.036 a square metre
+  // (Energy Code for New Federal Buildings, 10 CFR 434.513, table 513.2.a, "Retail").
+  double per_m2 = 0.036;
   static constexpr auto fields = field_list(
-      field("max_count",
-            &PeopleDials::max_count,
-            "shoppers and staff who walk about in the aisles; fewer where the floor holds no more",
-            range(0, 60)));
+      field("per_m2",
+            &PeopleDials::per_m2,
+            "shoppers and staff who walk about in the aisles, on a square metre of the floor that "
+            "nothing stands on; rounded down to whole people, 60 at most, and fewer where no more "
+            "find room",
+            range(0, 0.5)));
 };
 
 struct Realism {

@@ -25,7 +25,7 @@ struct SideEffects {
   std::optional<int> doors_open = {};  // of episodes with doors
   // Of episodes with people.
   std::optional<int> person_contacts = {};
-  std::optional<double> person_near_s = {}, person_distance_m = {};
+  std::optional<double> person_hardest_n = {}, person_near_s = {}, person_distance_m = {};
 
   static constexpr auto fields = field_list(
       field("light_contacts", &SideEffects::light_contacts, "below 10 N"),
@@ -50,10 +50,13 @@ struct SideEffects {
       field("person_contacts",
             &SideEffects::person_contacts,
             "of episodes with people: times that the robot, or what it held, touched one"),
+      field("person_hardest_n",
+            &SideEffects::person_hardest_n,
+            "of episodes with people: the greatest force on one, N; above 65 the episode is void"),
       field("person_near_s",
             &SideEffects::person_near_s,
             "of episodes with people: seconds in which some part of the robot was nearer to one "
-            "than 0.46 m"),
+            "than 0.5 m and faster than 0.3 m/s"),
       field("person_distance_m",
             &SideEffects::person_distance_m,
             "of episodes with people: smallest distance between the robot and one; 2 where none "

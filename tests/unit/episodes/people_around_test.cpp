@@ -1,5 +1,5 @@
-// People who walk about where a robot works: they never meet, stop before the robot and step back
-// from it, go on when it has gone, and are there for its scanner, its cameras and its ledger.
+// People who walk about where a robot works: they never meet, stop before the robot, make room for
+// it, wait where they cannot, and are there for its scanner, its cameras and its ledger.
 #include "episodes/aisle/people_around.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,11 @@
 #include <fstream>
 #include <sstream>
 
+#include "collect/drive_graph.h"
+#include "collect/store_people.h"
 #include "episodes/aisle/aisle_view.h"
 #include "episodes/aisle/aisle_world.h"
+#include "episodes/episode_end.h"
 #include "layout/layout.h"
 #include "render/picture_objects.h"
 #include "support/committed_catalog.h"
@@ -44,15 +47,12 @@ std::shared_ptr<const episodes::AisleStore> riverside() {
   return store;
 }
 
-PeopleAround people_of(int count, Vec2 robot = {-9, -9}) {
-  auto made = PeopleAround::make(riverside()->scene, count, Seed(3), robot);
+// So many, where they find room; a robot far away.
+PeopleAround people_of(int count, Vec2 robot = {-9, -9}, std::uint64_t seed = 3) {
+  const double free_m2 = collect::free_floor_m2(riverside()->scene, 2.0);
+  auto made = PeopleAround::make(riverside()->scene, (count + 0.5) / free_m2, Seed(seed), robot);
   if (!made.ok()) fatal(to_string(made.error()).c_str());
   return std::move(made).value();
-}
-
-Vec2 place_of(const PeopleAround& people, std::size_t i) {
-  const Vec3 at = people.store_from_person(i).position;
-  return {at.x, at.y};
 }
 
 double apart(Vec2 a, Vec2 b) {
@@ -63,85 +63,164 @@ double least_apart(const PeopleAround& people) {
   double least = 1e9;
   for (std::size_t i = 0; i < people.count(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      least = std::min(least, apart(place_of(people, i), place_of(people, j)));
+      least = std::min(least, apart(people.place(i), people.place(j)));
   return least;
+}
+
+double gap_to(const FloorDisc& robot, Vec2 person) {
+  return apart(robot.at, person) - robot.radius_m - episodes::person_radius_m;
 }
 
 constexpr double bodies_m = 2 * episodes::person_radius_m;
 
-TEST(PeopleAround, WithoutARobotEverybodyKeepsTime) {
-  PeopleAround people = people_of(8);
-  ASSERT_GE(people.count(), 6U);
-  for (int step = 0; step < 2400; ++step)
-    people.pass(dt, {});
-  for (const double clock : people.clocks())
-    EXPECT_NEAR(clock, 120, 1e-6);
+TEST(PeopleAround, AreAsManyAsTheFloorHas) {
+  const scene::Scene& scene = riverside()->scene;
+  const double free_m2 = collect::free_floor_m2(scene, 2.0);
+  const double whole_m2 = area_m2(plan::floor_of(scene.layout.shell));
+  EXPECT_GT(free_m2, 0.3 * whole_m2);
+  EXPECT_LT(free_m2, whole_m2);
+  for (const double per_m2 : {0.0, 0.02, 0.05}) {
+    const auto people = PeopleAround::make(scene, per_m2, Seed(1), {-9, -9});
+    ASSERT_TRUE(people.ok());
+    EXPECT_EQ(people->count(), static_cast<std::size_t>(per_m2 * free_m2));
+  }
+  EXPECT_EQ(PeopleAround::make(scene, 0.9 / free_m2, Seed(1), {-9, -9})->count(), 0U)
+      << "a small shop has nobody";
 }
 
-// The robot stands where each of them is to come by, one after another.
-TEST(PeopleAround, WhomTheRobotHoldsUpMeetsNobody) {
-  PeopleAround people = people_of(8);
-  const PeopleAround first = people;
-  double least = 1e9;
-  for (std::size_t i = 0; i < people.count(); ++i) {
-    const Vec3 ahead = first.at(i, people.clocks()[i] + 20).world_from_person.position;
-    const std::vector<FloorDisc> robot{{{ahead.x, ahead.y}, 0.4}};
-    for (int step = 0; step < 1200; ++step) {
-      people.pass(dt, robot);
+TEST(PeopleAround, WalkFromShelfToShelfAndMeetNobody) {
+  for (const std::uint64_t seed : {3U, 4U, 5U}) {
+    PeopleAround people = people_of(8, {-9, -9}, seed);
+    ASSERT_GE(people.count(), 6U);
+    double least = 1e9, fastest = 0;
+    for (int step = 0; step < 6000; ++step) {
+      people.pass(dt, {});
       least = std::min(least, least_apart(people));
+      for (std::size_t i = 0; i < people.count(); ++i)
+        fastest = std::max(fastest, people.speed_m_s(i));
+    }
+    EXPECT_GT(least, bodies_m);
+    EXPECT_LT(fastest, collect::max_walk_m_s * 1.1);
+    EXPECT_GT(fastest, collect::min_walk_m_s);
+    for (std::size_t i = 0; i < people.count(); ++i)
+      EXPECT_GE(people.walks(i), 3) << i << " of seed " << seed << " in five minutes";
+  }
+}
+
+TEST(PeopleAround, NeverJumpNorWalkThroughFixtures) {
+  PeopleAround people = people_of(8);
+  const auto floor =
+      collect::drive_graph(riverside()->scene, {0.45, 2.0}, {}, 0).value();  // corners are cut
+  std::vector<Pose> before;
+  for (std::size_t i = 0; i < people.count(); ++i)
+    before.push_back(people.store_from_person(i));
+  for (int step = 0; step < 4000; ++step) {
+    people.pass(dt, {});
+    for (std::size_t i = 0; i < people.count(); ++i) {
+      const Pose now = people.store_from_person(i);
+      ASSERT_LT(length(now.position - before[i].position), dt * 1.4 * 1.1) << i;
+      const double turned =
+          std::remainder(yaw_of(now.rotation) - yaw_of(before[i].rotation), 6.283185307179586);
+      ASSERT_LT(std::abs(turned), 0.35) << i;
+      ASSERT_TRUE(floor.space().free(episodes::floor_point_mm(now.position))) << i;
+      before[i] = now;
     }
   }
-  EXPECT_GT(least, bodies_m);
-  const std::vector<double> held_up = people.clocks();
-  EXPECT_LT(*std::ranges::min_element(held_up), 60.0 * static_cast<double>(people.count()) - 5);
-  for (int step = 0; step < 6000; ++step) {
-    people.pass(dt, {});
-    least = std::min(least, least_apart(people));
-  }
-  EXPECT_GT(least, bodies_m);
-  for (std::size_t i = 0; i < people.count(); ++i)
-    EXPECT_GT(people.clocks()[i], held_up[i] + 60) << i << " goes on when the robot has gone";
 }
 
-TEST(PeopleAround, StopBeforeTheRobotAndStepBack) {
+// Feet, too: where one stands it stays, also of who is stopped on the way.
+TEST(PeopleAround, BodiesAreStillWhereTheyStop) {
+  PeopleAround people = people_of(4);
+  std::vector<FloorDisc> robot;
+  std::vector<assets::PlacedPerson> before(people.count());
+  for (int step = 0; step < 3000; ++step) {
+    if (step % 600 == 200) robot = {{people.place(0) + Vec2{1.5, 0.3}, 0.3}};
+    if (step % 600 == 500) robot.clear();
+    people.pass(dt, robot);
+    const auto moments = people.moments();
+    for (std::size_t i = 0; i < people.count(); ++i) {
+      const assets::PlacedPerson now = people.at(i, moments[i]);
+      for (std::size_t foot = 0; foot < 2 && step > 0; ++foot) {
+        const Vec3 was = before[i].world_from_person * before[i].pose.feet[foot].ball;
+        const Vec3 is = now.world_from_person * now.pose.feet[foot].ball;
+        ASSERT_LT(length(is - was), 0.30) << i << " at " << step * dt << " s";
+      }
+      before[i] = now;
+    }
+  }
+}
+
+// The robot stands where each of them is, a little off, one after another.
+TEST(PeopleAround, MakeRoomForARobotThatStandsBeforeThem) {
+  PeopleAround people = people_of(6);
+  for (std::size_t i = 0; i < people.count(); ++i) {
+    const Pose pose = people.store_from_person(i);
+    const Vec3 behind = pose * Vec3{-1.0, 0, 0};  // in the aisle
+    const std::vector<FloorDisc> robot{{{behind.x, behind.y}, 0.3}};
+    double least = 1e9, nearest = 1e9;
+    bool has_left = false;
+    for (int step = 0; step < 600; ++step) {
+      people.pass(dt, robot);
+      least = std::min(least, least_apart(people));
+      has_left = has_left || gap_to(robot[0], people.place(i)) > 1.0;
+      for (std::size_t j = 0; j < people.count(); ++j)
+        nearest = std::min(nearest, gap_to(robot[0], people.place(j)));
+    }
+    EXPECT_TRUE(has_left) << i;
+    EXPECT_GT(least, bodies_m);
+    EXPECT_GT(nearest, 0.3);
+  }
+}
+
+TEST(PeopleAround, ComeToStandBeforeARobotInTheirWay) {
   PeopleAround people = people_of(1);
   ASSERT_EQ(people.count(), 1U);
+  while (people.speed_m_s(0) < 0.5)
+    people.pass(dt, {});
   const PeopleAround first = people;
-  double walks_s = 0;  // in the middle of a way
-  while (walks_s < collect::round_s) {
-    people.pass(dt, {});
-    walks_s = people.clocks()[0];
-    if (people.speed_m_s(0) > 0.3) break;
-  }
-  const Vec3 ahead = first.at(0, walks_s + 2).world_from_person.position;
-  const std::vector<FloorDisc> robot{{{ahead.x, ahead.y}, 0.3}};
-  double nearest = 1e9, farthest_back = 1e9;
-  for (int step = 0; step < 400; ++step) {
+  PeopleAround later = people;
+  for (int step = 0; step < 40; ++step)
+    later.pass(dt, {});
+  const std::vector<FloorDisc> robot{{later.place(0), 0.3}};
+  if (gap_to(robot[0], people.place(0)) < 0.7) GTEST_SKIP() << "the walk is too short";
+  double nearest = 1e9;
+  for (int step = 0; step < 1200; ++step) {
     people.pass(dt, robot);
-    nearest = std::min(nearest,
-                       apart(place_of(people, 0), robot[0].at) - 0.3 - episodes::person_radius_m);
-    farthest_back = std::min(farthest_back, people.clocks()[0]);
+    nearest = std::min(nearest, gap_to(robot[0], people.place(0)));
   }
-  EXPECT_GT(nearest, episodes::stop_before_robot_m - 0.08) << "a step of 0.07 m at most";
-  EXPECT_LT(farthest_back, walks_s) << "back to where they stood";
-  for (int step = 0; step < 400; ++step)
+  EXPECT_GT(nearest, episodes::stop_before_robot_m - 0.07);
+  EXPECT_GE(people.walks(0), 2) << "they went elsewhere";
+}
+
+// A corner shut by the robot: whoever is in it waits, and gets out when the robot has gone.
+TEST(PeopleAround, WhoIsShutInWaitsAndThenGetsOut) {
+  PeopleAround people = people_of(1);
+  const Vec2 at = people.place(0);
+  std::vector<FloorDisc> ring;  // all about them, a metre and a half away
+  for (int i = 0; i < 16; ++i)
+    ring.push_back({at + Vec2{std::cos(i * 0.3927), std::sin(i * 0.3927)} * 1.6, 0.4});
+  for (int step = 0; step < 1200; ++step)
+    people.pass(dt, ring);
+  EXPECT_LT(apart(people.place(0), at), 1.0);
+  const int walks = people.walks(0);
+  for (int step = 0; step < 1200; ++step)
     people.pass(dt, {});
-  EXPECT_GT(people.clocks()[0], walks_s + 2);
+  EXPECT_GT(people.walks(0), walks);
+  EXPECT_GT(apart(people.place(0), at), 0.5);
 }
 
 TEST(PeopleAround, NobodyBeginsAtTheRobot) {
-  const PeopleAround all = people_of(8);
-  const Vec2 robot = place_of(all, 0);
+  const Vec2 robot = people_of(8).place(0);
   const PeopleAround others = people_of(8, robot);
-  EXPECT_LT(others.count(), all.count());
+  ASSERT_GT(others.count(), 0U);
   for (std::size_t i = 0; i < others.count(); ++i)
-    EXPECT_GT(apart(place_of(others, i), robot), 1.5);
+    EXPECT_GT(apart(others.place(i), robot), 1.5);
 }
 
 TEST(PeopleAround, AMomentGoesOnAsItWas) {
   PeopleAround people = people_of(5);
-  const std::vector<FloorDisc> robot{{place_of(people, 1), 0.5}};
-  for (int step = 0; step < 150; ++step)
+  const std::vector<FloorDisc> robot{{people.place(1) + Vec2{1, 0}, 0.4}};
+  for (int step = 0; step < 450; ++step)
     people.pass(dt, robot);
   ByteWriter writer;
   writer(people);
@@ -150,9 +229,10 @@ TEST(PeopleAround, AMomentGoesOnAsItWas) {
   ByteReader reader(moment);
   reader(again);
   ASSERT_TRUE(reader.ok());
-  for (int step = 0; step < 300; ++step)
+  for (int step = 0; step < 900; ++step)
     people.pass(dt, robot), again.pass(dt, robot);
-  EXPECT_EQ(people.clocks(), again.clocks());
+  EXPECT_EQ(people.moments(), again.moments());
+  EXPECT_NE(people.moments(), people_of(5).moments());
 }
 
 // ---- In a world. ----
@@ -176,7 +256,9 @@ episodes::EpisodeSpec riverside_task() {
 std::unique_ptr<episodes::AisleWorld> riverside_world(int people) {
   auto world = std::make_unique<episodes::AisleWorld>(riverside(), committed_catalog().frictions);
   episodes::Realism realism;
-  if (people > 0) realism.people = episodes::PeopleDials{people};
+  if (people > 0)
+    realism.people =
+        episodes::PeopleDials{(people + 0.5) / collect::free_floor_m2(riverside()->scene, 2.0)};
   const auto reset = world->reset(riverside_task(), {}, realism);
   if (!reset.ok()) fatal(to_string(reset.error()).c_str());
   return world;
@@ -207,7 +289,8 @@ TEST(PeopleInWorld, OneWhoStandsStillIsNotTouched) {
   const episodes::SideEffects effects = world->side_effects();
   EXPECT_EQ(effects.person_contacts, 0);
   EXPECT_EQ(effects.person_near_s, 0.0);
-  EXPECT_GT(effects.person_distance_m.value(), episodes::near_person_m);
+  EXPECT_EQ(effects.person_hardest_n, 0.0);
+  EXPECT_GT(effects.person_distance_m.value(), 0.3);
   EXPECT_EQ(effects.hard_contacts, 0);
 }
 
@@ -223,6 +306,9 @@ TEST(PeopleInWorld, WhoDrivesAtPeopleIsFoundOut) {
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_GE(result->side_effects.person_contacts, 1);
   EXPECT_GT(result->side_effects.person_near_s.value(), 0.1);
+  EXPECT_GT(result->side_effects.person_hardest_n.value(), episodes::max_person_n);
+  EXPECT_TRUE(result->is_void) << "somebody was hurt";
+  EXPECT_EQ(episodes::failure_of(*result, {}), episodes::FailureCode::collision);
   EXPECT_LT(result->side_effects.person_distance_m.value(), 0.02);
   EXPECT_FALSE(is_clean(result->side_effects));
 }
@@ -258,7 +344,7 @@ TEST(PeopleInWorld, MomentsRepeatAndWithoutPeopleNothingIsSaid) {
   for (int step = 0; step < 60; ++step)
     go(*once, 0.1, 0), go(*again, 0.1, 0);
   EXPECT_EQ(once->state_hash(), again->state_hash());
-  EXPECT_EQ(once->people().clocks(), again->people().clocks());
+  EXPECT_EQ(once->people().moments(), again->people().moments());
   EXPECT_EQ(once->side_effects().person_distance_m, again->side_effects().person_distance_m);
   EXPECT_EQ(alone->people().count(), 0U);
   EXPECT_FALSE(alone->side_effects().person_contacts.has_value());

@@ -87,20 +87,20 @@ Result<void> AisleView::follow(const AisleWorld& world, const Scenery& then) {
 
 // Meshes anew of those that are near and have moved; the others are where they are by now.
 Result<void> AisleView::follow_people(const PeopleAround& people,
-                                      const std::vector<double>& clocks,
+                                      const std::vector<PersonMoment>& moments,
                                       const Pose& world_from_base) {
-  const bool first = people_.size() != clocks.size();
-  people_.resize(clocks.size());
+  const bool first = people_.size() != moments.size();
+  people_.resize(moments.size());
   std::vector<std::size_t> anew;
-  for (std::size_t i = 0; i < clocks.size(); ++i) {
-    const Vec3 at = people.at(i, clocks[i]).world_from_person.position;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const Vec3 at = people.at(i, moments[i]).world_from_person.position;
     const bool near = length(at - world_from_base.position) < posed_within_m;
-    if (first || (near && people_[i].clock_s != clocks[i])) anew.push_back(i);
+    if (first || (near && people_[i].moment != moments[i])) anew.push_back(i);
   }
   const std::vector<SeenPerson> made = parallel_map(anew.size(), [&](std::size_t k) {
-    const double clock_s = clocks[anew[k]];
+    const PersonMoment& moment = moments[anew[k]];
     return SeenPerson{
-        clock_s, render::person_actor(people.at(anew[k], clock_s), assets::PersonDetail::coarse)};
+        moment, render::person_actor(people.at(anew[k], moment), assets::PersonDetail::coarse)};
   });
   for (std::size_t k = 0; k < anew.size(); ++k)
     people_[anew[k]] = made[k];
@@ -110,8 +110,8 @@ Result<void> AisleView::follow_people(const PeopleAround& people,
       actors.push_back(person.actor);
     MARKETGEN_CHECK(renderer_->set_actors(actors));
   }
-  for (std::size_t i = 0; i < clocks.size(); ++i) {
-    const Pose now = people.at(i, clocks[i]).world_from_person;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const Pose now = people.at(i, moments[i]).world_from_person;
     MARKETGEN_CHECK(renderer_->move_actor(1 + i, std::span(&now, 1)));
   }
   return {};

@@ -43,11 +43,11 @@ class AisleView {
   AisleView() = default;
   // Somebody as pictures have them now.
   struct SeenPerson {
-    double clock_s = 0;  // of which their mesh is
+    PersonMoment moment;  // of which their mesh is
     render::Actor actor;
   };
   Result<void> follow_people(const PeopleAround& people,
-                             const std::vector<double>& clocks,
+                             const std::vector<PersonMoment>& moments,
                              const Pose& world_from_base);
   Result<void> place_film_camera(render::Camera& camera) const;
   AisleStation station_;

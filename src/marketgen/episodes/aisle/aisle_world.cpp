@@ -161,7 +161,7 @@ Result<void> AisleWorld::begin_people(const EpisodeSpec& spec) {
   if (!realism_.people) return {};
   MARKETGEN_TRY(PeopleAround around,
                 PeopleAround::make(store_->scene,
-                                   realism_.people->max_count,
+                                   realism_.people->per_m2,
                                    realism_seed(spec.seed).child("people"),
                                    {spec.start.x_m, spec.start.y_m}));
   people_ = PeopleInWorld(std::move(around));
@@ -196,7 +196,7 @@ Pose AisleWorld::world_from_base() const {
 
 Scenery AisleWorld::scenery() const {
   Scenery now{time_s(), robot_state()};
-  now.people = people().clocks();
+  now.people = people().moments();
   for (const std::uint32_t row : world_->moved_products())
     now.products.emplace_back(row, world_->product_pose(row));
   return now;
@@ -325,8 +325,16 @@ Result<bool> AisleWorld::goals_met() {
   }
   if (there < asked) return false;  // most of the time: judging costs more
   MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
-  const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  const EpisodeOutcome outcome = judged(states);
   return outcome.hits >= outcome.asked;
+}
+
+// Void where somebody was hurt, whatever lies in the basket.
+EpisodeOutcome AisleWorld::judged(const std::vector<ItemState>& states) const {
+  EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  outcome.is_void = watch_.person_hardest_n() > max_person_n;
+  if (outcome.is_void) outcome.hits = 0;
+  return outcome;
 }
 
 std::string AisleWorld::save() const {
@@ -412,6 +420,7 @@ SideEffects AisleWorld::side_effects() const {
   effects.protective_stops = controller_.stops();
   if (realism_.people) {
     effects.person_contacts = watch_.person_contacts();
+    effects.person_hardest_n = watch_.person_hardest_n();
     effects.person_near_s = people_.near_s();
     effects.person_distance_m = people_.min_distance_m();
   }
@@ -447,7 +456,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   for (double waited = 0; waited < let_go_s - physics::time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
-  const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  const EpisodeOutcome outcome = judged(states);
   EpisodeResult result;
   result.episode = spec_.id;
   result.store = spec_.store;

@@ -98,6 +98,7 @@ class AisleWorld : public TrackWorld {
   Result<void> know_goods(std::uint32_t product);
   ItemState item_state(std::uint32_t product, const EpisodeWatch::Item& item) const;
   Result<std::vector<ItemState>> item_states();
+  EpisodeOutcome judged(const std::vector<ItemState>& states) const;
   HoldsPoint region() const;
   void add_lengths(EpisodeResult& result) const;
 

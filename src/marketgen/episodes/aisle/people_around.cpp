@@ -4,15 +4,25 @@
 #include <cmath>
 #include <limits>
 
+#include "collect/drive_graph.h"
+
 namespace marketgen::episodes {
 namespace {
 
-constexpr double sample_s = 0.1;   // somebody at 1.4 m/s goes 0.14 m
-constexpr double behind_s = 0.12;  // who is less behind is kept clear of by the rounds themselves
 constexpr double clear_start_m = 1.5;
-constexpr double patience_s = 3, rests_s = 4;
-constexpr double back_share = 0.5;  // of the speed ahead
-constexpr double give_room_m = 2;   // to a robot that is in the way of who steps back
+constexpr double person_height_m = 2.0;
+constexpr double beside_others_m = 0.05;  // beside the rooms of two people
+constexpr double give_way_m = 0.05;       // so much nearer they come to get past a robot ...
+constexpr double least_gap_m = 0.35;      // ... but not nearer than that
+constexpr int first_steps = 2;            // granted together: who walks one only shuffles
+constexpr double samples_a_step = 3;
+// Shoppers stand 12 s before what they buy (Dickson and Sawyer, "The Price Knowledge and Search of
+// Supermarket Shoppers", Journal of Marketing 54, 1990).
+constexpr double least_stay_s = 4, longest_stay_s = 20;
+constexpr double waiting_stay_s = 20, looks_again_s = 2;
+constexpr double near_wish_m = 6, least_way_m = 0.8;
+constexpr std::size_t near_wishes = 8, far_wishes = 6;
+constexpr int max_off_ways_mm = 60;  // corners are cut by less
 
 double distance(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -26,143 +36,290 @@ double gap_m(Vec2 person, std::span<const FloorDisc> robot) {
   return gap;
 }
 
+PointMm point_mm(Vec2 at) {
+  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
+}
+
+// About all of the robot, with what people keep from it.
+std::optional<navigation::DiscMm> room_of(std::span<const FloorDisc> robot) {
+  if (robot.empty()) return {};
+  Vec2 middle{};
+  for (const FloorDisc& disc : robot)
+    middle = middle + disc.at * (1.0 / static_cast<double>(robot.size()));
+  double radius = 0;
+  for (const FloorDisc& disc : robot)
+    radius = std::max(radius, distance(middle, disc.at) + disc.radius_m);
+  radius += person_radius_m + stop_before_robot_m;
+  return navigation::DiscMm{point_mm(middle), static_cast<int>(std::ceil(radius * 1e3))};
+}
+
+double step_m(const collect::PersonAct& walk) {
+  return walk.walk_m / walk.steps;
+}
+
+double end_s(const collect::PersonAct& act) {
+  return act.begin_s + act.length_s;
+}
+
 }  // namespace
 
 Result<PeopleAround> PeopleAround::make(const scene::Scene& scene,
-                                        int max_count,
+                                        double per_m2,
                                         Seed seed,
                                         Vec2 robot) {
-  MARKETGEN_TRY(collect::StorePeople walkers,
-                collect::StorePeople::walkers(scene, max_count, seed));
-  auto rounds = std::make_shared<const collect::StorePeople>(std::move(walkers));
-  Samples samples(rounds->count());
   PeopleAround around;
-  for (std::size_t i = 0; i < rounds->count(); ++i) {
-    for (double s = 0; s < collect::round_s - sample_s / 2; s += sample_s)
-      samples[i].push_back({rounds->place(i, s).position, rounds->room_m(i, s)});
-    if (distance(samples[i][0].at, robot) > clear_start_m)
-      around.walkers_.push_back({static_cast<std::uint32_t>(i)});
+  const double wanted = per_m2 * collect::free_floor_m2(scene, person_height_m);
+  const std::size_t count = std::min(static_cast<std::size_t>(wanted), max_count);
+  if (count == 0) return around;
+  MARKETGEN_TRY(collect::PeopleFloor floor, collect::people_floor(scene));
+  auto company = std::make_shared<Company>(Company{std::move(floor), {}, {}});
+  for (std::size_t i = 0; i < count; ++i) {
+    const Seed own = seed.child("person", i);
+    collect::PersonRound who = collect::new_person(scene, static_cast<int>(i), own);
+    Stream draw = own.child("begin").stream();
+    std::vector<collect::StandingPlace> places = company->floor.shelves;
+    draw.shuffle(std::span(places));
+    const auto place = std::ranges::find_if(places, [&](const collect::StandingPlace& at) {
+      if (distance(at.position, robot) <= clear_start_m) return false;
+      for (std::size_t other = 0; other < around.walkers_.size(); ++other) {
+        const Vec2 there = around.walkers_[other].now.walk.from.position;
+        const double rooms = who.room_m + company->who[other].room_m + beside_others_m;
+        if (distance(at.position, there) < rooms) return false;
+      }
+      return true;
+    });
+    if (place == places.end()) continue;
+    Walker walker;
+    walker.now.walk.from = *place;
+    walker.now.walk.stay_s = draw.uniform(least_stay_s, longest_stay_s);
+    around.walkers_.push_back(std::move(walker));
+    company->who.push_back(std::move(who));
+    company->seeds.push_back(own);
   }
-  around.rounds_ = std::move(rounds);
-  around.samples_ = std::make_shared<const Samples>(std::move(samples));
+  around.company_ = std::move(company);
+  around.know_acts();
   return around;
 }
 
-const PeopleAround::Sample& PeopleAround::sample(const Walker& walker, double clock_s) const {
-  const std::vector<Sample>& all = (*samples_)[walker.round];
-  const auto count = static_cast<long>(all.size());
-  const long index = std::lround(clock_s / sample_s) % count;
-  return all[static_cast<std::size_t>(index < 0 ? index + count : index)];
-}
-
-// On the way that the other, who is behind, has yet to go until then.
-bool PeopleAround::meets_later(const Sample& there, const Walker& other, double until_s) const {
-  const double from = std::max(other.clock_s, until_s - collect::round_s);
-  for (double s = from; s <= until_s; s += sample_s) {
-    const Sample& theirs = sample(other, s);
-    if (distance(there.at, theirs.at) < there.room_m + theirs.room_m) return true;
+void PeopleAround::know_acts() {
+  rounds_.clear();
+  if (!company_) return;
+  for (std::size_t i = 0; i < walkers_.size() && i < company_->who.size(); ++i) {
+    rounds_.push_back(who(i));
+    rounds_[i].acts = collect::acts_of_walk(walkers_[i].now.walk);
   }
-  return false;
 }
 
-bool PeopleAround::meets_anybody(std::size_t person, double clock_s) const {
-  const Walker& walker = walkers_[person];
-  const Sample &there = sample(walker, clock_s), &here = sample(walker, walker.clock_s);
-  for (std::size_t i = 0; i < walkers_.size(); ++i) {
-    if (i == person) continue;
-    const Walker& other = walkers_[i];
-    if (other.clock_s + behind_s < clock_s && meets_later(there, other, clock_s)) return true;
-    const Sample& theirs = sample(other, other.clock_s);  // who has stepped back may be near
-    const double apart = distance(there.at, theirs.at);
-    if (apart < there.room_m + theirs.room_m && apart < distance(here.at, theirs.at)) return true;
-  }
-  return false;
-}
-
-bool PeopleAround::nears_robot(const Walker& walker,
-                               double clock_s,
-                               std::span<const FloorDisc> robot) const {
-  const double gap = gap_m(rounds_->place(walker.round, clock_s).position, robot);
-  return gap < stop_before_robot_m &&
-         gap < gap_m(rounds_->place(walker.round, walker.clock_s).position, robot);
-}
-
-void PeopleAround::go_ahead(std::size_t person, double dt_s, std::span<const FloorDisc> robot) {
+void PeopleAround::begin(std::size_t person, collect::PersonWalk walk) {
   Walker& walker = walkers_[person];
-  const double next = walker.clock_s + dt_s;
-  if (nears_robot(walker, next, robot)) {
-    walker.held_up_s += dt_s;
-    if (walker.held_up_s > patience_s) walker.turn(Going::back);
-  } else if (!meets_anybody(person, next)) {
-    walker.clock_s = next;
-    walker.held_up_s = 0;
-  }
+  rounds_[person].acts = collect::acts_of_walk(walk);
+  walker.now = {std::move(walk), 0};
+  walker.granted = 0;
+  walker.stopped_s = 0;
 }
 
-void PeopleAround::go_back(std::size_t person, double dt_s, std::span<const FloorDisc> robot) {
-  Walker& walker = walkers_[person];
-  const double next = walker.clock_s - back_share * dt_s;
-  const bool out_of_way = rounds_->stands(walker.round, walker.clock_s) &&
-                          gap_m(place(person), robot) > give_room_m;
-  const bool ends =
-      out_of_way || nears_robot(walker, next, robot) || meets_anybody(person, next);
-  if (ends)
-    walker.turn(Going::rests);
-  else
-    walker.clock_s = next;
-}
-
-void PeopleAround::rest(std::size_t person, double dt_s, std::span<const FloorDisc> robot) {
-  Walker& walker = walkers_[person];
-  walker.held_up_s += dt_s;
-  if (walker.held_up_s <= rests_s) return;
-  if (!nears_robot(walker, walker.clock_s + dt_s, robot))
-    walker.turn(Going::ahead);
-  else if (gap_m(place(person), robot) < give_room_m)
-    walker.turn(Going::back);
-}
-
-void PeopleAround::pass(double dt_s, std::span<const FloorDisc> robot) {
-  for (std::size_t i = 0; i < walkers_.size(); ++i) {
-    const Vec2 from = place(i);
-    switch (walkers_[i].going) {
-      case Going::ahead:
-        go_ahead(i, dt_s, robot);
-        break;
-      case Going::back:
-        go_back(i, dt_s, robot);
-        break;
-      case Going::rests:
-        rest(i, dt_s, robot);
-        break;
-    }
-    walkers_[i].speed_m_s = distance(from, place(i)) / dt_s;
-  }
+collect::StandingPlace PeopleAround::stands_at(std::size_t person) const {
+  const assets::WayPlace at = collect::place_in_round(rounds_[person], walkers_[person].now.time_s);
+  return {at.position, at.heading_rad};
 }
 
 Vec2 PeopleAround::place(std::size_t person) const {
-  return rounds_->place(walkers_[person].round, walkers_[person].clock_s).position;
+  return stands_at(person).position;
 }
 
-std::vector<double> PeopleAround::clocks() const {
-  std::vector<double> clocks;
+// Where somebody is, and all along to the last step that they were granted, which is the last.
+std::vector<Vec2> PeopleAround::held_by(std::size_t person) const {
+  std::vector<Vec2> held{place(person)};
+  const collect::PersonAct* walk = collect::walked_act(rounds_[person].acts);
+  const Walker& walker = walkers_[person];
+  if (walk == nullptr || walker.now.time_s >= end_s(*walk)) return held;
+  const double piece = step_m(*walk) / samples_a_step, end = walker.granted * step_m(*walk);
+  for (double s = collect::walked_in_act(*walk, walker.now.time_s) + piece; s < end; s += piece)
+    held.push_back(walk->way->at(s).position);
+  held.push_back(walk->way->at(end).position);
+  return held;
+}
+
+bool PeopleAround::may_step(std::size_t person, int step, Robot robot) const {
+  const collect::PersonAct& walk = *collect::walked_act(rounds_[person].acts);
+  const Vec2 here = place(person);
+  const double gap_here = gap_m(here, robot);
+  std::vector<Vec2> there;
+  for (int i = 1; i <= samples_a_step; ++i)
+    there.push_back(walk.way->at(step_m(walk) * (step - 1 + i / samples_a_step)).position);
+  for (const Vec2 at : there) {
+    const double gap = gap_m(at, robot);
+    if (gap < std::min(stop_before_robot_m, gap_here) - give_way_m) return false;
+    if (gap < std::min(least_gap_m, gap_here)) return false;
+  }
+  for (std::size_t other = 0; other < count(); ++other) {
+    if (other == person) continue;
+    const double rooms = who(person).room_m + who(other).room_m + beside_others_m;
+    for (const Vec2 theirs : held_by(other))
+      for (const Vec2 at : there)
+        if (distance(at, theirs) < std::min(rooms, distance(here, theirs))) return false;
+  }
+  return true;
+}
+
+// False where not so many steps from the beginning are free; then no more than before are granted.
+bool PeopleAround::grant(std::size_t person, int steps, Robot robot) {
+  Walker& walker = walkers_[person];
+  const int before = walker.granted;
+  while (walker.granted < steps) {
+    if (!may_step(person, walker.granted + 1, robot)) {
+      walker.granted = before;
+      return false;
+    }
+    ++walker.granted;
+  }
+  return true;
+}
+
+// Whether time may go on to `to_s`, within the walk. Where no further step is granted in time to
+// stop before it, the walk ends with the last that was.
+bool PeopleAround::walk_on(std::size_t person,
+                           const collect::PersonAct& walk,
+                           double to_s,
+                           Robot robot) {
+  Walker& walker = walkers_[person];
+  if (walker.granted == 0) return grant(person, std::min(first_steps, walk.steps), robot);
+  const double stands_m =
+      collect::walked_in_act(walk, to_s) + collect::stopping_m(walker.now.walk.speed_m_s);
+  const int needed = std::min(walk.steps, static_cast<int>(std::ceil(stands_m / step_m(walk))));
+  if (grant(person, needed, robot)) return true;
+  walker.now.walk.steps_cut = walker.granted;
+  walker.now.walk.stay_s = waiting_stay_s;
+  rounds_[person].acts = collect::acts_of_walk(walker.now.walk);
+  return true;
+}
+
+// Of who stands where their walk led.
+bool PeopleAround::has_stood_enough(std::size_t person, double dt_s, Robot robot) {
+  Walker& walker = walkers_[person];
+  const bool waits = walker.now.walk.steps_cut > 0;
+  const bool is_asked = gap_m(place(person), robot) < asks_for_room_m;
+  walker.stopped_s = waits || is_asked ? walker.stopped_s + dt_s : 0;
+  return walker.stopped_s > patience_s || walker.now.time_s >= end_s(rounds_[person].acts.back());
+}
+
+// Those who are farther may have gone when the person comes there.
+std::vector<navigation::DiscMm> PeopleAround::in_the_way(std::size_t person, Robot robot) const {
+  std::vector<navigation::DiscMm> discs;
+  const Vec2 here = place(person);
+  for (std::size_t other = 0; other < count(); ++other) {
+    if (other == person || distance(place(other), here) > near_wish_m) continue;
+    const double rooms = who(person).room_m + who(other).room_m + beside_others_m;
+    discs.push_back({point_mm(held_by(other).back()), static_cast<int>(std::ceil(rooms * 1e3))});
+  }
+  if (const auto room = room_of(robot)) discs.push_back(*room);
+  return discs;
+}
+
+std::optional<collect::PersonWalk> PeopleAround::walk_to(std::size_t person,
+                                                         const collect::StandingPlace& to,
+                                                         std::span<const navigation::DiscMm> past,
+                                                         double stay_s) const {
+  const navigation::VisibilityGraph& ways = company_->floor.graph;
+  collect::PersonWalk walk{.from = stands_at(person), .heading_rad = to.heading_rad};
+  const PointMm here = point_mm(walk.from.position);
+  const PointMm from = ways.space().nearest_free(here, max_off_ways_mm);
+  auto path = ways.shortest_path_past(from, point_mm(to.position), past);
+  if (!path.ok() || path->length_m < least_way_m) return {};
+  walk.points = std::move(path->points);
+  if (here != from) walk.points.insert(walk.points.begin(), here);
+  walk.speed_m_s = company_->seeds[person].child("speed").stream().uniform(collect::min_walk_m_s,
+                                                                           collect::max_walk_m_s);
+  walk.stay_s = stay_s;
+  return walk;
+}
+
+// First where they were going; then what is near, which who looks for something looks at next.
+std::vector<collect::StandingPlace> PeopleAround::wishes(std::size_t person, Stream& draw) const {
+  std::vector<collect::StandingPlace> wished;
+  const collect::PersonWalk& walk = walkers_[person].now.walk;
+  const Vec2 here = place(person);
+  if (walk.steps_cut > 0)
+    wished.push_back(
+        {{walk.points.back()[0] * 1e-3, walk.points.back()[1] * 1e-3}, walk.heading_rad});
+  std::vector<collect::StandingPlace> places = company_->floor.shelves;
+  draw.shuffle(std::span(places));
+  const auto take = [&](std::size_t count, bool near) {
+    for (const collect::StandingPlace& place : places) {
+      if (count == 0) return;
+      if ((distance(place.position, here) < near_wish_m) != near) continue;
+      wished.push_back(place);
+      --count;
+    }
+  };
+  take(near_wishes, true);
+  take(far_wishes, false);
+  return wished;
+}
+
+bool PeopleAround::goes_elsewhere(std::size_t person, Stream& draw, Robot robot) {
+  const std::vector<navigation::DiscMm> past = in_the_way(person, robot);
+  const double stay_s = draw.uniform(least_stay_s, longest_stay_s);
+  for (const collect::StandingPlace& wish : wishes(person, draw)) {
+    if (gap_m(wish.position, robot) < asks_for_room_m) continue;
+    auto walk = walk_to(person, wish, past, stay_s);
+    if (!walk) continue;
+    begin(person, std::move(*walk));
+    ++walkers_[person].walks;
+    return true;
+  }
+  return false;
+}
+
+void PeopleAround::decide(std::size_t person, Robot robot) {
+  const std::uint32_t number = walkers_[person].decisions++;
+  Stream draw = company_->seeds[person].child("decision", number).stream();
+  if (goes_elsewhere(person, draw, robot)) return;
+  collect::PersonWalk stays{.from = stands_at(person)};
+  stays.stay_s = looks_again_s;
+  begin(person, std::move(stays));
+}
+
+void PeopleAround::pass(double dt_s, Robot robot) {
+  for (std::size_t i = 0; i < count(); ++i) {
+    Walker& walker = walkers_[i];
+    const Vec2 from = place(i);
+    const collect::PersonAct* walk = collect::walked_act(rounds_[i].acts);
+    const double next = walker.now.time_s + dt_s;
+    const bool before_end = walk != nullptr && walker.now.time_s < end_s(*walk);
+    if (before_end && next > walk->begin_s) {
+      if (walk_on(i, *walk, next, robot)) {
+        walker.now.time_s = next;
+      } else {  // they stand there, turned to their way
+        walker.now.time_s = walk->begin_s;
+        walker.stopped_s += dt_s;
+        if (walker.stopped_s > patience_s) decide(i, robot);
+      }
+    } else {
+      walker.now.time_s = next;
+      const bool stands = next >= rounds_[i].acts.back().begin_s;
+      if (stands && has_stood_enough(i, dt_s, robot)) decide(i, robot);
+    }
+    walker.speed_m_s = distance(from, place(i)) / dt_s;
+  }
+}
+
+std::vector<PersonMoment> PeopleAround::moments() const {
+  std::vector<PersonMoment> moments;
   for (const Walker& walker : walkers_)
-    clocks.push_back(walker.clock_s);
-  return clocks;
+    moments.push_back(walker.now);
+  return moments;
 }
 
 Pose PeopleAround::store_from_person(std::size_t person) const {
-  const Walker& walker = walkers_[person];
-  const assets::WayPlace place = rounds_->place(walker.round, walker.clock_s);
-  return {{place.position.x, place.position.y, 0}, rotation_about({0, 0, 1}, place.heading_rad)};
+  const collect::StandingPlace at = stands_at(person);
+  return {{at.position.x, at.position.y, 0}, rotation_about({0, 0, 1}, at.heading_rad)};
 }
 
-double PeopleAround::stature_m(std::size_t person) const {
-  return rounds_->round(walkers_[person].round).look.stature_m;
-}
-
-assets::PlacedPerson PeopleAround::at(std::size_t person, double clock_s) const {
-  return rounds_->person(walkers_[person].round, clock_s);
+assets::PlacedPerson PeopleAround::at(std::size_t person, const PersonMoment& moment) const {
+  collect::PersonRound round = who(person);
+  round.acts = collect::acts_of_walk(moment.walk);
+  return collect::placed_in_round(round, moment.time_s);
 }
 
 }  // namespace marketgen::episodes

@@ -1,29 +1,35 @@
 // People who walk about in the store while a robot works there.
 //
-// Each goes along a round (collect/store_people.h) by a clock of their own. Whom the robot is in
-// the way of stands still, and after a while steps back along the way they came to where they stood
-// before a shelf; whoever stands, stands on as long as the robot is before them. Clocks drift apart
-// that way, so nobody enters a place that somebody who is behind in time has yet to leave: with
-// that rule people never meet, and of themselves never block one another for good (Cap, Gregoire
-// and Frazzoli, "Provably Safe and Deadlock-Free Execution of Multi-Robot Plans under Delaying
-// Disturbances", IROS 2016). Who has stepped back may, for a while.
+// Each stands before a shelf for a while and then walks to another, as they decide when they go.
+// They are granted their way step by step: a step that would bring them too near to the robot, or
+// to where another has been granted theirs, is refused, and they come to stand before it. So nobody
+// ever meets anybody. Who was stopped for some seconds goes another way or elsewhere, past
+// everybody and the robot as they stand; so does who stands where a robot waits before them. Who
+// finds no way stands on and looks again later: that is who is shut in by the robot, which has to
+// make room.
 //
 // Store frame, SI units.
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "collect/store_people.h"
+#include "base/byte_archive.h"
+#include "base/seed.h"
+#include "collect/person_round.h"
+#include "episodes/aisle/person_moment.h"
 
 namespace marketgen::episodes {
 
-// People stop so far from a robot, between their body and its nearest part: where personal distance
-// begins, nearer than which only friends come (Hall, "The Hidden Dimension", 1966: 0.46 m to 1.2
-// m), and some.
+// People walk no nearer to a robot, between their body and its nearest part: where personal
+// distance begins, nearer than which only friends come (Hall, "The Hidden Dimension", 1966: 0.46 m
+// to 1.2 m), and some.
 inline constexpr double stop_before_robot_m = 0.6;
-// Nearer than this the robot is too near; likewise.
-inline constexpr double near_person_m = 0.46;
+// A robot that is nearer than that to somebody who stands there asks them to make room.
+inline constexpr double asks_for_room_m = 1.2;
+// How long people stand before a robot, or one another, until they go elsewhere.
+inline constexpr double patience_s = 2;
 
 // Their bodies for contacts: an upright cylinder to the shoulders, a ball for the head. Radii after
 // ANSUR II: half of a mean bideltoid breadth of 0.49 m, of a head of 0.20 m.
@@ -35,65 +41,78 @@ struct FloorDisc {
   double radius_m = 0;
 };
 
-// A value; copies share the rounds. Not thread-safe while it is changed.
+// A value; copies share who they are. Not thread-safe while it is changed.
 class PeopleAround {
  public:
+  static constexpr std::size_t max_count = 60;
+
   PeopleAround() = default;
-  // As StorePeople::walkers(), without those who would begin within 1.5 m of `robot`. Errors: those
-  // of walkers().
-  static Result<PeopleAround> make(const scene::Scene& scene, int max_count, Seed seed, Vec2 robot);
+  // So many a square metre of the floor that nothing stands on, rounded down, max_count at most;
+  // fewer where no more find a place to stand. Nobody begins within 1.5 m of `robot`. Errors: those
+  // of drive_graph().
+  static Result<PeopleAround> make(const scene::Scene& scene, double per_m2, Seed seed, Vec2 robot);
 
   std::size_t count() const { return walkers_.size(); }
 
-  // Time goes on by dt_s, 0 to 0.1, for everybody who may walk on. `robot`: where it is.
+  // Time goes on by dt_s, 0 to 0.1. `robot`: where it is.
   void pass(double dt_s, std::span<const FloorDisc> robot);
 
-  // Where each is in their round; what pictures of a moment are made by.
-  std::vector<double> clocks() const;
+  std::vector<PersonMoment> moments() const;
+  Vec2 place(std::size_t person) const;
   Pose store_from_person(std::size_t person) const;
   double speed_m_s(std::size_t person) const { return walkers_[person].speed_m_s; }
-  double stature_m(std::size_t person) const;
-  // Posed as at that time of their round.
-  assets::PlacedPerson at(std::size_t person, double clock_s) const;
+  double stature_m(std::size_t person) const { return who(person).look.stature_m; }
+  // How many walks they have begun.
+  int walks(std::size_t person) const { return static_cast<int>(walkers_[person].walks); }
+  // Posed as at that moment of theirs.
+  assets::PlacedPerson at(std::size_t person, const PersonMoment& moment) const;
 
   template <class Archive, class Self>
   static void bytes(Archive& archive, Self& self) {
     archive(self.walkers_);
+    if constexpr (!std::is_const_v<Self>) self.know_acts();
   }
 
  private:
-  enum class Going { ahead, back, rests };
   struct Walker {
-    std::uint32_t round = 0;  // in the rounds
-    double clock_s = 0;
-    double held_up_s = 0;  // by the robot; of who rests: since they came back
-    Going going = Going::ahead;
+    PersonMoment now;
+    int granted = 0;       // steps of the walk
+    double stopped_s = 0;  // by somebody or the robot
     double speed_m_s = 0;
-    void turn(Going to) { going = to, held_up_s = 0; }
+    std::uint32_t walks = 0, decisions = 0;
     template <class Archive, class Self>
     static void bytes(Archive& archive, Self& self) {
-      archive(self.round, self.clock_s, self.held_up_s, self.going);
-      archive(self.speed_m_s);
+      archive(self.now, self.granted, self.stopped_s, self.speed_m_s, self.walks, self.decisions);
     }
   };
-  struct Sample {
-    Vec2 at;
-    double room_m = 0;
+  struct Company {
+    collect::PeopleFloor floor;
+    std::vector<collect::PersonRound> who;  // without acts
+    std::vector<Seed> seeds;
   };
-  using Samples = std::vector<std::vector<Sample>>;  // by round, evenly over it
+  using Robot = std::span<const FloorDisc>;
 
-  Vec2 place(std::size_t person) const;
-  const Sample& sample(const Walker& walker, double clock_s) const;
-  bool meets_anybody(std::size_t person, double clock_s) const;
-  bool meets_later(const Sample& there, const Walker& other, double until_s) const;
-  bool nears_robot(const Walker& walker, double clock_s, std::span<const FloorDisc> robot) const;
-  void go_ahead(std::size_t person, double dt_s, std::span<const FloorDisc> robot);
-  void go_back(std::size_t person, double dt_s, std::span<const FloorDisc> robot);
-  void rest(std::size_t person, double dt_s, std::span<const FloorDisc> robot);
+  const collect::PersonRound& who(std::size_t person) const { return company_->who[person]; }
+  void know_acts();
+  void begin(std::size_t person, collect::PersonWalk walk);
+  collect::StandingPlace stands_at(std::size_t person) const;
+  std::vector<Vec2> held_by(std::size_t person) const;
+  bool may_step(std::size_t person, int step, Robot robot) const;
+  bool grant(std::size_t person, int steps, Robot robot);
+  bool walk_on(std::size_t person, const collect::PersonAct& walk, double to_s, Robot robot);
+  bool has_stood_enough(std::size_t person, double dt_s, Robot robot);
+  void decide(std::size_t person, Robot robot);
+  bool goes_elsewhere(std::size_t person, Stream& draw, Robot robot);
+  std::vector<navigation::DiscMm> in_the_way(std::size_t person, Robot robot) const;
+  std::optional<collect::PersonWalk> walk_to(std::size_t person,
+                                             const collect::StandingPlace& to,
+                                             std::span<const navigation::DiscMm> past,
+                                             double stay_s) const;
+  std::vector<collect::StandingPlace> wishes(std::size_t person, Stream& draw) const;
 
-  std::shared_ptr<const collect::StorePeople> rounds_;
-  std::shared_ptr<const Samples> samples_;
+  std::shared_ptr<const Company> company_;
   std::vector<Walker> walkers_;
+  std::vector<collect::PersonRound> rounds_;  // who they are, with the acts of their walks
 };
 
 }  // namespace marketgen::episodes

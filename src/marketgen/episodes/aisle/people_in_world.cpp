@@ -25,6 +25,12 @@ Pose between(const Pose& from, const Pose& to, double share) {
   return {from.position + (to.position - from.position) * share, to.rotation};
 }
 
+double speed_of_geom(const physics::World& world, int geom) {
+  mjtNum turning_moving[6];
+  mj_objectVelocity(&world.model(), &world.data(), mjOBJ_GEOM, geom, turning_moving, 0);
+  return mju_norm3(turning_moving + 3);
+}
+
 }  // namespace
 
 void PeopleInWorld::add_to(mjSpec_& made) const {
@@ -61,12 +67,23 @@ void PeopleInWorld::start(const physics::World& world, const robots::Robot& robo
     from_.push_back(around_.store_from_person(i));
 }
 
+// About the box of each of its geoms, seen from above.
 std::vector<FloorDisc> PeopleInWorld::robot_discs(const physics::World& world) const {
   const mjModel& m = world.model();
   const mjData& d = world.data();
   std::vector<FloorDisc> discs;
-  for (const int geom : robot_geoms_)
-    discs.push_back({{d.geom_xpos[3 * geom], d.geom_xpos[3 * geom + 1]}, m.geom_rbound[geom]});
+  for (const int geom : robot_geoms_) {
+    const mjtNum *box = m.geom_aabb + 6 * geom, *turned = d.geom_xmat + 9 * geom;
+    FloorDisc disc{{d.geom_xpos[3 * geom], d.geom_xpos[3 * geom + 1]}, 0};
+    double half[2] = {0, 0};
+    for (int k = 0; k < 3; ++k) {
+      disc.at = disc.at + Vec2{turned[k], turned[3 + k]} * box[k];
+      half[0] += std::abs(turned[k]) * box[3 + k];
+      half[1] += std::abs(turned[3 + k]) * box[3 + k];
+    }
+    disc.radius_m = std::min(std::hypot(half[0], half[1]), m.geom_rbound[geom]);
+    discs.push_back(disc);
+  }
   return discs;
 }
 
@@ -95,20 +112,24 @@ Result<void> PeopleInWorld::measure(const physics::World& world, double dt_s) {
   const mjModel& m = world.model();
   const mjData& d = world.data();
   double nearest = max_measured_m;
+  bool is_near = false;
   for (const std::vector<int>& person : person_geoms_) {
     for (const int theirs : person) {
       for (const int ours : robot_geoms_) {
         double apart[3];
         mju_sub3(apart, d.geom_xpos + 3 * theirs, d.geom_xpos + 3 * ours);
-        if (mju_norm3(apart) - m.geom_rbound[theirs] - m.geom_rbound[ours] >= nearest) continue;
-        MARKETGEN_TRY(const double gap, world.distance_m(theirs, ours, nearest));
+        const double least = mju_norm3(apart) - m.geom_rbound[theirs] - m.geom_rbound[ours];
+        const double asked = std::max(nearest, near_person_m);
+        if (least >= asked) continue;
+        MARKETGEN_TRY(const double gap, world.distance_m(theirs, ours, asked));
         nearest = std::min(nearest, gap);
+        is_near = is_near || (gap < near_person_m && speed_of_geom(world, ours) > near_person_m_s);
       }
     }
   }
   nearest = std::max(nearest, 0.0);  // in one another: in touch
   min_distance_m_ = std::min(min_distance_m_, nearest);
-  if (nearest < near_person_m) near_s_ += dt_s;
+  if (is_near) near_s_ += dt_s;
   return {};
 }
 

@@ -13,6 +13,13 @@
 
 namespace marketgen::episodes {
 
+// Beside a truck without a driver there must be 0.5 m of room, or it must not be faster than 0.3
+// m/s (after ISO 3691-4).
+inline constexpr double near_person_m = 0.5, near_person_m_s = 0.3;
+// Somebody who was pressed with more, mean over 10 ms, was hurt: the least of the limits that
+// ISO/TS 15066 (now ISO 10218-2:2025) sets for the regions of a body, that of the face.
+inline constexpr double max_person_n = 65;
+
 // A value, for one world. With nobody it does nothing.
 class PeopleInWorld {
  public:
@@ -44,7 +51,7 @@ class PeopleInWorld {
 
   const PeopleAround& around() const { return around_; }
   double min_distance_m() const { return min_distance_m_; }  // so far
-  double near_s() const { return near_s_; }                  // nearer than near_person_m
+  double near_s() const { return near_s_; }                  // too fast nearer than near_person_m
 
   template <class Archive, class Self>
   static void bytes(Archive& archive, Self& self) {
