@@ -31,7 +31,7 @@ struct Observation {
   robots::BasePlace base;  // as its wheels' encoders reckon it; zeros of a robot without wheels
   bool stopped = false;    // a protective stop: it takes no command yet
   // What the laser scanner of a base that drives tells of people, in the base's frame (X ahead):
-  // those within 4 m to whom a straight way leads. Empty where nobody is about.
+  // those within 4 m whom no fixture hides. Empty where nobody is about.
   std::vector<motion::MovingDisc> people;
 };
 

@@ -32,6 +32,12 @@ Result<navigation::VisibilityGraph> drive_graph(const scene::Scene& scene,
       plan::floor_of(scene.layout.shell), obstacles, static_cast<int>(std::lround(room_m * 1e3)));
 }
 
+Result<navigation::FreeSpace> open_floor(const scene::Scene& scene, double height_m) {
+  constexpr int least_mm = 1;
+  return navigation::FreeSpace::make(
+      plan::floor_of(scene.layout.shell), obstacles_below(scene, height_m), least_mm);
+}
+
 double free_floor_m2(const scene::Scene& scene, double height_m) {
   double free = area_m2(plan::floor_of(scene.layout.shell));
   for (const RectMm& obstacle : obstacles_below(scene, height_m))

@@ -219,8 +219,7 @@ agent::Observation AisleWorld::as_it_is() const {
   seen.base = controller_.wheels().reckoned();
   seen.external_force_n = controller_.external_force_n();
   seen.stopped = controller_.stopped(time_s());
-  seen.people =
-      people_.scanned(world_from_base(), axle_of(robot(), world_from_base()), store_->ways);
+  seen.people = people_.scanned(world_from_base(), axle_of(robot(), world_from_base()));
   return seen;
 }
 

@@ -72,7 +72,8 @@ Result<PeopleAround> PeopleAround::make(const scene::Scene& scene,
   const std::size_t count = std::min(static_cast<std::size_t>(wanted), max_count);
   if (count == 0) return around;
   MARKETGEN_TRY(collect::PeopleFloor floor, collect::people_floor(scene));
-  auto company = std::make_shared<Company>(Company{std::move(floor), {}, {}});
+  MARKETGEN_TRY(navigation::FreeSpace sight, collect::open_floor(scene, person_height_m));
+  auto company = std::make_shared<Company>(Company{std::move(floor), std::move(sight), {}, {}});
   for (std::size_t i = 0; i < count; ++i) {
     const Seed own = seed.child("person", i);
     collect::PersonRound who = collect::new_person(scene, static_cast<int>(i), own);
@@ -176,21 +177,36 @@ bool PeopleAround::grant(std::size_t person, int steps, Robot robot) {
   return true;
 }
 
+void PeopleAround::cut(std::size_t person, int steps) {
+  Walker& walker = walkers_[person];
+  walker.granted = steps;
+  walker.now.walk.steps_cut = steps;
+  walker.now.walk.stay_s = waiting_stay_s;
+  rounds_[person].acts = collect::acts_of_walk(walker.now.walk);
+}
+
 // Whether time may go on to `to_s`, within the walk. Where no further step is granted in time to
-// stop before it, the walk ends with the last that was.
+// stop before it, the walk ends with the last that was; where the robot has come to where steps
+// were granted, as soon as may be; and where that is too late, they stand still in their stride.
 bool PeopleAround::walk_on(std::size_t person,
                            const collect::PersonAct& walk,
                            double to_s,
                            Robot robot) {
   Walker& walker = walkers_[person];
   if (walker.granted == 0) return grant(person, std::min(first_steps, walk.steps), robot);
-  const double stands_m =
-      collect::walked_in_act(walk, to_s) + collect::stopping_m(walker.now.walk.speed_m_s);
-  const int needed = std::min(walk.steps, static_cast<int>(std::ceil(stands_m / step_m(walk))));
-  if (grant(person, needed, robot)) return true;
-  walker.now.walk.steps_cut = walker.granted;
-  walker.now.walk.stay_s = waiting_stay_s;
-  rounds_[person].acts = collect::acts_of_walk(walker.now.walk);
+  const double to_m = collect::walked_in_act(walk, to_s), step = step_m(walk);
+  const double gap_here = gap_m(place(person), robot);
+  if (gap_m(walk.way->at(to_m).position, robot) < std::min(least_gap_m, gap_here)) return false;
+  const double stands_m = to_m + collect::stopping_m(walker.now.walk.speed_m_s);
+  const int soonest = std::min(walk.steps, static_cast<int>(std::ceil(stands_m / step)));
+  if (!grant(person, soonest, robot)) {
+    cut(person, walker.granted);
+    return true;
+  }
+  const int last = std::max(soonest, first_steps);
+  if (last >= walker.granted || walker.now.walk.steps_cut == walker.granted) return true;
+  const double gap_there = gap_m(walk.way->at(step * walker.granted).position, robot);
+  if (gap_there < std::min(stop_before_robot_m, gap_here) - give_way_m) cut(person, last);
   return true;
 }
 
@@ -227,7 +243,7 @@ std::optional<collect::PersonWalk> PeopleAround::walk_to(std::size_t person,
   auto path = ways.shortest_path_past(from, point_mm(to.position), past);
   if (!path.ok() || path->length_m < least_way_m) return {};
   walk.points = std::move(path->points);
-  if (here != from) walk.points.insert(walk.points.begin(), here);
+  walk.points.front() = here;
   walk.speed_m_s = company_->seeds[person].child("speed").stream().uniform(collect::min_walk_m_s,
                                                                            collect::max_walk_m_s);
   walk.stay_s = stay_s;
@@ -290,8 +306,8 @@ void PeopleAround::pass(double dt_s, Robot robot) {
     if (before_end && next > walk->begin_s) {
       if (walk_on(i, *walk, next, robot)) {
         walker.now.time_s = next;
-      } else {  // they stand there, turned to their way
-        walker.now.time_s = walk->begin_s;
+      } else {  // they stand there, turned to their way when they have not begun
+        if (walker.granted == 0) walker.now.time_s = walk->begin_s;
         walker.stopped_s += dt_s;
         if (walker.stopped_s > patience_s) decide(i, robot);
       }
@@ -302,6 +318,10 @@ void PeopleAround::pass(double dt_s, Robot robot) {
     }
     walker.speed_m_s = distance(from, place(i)) / dt_s;
   }
+}
+
+bool PeopleAround::sees(Vec2 from, std::size_t person) const {
+  return company_->sight.sees(point_mm(from), point_mm(place(person)));
 }
 
 std::vector<PersonMoment> PeopleAround::moments() const {

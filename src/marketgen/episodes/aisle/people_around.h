@@ -62,6 +62,8 @@ class PeopleAround {
   Pose store_from_person(std::size_t person) const;
   double speed_m_s(std::size_t person) const { return walkers_[person].speed_m_s; }
   double stature_m(std::size_t person) const { return who(person).look.stature_m; }
+  // Whether nothing that stands on the floor is between them and `from`.
+  bool sees(Vec2 from, std::size_t person) const;
   // How many walks they have begun.
   int walks(std::size_t person) const { return static_cast<int>(walkers_[person].walks); }
   // Posed as at that moment of theirs.
@@ -87,6 +89,7 @@ class PeopleAround {
   };
   struct Company {
     collect::PeopleFloor floor;
+    navigation::FreeSpace sight;            // between fixtures
     std::vector<collect::PersonRound> who;  // without acts
     std::vector<Seed> seeds;
   };
@@ -99,6 +102,7 @@ class PeopleAround {
   std::vector<Vec2> held_by(std::size_t person) const;
   bool may_step(std::size_t person, int step, Robot robot) const;
   bool grant(std::size_t person, int steps, Robot robot);
+  void cut(std::size_t person, int steps);
   bool walk_on(std::size_t person, const collect::PersonAct& walk, double to_s, Robot robot);
   bool has_stood_enough(std::size_t person, double dt_s, Robot robot);
   void decide(std::size_t person, Robot robot);

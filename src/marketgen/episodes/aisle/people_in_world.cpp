@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "episodes/aisle/aisle_store.h"
 #include "episodes/episode_watch.h"
 #include "physics/goods/spec_geoms.h"
 
@@ -133,15 +132,14 @@ Result<void> PeopleInWorld::measure(const physics::World& world, double dt_s) {
   return {};
 }
 
-std::vector<motion::MovingDisc> PeopleInWorld::scanned(
-    const Pose& world_from_base, Vec3 axle, const navigation::VisibilityGraph& ways) const {
+std::vector<motion::MovingDisc> PeopleInWorld::scanned(const Pose& world_from_base,
+                                                       Vec3 axle) const {
   const Pose base_from_world = inverse(world_from_base);
   std::vector<motion::MovingDisc> seen;
   for (std::size_t i = 0; i < around_.count(); ++i) {
     const Vec3 at = around_.store_from_person(i).position;
     const double apart = std::hypot(at.x - axle.x, at.y - axle.y);
-    if (apart > scanner_range_m || !ways.space().sees(floor_point_mm(axle), floor_point_mm(at)))
-      continue;
+    if (apart > scanner_range_m || !around_.sees({axle.x, axle.y}, i)) continue;
     const Vec3 there = base_from_world * at;
     seen.push_back({{there.x, there.y}, person_radius_m, around_.speed_m_s(i)});
   }

@@ -7,7 +7,6 @@
 
 #include "episodes/aisle/people_around.h"
 #include "motion/base_follower.h"
-#include "navigation/visibility_graph.h"
 #include "physics/world/world.h"
 #include "robots/robot.h"
 
@@ -43,11 +42,9 @@ class PeopleInWorld {
   // After the control step. Error physics.failed.
   Result<void> measure(const physics::World& world, double dt_s);
 
-  // In the frame of the base: those within scanner_range_m of `axle` to whom the robot could drive
-  // straight. Their radius is that of a body, their speed as they walk.
-  std::vector<motion::MovingDisc> scanned(const Pose& world_from_base,
-                                          Vec3 axle,
-                                          const navigation::VisibilityGraph& ways) const;
+  // In the frame of the base: those within scanner_range_m of `axle` whom no fixture hides. Their
+  // radius is that of a body, their speed as they walk.
+  std::vector<motion::MovingDisc> scanned(const Pose& world_from_base, Vec3 axle) const;
 
   const PeopleAround& around() const { return around_; }
   double min_distance_m() const { return min_distance_m_; }  // so far
