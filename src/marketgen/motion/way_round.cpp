@@ -8,7 +8,8 @@ namespace marketgen::motion {
 namespace {
 
 constexpr int cell_mm = 250, cells = 49;  // 6 m to each side
-constexpr int max_off_mm = 60;            // the ways of a base that was stopped
+constexpr double far_mm = 3000;
+constexpr int max_off_mm = 60;  // the ways of a base that was stopped
 constexpr double let_past_s = 4, look_again_s = 2;
 constexpr double body_m = 0.24;         // half of a person's shoulders
 constexpr double beside_base_m = 0.65;  // people keep about so much of it
@@ -74,6 +75,12 @@ class NearFloor {
   Cells free_;
 };
 
+const MovingDisc& nearest_to(PointMm base, std::span<const MovingDisc> people) {
+  return *std::ranges::min_element(people, {}, [&](const MovingDisc& person) {
+    return apart_mm(point_of(person.position), base);
+  });
+}
+
 bool opens_more(const NearFloor::Cells& with, const NearFloor::Cells& without) {
   for (std::size_t i = 0; i < with.size(); ++i)
     if (with[i] && !without[i]) return true;
@@ -87,10 +94,7 @@ std::optional<PointMm> passing_place(const navigation::FreeSpace& space,
                                      std::span<const MovingDisc> people,
                                      int room_mm) {
   if (people.empty()) return {};
-  const auto apart = [&](const MovingDisc& person) {
-    return apart_mm(point_of(person.position), base);
-  };
-  const PointMm person = point_of(std::ranges::min_element(people, {}, apart)->position);
+  const PointMm person = point_of(nearest_to(base, people).position);
   const NearFloor floor(space, base);
   const NearFloor::Cells all = floor.reached(person, {base[0] + 1'000'000, base[1]}, 0);
   const NearFloor::Cells now = floor.reached(person, base, room_mm);
@@ -117,18 +121,42 @@ std::optional<PointMm> passing_place(const navigation::FreeSpace& space,
   return {};
 }
 
+std::optional<PointMm> place_away(const navigation::FreeSpace& space,
+                                  PointMm base,
+                                  std::span<const MovingDisc> people,
+                                  int room_mm) {
+  if (people.empty()) return {};
+  const PointMm person = point_of(nearest_to(base, people).position);
+  const NearFloor floor(space, base);
+  const NearFloor::Cells own = floor.reached(base, person, room_mm);
+  std::optional<PointMm> best;
+  const auto is_better = [&](PointMm at) {
+    if (!best) return apart_mm(at, person) > apart_mm(base, person) + cell_mm;
+    const double now = std::min(apart_mm(*best, person), far_mm);
+    const double then = std::min(apart_mm(at, person), far_mm);
+    return then > now || (then == now && apart_mm(at, base) < apart_mm(*best, base));
+  };
+  for (int cell = 0; cell < cells * cells; ++cell)
+    if (own[static_cast<std::size_t>(cell)] && is_better(floor.point(cell)))
+      best = floor.point(cell);
+  return best;
+}
+
 Result<WayRound> plan_way_round(const navigation::VisibilityGraph& graph,
                                 const robots::Robot& robot,
                                 std::span<const double> state,
                                 const FloorPlace& from,
                                 const FloorPlace& to,
-                                std::span<const MovingDisc> people) {
+                                std::span<const MovingDisc> people,
+                                bool waited) {
   const PointMm stands = graph.space().nearest_free(point_of(from.position), max_off_mm);
   const FloorPlace here{{stands[0] * 1e-3, stands[1] * 1e-3}, from.heading};
   if (auto past = plan_drive(graph, robot, state, here, to, people); past.ok())
     return WayRound{.on = std::move(past->follower)};
   const int room_mm = graph.space().clearance_mm() + point_of({body_m + beside_base_m, 0})[0];
-  if (const auto place = passing_place(graph.space(), stands, people, room_mm)) {
+  auto place = passing_place(graph.space(), stands, people, room_mm);
+  if (!place && waited) place = place_away(graph.space(), stands, people, room_mm);
+  if (place) {
     const FloorPlace aside{{(*place)[0] * 1e-3, (*place)[1] * 1e-3}, from.heading};
     auto there = plan_drive(graph, robot, state, here, aside, people);
     auto on = plan_drive(graph, robot, state, aside, to);

@@ -22,14 +22,23 @@ std::optional<PointMm> passing_place(const navigation::FreeSpace& space,
                                      std::span<const MovingDisc> people,
                                      int room_mm);
 
+// The nearest place that the base can get to without the nearest of the people and that is 3 m from
+// them; the farthest from them where none is. Nothing where it cannot get away.
+std::optional<PointMm> place_away(const navigation::FreeSpace& space,
+                                  PointMm base,
+                                  std::span<const MovingDisc> people,
+                                  int room_mm);
+
 // From rest. Round them where there is room; otherwise by a passing place; otherwise it waits a
-// little and then drives as if nobody were there, and is held up again where they still are.
+// little and then drives as if nobody were there, and is held up again where they still are. When
+// it has `waited` in vain it goes away from them first: they may see no way past it where it does.
 // Errors: those of plan_drive.
 Result<WayRound> plan_way_round(const navigation::VisibilityGraph& graph,
                                 const robots::Robot& robot,
                                 std::span<const double> state,
                                 const FloorPlace& from,
                                 const FloorPlace& to,
-                                std::span<const MovingDisc> people);
+                                std::span<const MovingDisc> people,
+                                bool waited = false);
 
 }  // namespace marketgen::motion

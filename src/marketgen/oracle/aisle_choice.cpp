@@ -149,6 +149,7 @@ Result<motion::BaseFollower> AisleOracle::way_of(const Pose& world_from_base) {
   const PointMm stands = ways().space().nearest_free(
       episodes::floor_point_mm(episodes::axle_of(robot_, world_->world_from_base())), max_off_mm);
   memory_.goes_to = axle_place(world_from_base);
+  memory_.waited = false;
   MARKETGEN_TRY(motion::DrivePlan plan,
                 motion::plan_drive(ways(),
                                    robot_,
@@ -167,7 +168,9 @@ Result<void> AisleOracle::make_way() {
                                        world_->store().driving,
                                        {{axle.x, axle.y}, now_.base.heading},
                                        memory_.goes_to,
-                                       skills::people_about(now_)));
+                                       skills::people_about(now_),
+                                       memory_.waited));
+  memory_.waited = way.wait_s > 0 && !way.aside;
   say(way.aside ? "makes room for somebody" : way.wait_s > 0 ? "waits for somebody" : "goes round");
   memory_.executor.drive(std::move(way));
   return memory_.phase == Phase::arrived ? rise_and_open() : Result<void>{};

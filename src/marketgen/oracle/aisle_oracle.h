@@ -58,6 +58,7 @@ class AisleOracle : public agent::Policy {
     Phase phase = Phase::choose;
     collect::CollectPlan plan = {};
     motion::FloorPlace goes_to = {};  // the last way of its base
+    bool waited = false;              // for people on that way
     double force_n = 0;
     std::size_t drop_lift = 0;
     std::map<std::string, int> tries = {};                   // by SKU

@@ -130,13 +130,15 @@ Result<void> AisleBody::drive_to(const robots::BasePlace& place) {
   MARKETGEN_TRY(motion::BaseFollower way, setup_.map->way(now_.base, place));
   executor_.drive(std::move(way));
   goes_to_ = place;
+  waited_ = false;
   looks_there_.reset();
   return {};
 }
 
 Result<void> AisleBody::make_way() {
   MARKETGEN_TRY(motion::WayRound way,
-                setup_.map->way_round(now_.base, goes_to_, skills::people_about(now_)));
+                setup_.map->way_round(now_.base, goes_to_, skills::people_about(now_), waited_));
+  waited_ = way.wait_s > 0 && !way.aside;
   executor_.drive(std::move(way));
   return looks_there_ ? executor_.look(looks_there_->first, looks_there_->second) : Result<void>{};
 }

@@ -89,6 +89,7 @@ class AisleBody {
 
   AisleBodySetup setup_;
   robots::BasePlace goes_to_;  // the last way of its base
+  bool waited_ = false;        // for people on that way
   std::optional<std::pair<double, double>> looks_there_ = {};
   Seed seed_;
   skills::AisleExecutor executor_;

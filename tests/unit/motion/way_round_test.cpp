@@ -74,6 +74,23 @@ TEST(WayRound, WaitsForWhoCanGoAwayByThemselves) {
   EXPECT_GT(way->wait_s, 1.0);
 }
 
+// Who stands where it wants to be and does not go away may see no way past it where it stands.
+TEST(WayRound, AfterItWaitedInVainItGoesAway) {
+  const robots::Robot& robot = committed_robot("realman-rm75");
+  const std::vector<motion::MovingDisc> people{person_at(6.5, 3)};
+  const auto way = motion::plan_way_round(
+      graph_of({}), robot, stow_of(robot), {{5, 3}, 0}, {{6.5, 3}, 0}, people, true);
+  ASSERT_TRUE(way.ok()) << to_string(way.error());
+  ASSERT_TRUE(way->aside);
+  EXPECT_GT(way->wait_s, 1.0);
+  motion::BaseFollower aside = *way->aside;
+  for (int step = 0; step < 4000 && !aside.done(); ++step)
+    aside.step(0.05, people);
+  ASSERT_TRUE(aside.done());
+  const Vec2 at = aside.state().position;
+  EXPECT_GE(std::hypot(at.x - 6.5, at.y - 3), 2.99);
+}
+
 TEST(WayRound, NobodyIsShutInWithoutPeople) {
   const auto graph = graph_of(corridor);
   EXPECT_FALSE(motion::passing_place(graph.space(), {4600, 3000}, {}, room_mm));

@@ -25,7 +25,8 @@ class PlainMap : public agent::AisleMap {
   }
   Result<motion::WayRound> way_round(const robots::BasePlace&,
                                      const robots::BasePlace&,
-                                     std::span<const motion::MovingDisc>) const override {
+                                     std::span<const motion::MovingDisc>,
+                                     bool) const override {
     return Error{"motion.unreachable", "base path", "nobody is about"};
   }
   std::optional<double> way_m(const robots::BasePlace& from,

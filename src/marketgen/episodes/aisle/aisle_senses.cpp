@@ -60,9 +60,15 @@ motion::FloorPlace StoreMap::floor_place(const robots::BasePlace& place) const {
 
 Result<motion::WayRound> StoreMap::way_round(const robots::BasePlace& from,
                                              const robots::BasePlace& to,
-                                             std::span<const motion::MovingDisc> people) const {
-  return motion::plan_way_round(
-      store_.ways, store_.robot, store_.driving, floor_place(from), floor_place(to), people);
+                                             std::span<const motion::MovingDisc> people,
+                                             bool waited) const {
+  return motion::plan_way_round(store_.ways,
+                                store_.robot,
+                                store_.driving,
+                                floor_place(from),
+                                floor_place(to),
+                                people,
+                                waited);
 }
 
 Result<motion::BaseFollower> StoreMap::way(const robots::BasePlace& from,

@@ -33,7 +33,8 @@ class StoreMap : public agent::AisleMap {
                                    const robots::BasePlace& to) const override;
   Result<motion::WayRound> way_round(const robots::BasePlace& from,
                                      const robots::BasePlace& to,
-                                     std::span<const motion::MovingDisc> people) const override;
+                                     std::span<const motion::MovingDisc> people,
+                                     bool waited) const override;
   std::optional<double> way_m(const robots::BasePlace& from,
                               const robots::BasePlace& to) const override;
   motion::Obstacles fixtures(Vec3 middle, double within_m) const override;
