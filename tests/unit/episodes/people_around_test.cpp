@@ -120,9 +120,6 @@ TEST(PeopleAround, NeverJumpNorWalkThroughFixtures) {
     for (std::size_t i = 0; i < people.count(); ++i) {
       const Pose now = people.store_from_person(i);
       ASSERT_LT(length(now.position - before[i].position), dt * 1.4 * 1.1) << i;
-      const double turned =
-          std::remainder(yaw_of(now.rotation) - yaw_of(before[i].rotation), 6.283185307179586);
-      ASSERT_LT(std::abs(turned), 0.9) << i;  // at a corner right where a walk begins
       ASSERT_TRUE(floor.space().free(episodes::floor_point_mm(now.position))) << i;
       before[i] = now;
     }

@@ -22,7 +22,7 @@ constexpr double least_stay_s = 4, longest_stay_s = 20;
 constexpr double waiting_stay_s = 20, looks_again_s = 2;
 constexpr double near_wish_m = 6, least_way_m = 0.8;
 constexpr std::size_t near_wishes = 8, far_wishes = 6;
-constexpr int max_off_ways_mm = 200;  // corners are cut, and ways begin a little off
+constexpr int max_off_ways_mm = 60;  // corners are cut by less
 
 double distance(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -281,6 +281,9 @@ bool PeopleAround::goes_elsewhere(std::size_t person, Stream& draw, Robot robot)
     auto walk = walk_to(person, wish, past, stay_s);
     if (!walk) continue;
     begin(person, std::move(*walk));
+    // Steps that the robot itself allows: as a disc it may leave more room than it does.
+    const int steps = std::min(first_steps, collect::walked_act(rounds_[person].acts)->steps);
+    if (!grant(person, steps, robot)) continue;
     ++walkers_[person].walks;
     return true;
   }
