@@ -13,6 +13,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "command.h"
+#include "draw_flags.h"
 #include "environments/environment_entry.h"
 #include "environments/travelling_stores.h"
 #include "episodes/episode_journal.h"
@@ -34,11 +35,9 @@ struct EpisodesFlags {
   CommonFlags common;
   std::vector<std::string> folders;
   std::string track = "checkout", tools, output;
-  std::string split = "planned", instructions = "words", difficulty = "standard";
-  std::string unseen = "products,layouts,looks";
-  std::vector<std::string> trained_on;
+  DrawFlags draw;
   int count = 10;
-  bool resume = false, frozen = false, doors = false;
+  bool resume = false, frozen = false, skip_impossible = false;
 };
 
 struct StockedStore {
@@ -103,8 +102,9 @@ std::string draw_hash(const EpisodesFlags& flags,
                       const catalog::Catalog& catalog) {
   Hasher hasher;
   hasher.add(program_version).add(catalog.content_hash).add(flags.track).add(flags.tools);
-  hasher.add(flags.split).add(flags.instructions);
-  if (flags.doors) hasher.add("doors");
+  hasher.add(flags.draw.split).add(flags.draw.instructions);
+  if (flags.draw.doors) hasher.add("doors");
+  if (!flags.draw.station.empty()) hasher.add("station").add(flags.draw.station);
   if (!rules.difficulty.is_standard()) hasher.add(io::write_json(rules.difficulty));
   if (const auto unseen = rules.trained_on.row()) hasher.add(io::write_json(*unseen));
   hasher.add(std::to_string(flags.common.seed));
@@ -129,6 +129,7 @@ class Drawing {
           episodes::EpisodeJournal* journal)
       : flags_(flags), stores_(stores), journal_(journal) {}
 
+  // With --skip-impossible without those that its store has none of.
   Result<std::vector<episodes::EpisodeSpec>> draw() {
     Progress& progress = progress_for(flags_.common);
     const auto count = static_cast<std::size_t>(flags_.count);
@@ -141,9 +142,12 @@ class Drawing {
     progress.end();
     std::vector<episodes::EpisodeSpec> episodes;
     for (const auto& spec : made) {
-      if (!spec->ok()) return spec->error();
-      episodes.push_back(spec->value());
+      if (spec->ok())
+        episodes.push_back(spec->value());
+      else if (!leave_out(spec->error()))
+        return spec->error();
     }
+    if (episodes.empty()) return made.front()->error();
     return episodes;
   }
 
@@ -160,6 +164,12 @@ class Drawing {
     MARKETGEN_TRY(episodes::EpisodeSpec spec, drawn(from, i));
     MARKETGEN_CHECK(journal_->keep({number, spec, from.sampler->considered()}));
     return spec;
+  }
+
+  bool leave_out(const Error& why) const {
+    if (!flags_.skip_impossible || why.code != "episode.impossible") return false;
+    if (!flags_.common.quiet) say("left out: {}: {}\n", why.where, why.message);
+    return true;
   }
 
   Result<episodes::EpisodeSpec> drawn(const StockedStore& from, std::size_t i) const {
@@ -241,53 +251,12 @@ void print_shares(const episodes::DrawShares& shares) {
     say("  {} by {}\n", by.episodes, by.by);
 }
 
-// Of a list like "products,looks".
-Result<std::vector<episodes::Unseen>> unseen_named(const std::string& list) {
-  std::vector<episodes::Unseen> unseen;
-  for (const std::string& name : split(list, ',')) {
-    MARKETGEN_TRY(const episodes::Unseen kind,
-                  value_of_flag<episodes::Unseen>("--unseen", "there is no", name));
-    unseen.push_back(kind);
-  }
-  return unseen;
-}
-
-// Goals stand behind doors in aisles alone.
-Result<episodes::Doors> doors_of(const EpisodesFlags& flags) {
-  if (!flags.doors) return episodes::Doors::none;
-  MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
-  const auto fields = episodes::entry_of(track).own_fields();
-  if (std::ranges::find(fields, "doors") == fields.end())
-    return Error{"usage.bad_flag",
-                 "--doors",
-                 fmt::format("the track {} has no goals behind doors: leave it out, or name the "
-                             "track aisle",
-                             flags.track)};
-  return episodes::Doors::hinged;
-}
-
-Result<episodes::DrawRules> rules_of(const EpisodesFlags& flags,
-                                     const std::filesystem::path& data) {
-  episodes::DrawRules rules;
-  MARKETGEN_TRY(rules.difficulty, episodes::load_difficulty(data, flags.difficulty));
-  MARKETGEN_TRY(rules.doors, doors_of(flags));
-  MARKETGEN_TRY(rules.split,
-                value_of_flag<episodes::Split>("--split", "there is no split", flags.split));
-  MARKETGEN_TRY(rules.instructions,
-                value_of_flag<episodes::Instructions>(
-                    "--instructions", "there are no instructions in", flags.instructions));
-  MARKETGEN_TRY(std::vector<episodes::Unseen> unseen, unseen_named(flags.unseen));
-  const std::vector<std::filesystem::path> files(flags.trained_on.begin(), flags.trained_on.end());
-  MARKETGEN_TRY(rules.trained_on, episodes::TrainingSet::read(files, std::move(unseen)));
-  return rules;
-}
-
 void finish_header(const EpisodesFlags& flags,
                    const episodes::DrawRules& rules,
                    std::vector<StockedStore>& stores,
                    episodes::EpisodeFile& file) {
   file.header.seed = flags.common.seed;
-  file.header.episodes = flags.count;
+  file.header.episodes = static_cast<int>(file.episodes.size());
   file.header.split = rules.split;
   file.header.unseen = rules.trained_on.row();
   file.header.drawn = episodes::draw_shares(file.episodes);
@@ -352,7 +321,7 @@ Result<void> write(const EpisodesFlags& flags) {
   MARKETGEN_CHECK(add_outputs(flags, outputs));
   MARKETGEN_TRY(const std::filesystem::path data, io::data_folder());
   MARKETGEN_TRY(const episodes::Track track, episodes::track_named(flags.track));
-  MARKETGEN_TRY(const episodes::DrawRules rules, rules_of(flags, data));
+  MARKETGEN_TRY(const episodes::DrawRules rules, draw_rules_of(flags.draw, flags.track, data));
   MARKETGEN_TRY(catalog::Catalog rows, load_rows());
   MARKETGEN_TRY(const environments::NamedStores named,
                 environments::open_named_stores(flags.folders, std::move(rows)));
@@ -384,57 +353,8 @@ Result<void> write(const EpisodesFlags& flags) {
   print_drawn(file);
   if (file.episodes.size() > before)
     say("{:.1f} s an episode\n", took.count() / static_cast<double>(file.episodes.size() - before));
-  say("{} episodes of {} stores: {}\n", flags.count, stores.size(), flags.output);
+  say("{} episodes of {} stores: {}\n", file.episodes.size(), stores.size(), flags.output);
   return {};
-}
-
-// What decides which episodes are kept.
-void add_rule_flags(CLI::App& command, EpisodesFlags& flags) {
-  command
-      .add_option(
-          "--split",
-          flags.split,
-          "what every episode is shown to be: planned (a way through it), certified (done "
-          "in physics, in ten perturbed worlds, too: minutes an episode), paper (a way to the "
-          "place, front row), all (nothing)")
-      ->type_name(choice_of(names_of(episodes::Split{})))
-      ->capture_default_str();
-  command
-      .add_option("--instructions",
-                  flags.instructions,
-                  "how goals are told: words (a text that fits one product on offer) or ids (SKUs, "
-                  "too)")
-      ->type_name(choice_of(names_of(episodes::Instructions{})))
-      ->capture_default_str();
-  command
-      .add_option("--difficulty",
-                  flags.difficulty,
-                  "how much is asked for, how full baskets are, how much is alike, on which boards "
-                  "goals stand, how far they are apart: easy, standard, hard, or a JSON file of "
-                  "your own")
-      ->type_name("DIFFICULTY")
-      ->capture_default_str();
-  command.add_flag("--doors",
-                   flags.doors,
-                   "aisle: goals stand behind cooler and freezer doors, which the robot opens and "
-                   "shuts again; without it, behind none");
-  CLI::Option* trained_on =
-      command
-          .add_option("--trained-on",
-                      flags.trained_on,
-                      "a file of episodes that a policy was trained on: what is drawn it has not "
-                      "seen; may be given again")
-          ->type_name("EPISODES")
-          ->allow_extra_args(false);
-  command
-      .add_option("--unseen",
-                  flags.unseen,
-                  "with --trained-on, what is to be new, with commas: products (no goal is one of "
-                  "those files' products, or easily taken for one), layouts and looks (a store "
-                  "with one of theirs is refused)")
-      ->type_name("TEXT")
-      ->needs(trained_on)
-      ->capture_default_str();
 }
 
 }  // namespace
@@ -453,7 +373,7 @@ Run add_episodes(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--tools", flags->tools, "what the robot takes goods with; gripper by itself")
       ->type_name("{gripper,suction}");
-  add_rule_flags(*command, *flags);
+  add_draw_flags(*command, flags->draw);
   command->add_option("--count", flags->count, "episodes, shared out over the stores")
       ->check(whole_number(1, 100000))
       ->capture_default_str();
@@ -466,6 +386,10 @@ Run add_episodes(CLI::App& app) {
                     flags->frozen,
                     "also write the stores' scenes, to the folder scenes beside the output: later "
                     "versions of marketgen then run the episodes in the same stores");
+  command->add_flag("--skip-impossible",
+                    flags->skip_impossible,
+                    "an episode that its store has none of, in as many tries as are made, is left "
+                    "out and said; without it, no file is written then");
   command->add_flag("--resume", flags->resume, "go on with a draw that was broken off");
   add_common_flags(*command, flags->common, Takes::seed);
   command->footer("Example:  marketgen episodes shop --track checkout --count 20 -o tasks.jsonl");

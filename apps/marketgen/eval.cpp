@@ -10,6 +10,7 @@
 #include "command.h"
 #include "environments/policies.h"
 #include "environments/policy_name.h"
+#include "episodes/episode_origin.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/measure_perception.h"
@@ -31,7 +32,7 @@ struct EvalFlags {
   std::vector<std::string> truth, against;
   std::string shard, realism = "ideal";
   std::string model, model_url, model_record, model_replay, masks_url, grasps_url;
-  int jobs = 0;
+  int jobs = 0, repetition = 1;
   double model_limit_s = 60;
   evaluation::AnswerLimits answer{120, 1200};
   bool resume = false, perception = false, worker = false, record_motion = false,
@@ -211,6 +212,7 @@ Result<evaluation::EvaluationOptions> options_of(const EvalFlags& flags,
   MARKETGEN_TRY(options.realism, episodes::load_realism(data, flags.realism));
   options.jobs = flags.jobs > 0 ? flags.jobs : thread_count();
   options.answer = flags.answer;
+  options.repetition = flags.repetition;
   options.model = model_access(flags);
   options.record_motion = flags.record_motion;
   options.record_decisions = flags.record_decisions;
@@ -233,7 +235,8 @@ Result<std::vector<evaluation::FinishedRun>> others_of(
   std::vector<evaluation::FinishedRun> all = others;
   all.insert(all.begin(),
              {options.folder,
-              evaluation::record_of(file, options.policy, options.realism.name, options.shard),
+              evaluation::record_of(
+                  file, options.policy, options.realism.name, options.shard, options.repetition),
               {}});
   MARKETGEN_CHECK(evaluation::check_same_episodes(all));
   for (const evaluation::FinishedRun& run : others)
@@ -426,6 +429,13 @@ Run add_eval(CLI::App& app) {
                    "run a part of the file, 2/4: the second of four; `marketgen merge` joins "
                    "them")
       ->type_name("PART");
+  command
+      ->add_option("--repetition",
+                   flags->repetition,
+                   "which run of the episodes this is: from 2 on what the policy and a realism "
+                   "draw is drawn anew; `marketgen leaderboard` sums repetitions up")
+      ->check(whole_number(1, episodes::max_repetitions))
+      ->capture_default_str();
   command
       ->add_option("--against",
                    flags->against,

@@ -23,7 +23,7 @@ std::string p_value(double p) {
 void print_entry(const evaluation::LeaderboardEntry& entry) {
   const auto& to_best = entry.to_best;
   say("{:<22} {:<22} {:<22} {:<22} {:<22} {:<22} {:<7} {:<8} {}\n",
-      entry.policy + (entry.floor ? " (floor)" : ""),
+      evaluation::spoken_entry(entry) + (entry.floor ? " (floor)" : ""),
       with_interval(entry.strict.share, entry.strict),
       with_interval(entry.partial.value, entry.partial),
       entry.spl ? with_interval(entry.spl->value, *entry.spl) : "",
@@ -32,6 +32,11 @@ void print_entry(const evaluation::LeaderboardEntry& entry) {
       to_best ? p_value(to_best->p_strict_holm) : "",
       to_best ? p_value(to_best->p_partial_holm) : "",
       entry.commit);
+}
+
+void print_repeated(const evaluation::LeaderboardTrack& track) {
+  for (const evaluation::RepeatedPolicy& policy : track.repeated)
+    say("{}\n", evaluation::spoken_repeated(policy));
 }
 
 std::string needed(const std::vector<evaluation::PowerRow>& power) {
@@ -49,7 +54,10 @@ void print_power(const evaluation::LeaderboardTrack& track) {
       "likeness",
       "2         5         10        20");
   for (const evaluation::LeaderboardEntry& entry : track.entries) {
-    say("{:<22} {:<10.2f}{}\n", entry.policy, entry.likeness, needed(entry.power));
+    say("{:<22} {:<10.2f}{}\n",
+        evaluation::spoken_entry(entry),
+        entry.likeness,
+        needed(entry.power));
     if (entry.to_best)
       say("{:<22} {:<10}{}\n",
           "  beside " + entry.to_best->against,
@@ -88,6 +96,7 @@ void print_leaderboard(const evaluation::Leaderboard& board) {
       print_entry(entry);
     if (std::ranges::none_of(track.entries, &evaluation::LeaderboardEntry::floor))
       say("{}\n", evaluation::no_floor_remark());
+    print_repeated(track);
     print_power(track);
   }
 }

@@ -10,6 +10,7 @@
 #include "command.h"
 #include "environments/policies.h"
 #include "environments/run_episode.h"
+#include "episodes/episode_origin.h"
 #include "episodes/named_dials.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/film.h"
@@ -118,7 +119,12 @@ Result<void> replay_episode(const ReplayFlags& flags) {
   const bool filmed = !flags.film.empty() || !flags.strip.empty();
   MARKETGEN_TRY(const episodes::EpisodeResult result,
                 environments::run_episode(
-                    arena, spec, flags.policy, filmed ? &filming : nullptr, {}, realism));
+                    arena,
+                    episodes::repetition_of(spec, before ? before->repetition.value_or(1) : 1),
+                    flags.policy,
+                    filmed ? &filming : nullptr,
+                    {},
+                    realism));
   if (filmed) MARKETGEN_CHECK(filming.finish(outputs));
   MARKETGEN_CHECK(outputs.commit());
   if (flags.common.json)

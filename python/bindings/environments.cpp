@@ -283,6 +283,8 @@ void add_environments(nb::module_& module) {
   environment.def("action_numbers", &action_numbers)
       .def("observation_parts", &parts)
       .def("cameras", [](const EnvironmentHandle& h) { return h.environment->cameras(); })
+      .def("usual_cameras",
+           [](const EnvironmentHandle& h) { return h.environment->usual_cameras(); })
       .def("running", [](const EnvironmentHandle& h) { return h.environment->running(); })
       .def("time_s", [](const EnvironmentHandle& h) { return world_of(h).time_s(); })
       .def("state_hash", [](const EnvironmentHandle& h) { return world_of(h).state_hash(); })

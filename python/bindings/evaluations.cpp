@@ -29,12 +29,14 @@ evaluation::EvaluationOptions options_of(const std::string& policy,
                                          const std::string& folder,
                                          bool resume,
                                          int jobs,
-                                         const std::string& shard) {
+                                         const std::string& shard,
+                                         int repetition) {
   evaluation::EvaluationOptions options{policy, folder, resume};
   options.realism =
       value_or_raise(episodes::load_realism(value_or_raise(io::data_folder()), realism));
   if (!shard.empty()) options.shard = value_or_raise(evaluation::read_shard(shard));
   options.jobs = jobs > 0 ? jobs : thread_count();
+  options.repetition = repetition;
   return options;
 }
 
@@ -48,12 +50,14 @@ void evaluate(const std::string& episodes,
               bool resume,
               int jobs,
               const std::string& shard,
+              int repetition,
               bool record_motion,
               bool record_decisions,
               const std::vector<std::string>& worker,
               const std::array<double, 3>& limits_s,
               const Callable& progress) {
-  evaluation::EvaluationOptions options = options_of(policy, realism, folder, resume, jobs, shard);
+  evaluation::EvaluationOptions options =
+      options_of(policy, realism, folder, resume, jobs, shard, repetition);
   options.answer = {limits_s[0], limits_s[1]};
   options.start_limit_s = limits_s[2];
   options.worker = worker;
@@ -109,10 +113,11 @@ void evaluate_with(const std::string& episodes,
                    bool resume,
                    int jobs,
                    const std::string& shard,
+                   int repetition,
                    nb::object make_runner,
                    const Callable& progress) {
   const evaluation::EvaluationOptions options =
-      options_of(policy, realism, folder, resume, jobs, shard);
+      options_of(policy, realism, folder, resume, jobs, shard, repetition);
   const auto make = [&]() -> evaluation::EpisodeRunner {
     const nb::gil_scoped_acquire held;
     std::shared_ptr<nb::object> runner;

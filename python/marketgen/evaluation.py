@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
     from .environments.task_setup import TaskOptions
 
-MAX_JOBS, MAX_LIMIT_S = 1000, 1e6
+MAX_JOBS, MAX_LIMIT_S, MAX_REPETITIONS = 1000, 1e6, 1000
 NOT_ISOLATED = "none"
 
 
@@ -77,6 +77,7 @@ def evaluate(
     hang_limit_s: float = 1200.0,
     start_limit_s: float = 120.0,
     shard: str = "",
+    repetition: int = 1,
     realism: PathLike = "ideal",
     record_motion: bool = False,
     record_decisions: bool = False,
@@ -106,6 +107,8 @@ def evaluate(
     start_limit_s  processor time until that process is ready, beside hang_limit_s of wall time; a policy that takes more over
                  its imports ends the run. For a server: wall time until it answers
     shard        "2/4": the second of four parts of the file; merge() joins their results
+    repetition   which run of the episodes this is: from 2 on what the policy and a realism draw is drawn anew; leaderboard() sums
+                 repetitions up
     realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard", "hard", "crowded", "randomized", or a
                  file of your own that ends with .json. Rankings are meant to use "standard"
     record_motion  also keep what moved, in motion/ID.bin.gz of the folder (read_motion()); of the program's own policies
@@ -137,6 +140,7 @@ def evaluate(
             arguments.a_number("start_limit_s", start_limit_s, 0, MAX_LIMIT_S),
         ),
         shard=arguments.a_text("shard", shard),
+        repetition=arguments.a_whole("repetition", repetition, 1, MAX_REPETITIONS),
         realism=arguments.a_path("realism", realism),
         record_motion=arguments.a_truth("record_motion", record_motion),
         record_decisions=arguments.a_truth("record_decisions", record_decisions),
@@ -190,6 +194,7 @@ class _Run:
     jobs: int
     limits_s: tuple[float, float, float]  # of computing for one answer, until it is taken to hang, until it is ready
     shard: str  # "" or "2/4"
+    repetition: int
     realism: str  # a row's name or a file
     record_motion: bool
     record_decisions: bool
@@ -213,8 +218,8 @@ def _evaluate_named(path: str, policy: str, run: _Run, options: dict[str, Any]) 
         raise Error("usage.bad_flag", ", ".join(options), f"the program's own policy {policy!r} takes no such options")
     worker = _worker_command(policy, run.jobs) if run.acts_apart else []
     _core.evaluate(
-        path, policy, run.realism, run.into, run.resume, run.jobs, run.shard, run.record_motion, run.record_decisions, worker,
-        run.limits_s, run.progress
+        path, policy, run.realism, run.into, run.resume, run.jobs, run.shard, run.repetition, run.record_motion,
+        run.record_decisions, worker, run.limits_s, run.progress
     )
 
 
@@ -245,7 +250,7 @@ def _evaluate_python(path: str, policy: Any, run: _Run, options: dict[str, Any])
         return _Runner(str(name), isolation, new_player(), stages)
 
     _core.evaluate_with(
-        path, str(name), run.realism, run.into, run.resume, run.jobs, run.shard, make_runner, run.progress
+        path, str(name), run.realism, run.into, run.resume, run.jobs, run.shard, run.repetition, make_runner, run.progress
     )
 
 

@@ -40,7 +40,7 @@ def _parser() -> argparse.ArgumentParser:
     out.add_argument("--check", metavar="DATASET", help="instead: execute the actions of a dataset and compare the states")
     add("--teleop", metavar="LOG", nargs="+", help="instead of EPISODES: logs of what was driven in `marketgen view`")
     add("--policy", help="oracle, classical, ... FILE.py:NAME or python:MODULE:NAME (default: oracle)")
-    add("--cameras", metavar="NAMES", help="scene_camera,wrist_camera; none: numbers alone (default: all that the robot has)")
+    add("--cameras", metavar="NAMES", help="scene_camera,wrist_camera; none: numbers alone (default: both at the counter, the head's in the aisles)")
     add("--size", default="256x256", help="of the pictures (default: %(default)s)")
     add("--quality", default="fast", choices=("fast", "balanced", "best"), help="of the pictures (default: %(default)s)")
     add("--control-mode", metavar="MODE", help="what an action is (default: pd_joint_pos)")

@@ -149,7 +149,7 @@ TEST(Generate, ProductsOfOnesOwn) {
       << R"([{"sku": "own-elderflower", "ean": "2999999999991", "name": "Elderflower Lemonade", "category": "beverages",
       "subcategory": "soft drinks", "archetype": "can", "size_mm": [66, 66, 115], "mass_kg": 0.35, "unit_of_measure": "l", "unit_amount": 0.33},
       {"sku": "own-giant", "ean": "2999999999984", "name": "Giant", "category": "beverages", "subcategory": "soft drinks",
-      "archetype": "can", "size_mm": [66, 66, 915], "mass_kg": 0.35}])";
+      "archetype": "can", "size_mm": [66, 66, 1500], "mass_kg": 0.35}])";
   const json found = json_of({"assets", "search", "elderflower", "--json", "--catalog", "own.json"},
                              scratch.path());
   ASSERT_FALSE(found.empty());
@@ -167,7 +167,7 @@ TEST(Generate, ProductsOfOnesOwn) {
                     scratch.path())
                 .size(),
             1U);
-  EXPECT_NE(out.find("not stocked own-giant: it is 915 mm tall"), std::string::npos) << out;
+  EXPECT_NE(out.find("not stocked own-giant: it is 1500 mm tall"), std::string::npos) << out;
   const json report = json::parse(contents_of(scratch.path() / "shop/report.json"));
   ASSERT_EQ(report["unstocked"].size(), 1U);
   EXPECT_EQ(report["unstocked"][0]["sku"], "own-giant");

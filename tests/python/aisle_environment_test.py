@@ -59,6 +59,23 @@ def test_what_it_sees_and_knows_beforehand(store, aisle_episode):
     assert set(later) == {"instruction", "time_s", "robot_stopped"}
 
 
+def test_wrists_have_cameras_that_see_their_grippers(store, aisle_episode):
+    wrists = ("left_wrist_camera", "right_wrist_camera")
+    env, seen, _ = make(store, aisle_episode, obs_mode="rgbd", width=64, height=48, cameras=("head_camera", *wrists))
+    assert list(seen["sensor_data"]) == ["head_camera", *wrists]
+    base = seen["extra"]["base_pose"]
+    turn = np.array([[np.cos(base[2]), -np.sin(base[2])], [np.sin(base[2]), np.cos(base[2])]])
+    for hand, name in enumerate(wrists):
+        tool = seen["extra"]["tcp_pose"][hand][:3]
+        there = np.append(turn @ tool[:2] + base[:2], tool[2])
+        camera = seen["sensor_param"][name]["cam2world_gl"]
+        off = np.linalg.inv(camera) @ np.append(there, 1)
+        assert 0.1 < -off[2] < 0.4 and abs(off[0]) < 0.02, f"the tool is ahead of {name}: {off}"
+        depth = seen["sensor_data"][name]["depth"]
+        assert 0 < depth[depth > 0].min() < 400, "mm to its own fingers"
+        assert seen["sensor_data"][name]["rgb"].std() > 5
+
+
 def test_the_map_errs_by_its_realism(store, aisle_episode):
     _, _, info = make(store, aisle_episode, obs_mode="state_robot", realism="hard")
     told, there = info["map"]["fixtures"], store.layout["fixtures"]

@@ -163,6 +163,7 @@ CALLS = {
     "act_limit_s": [lambda on: marketgen.evaluate(on.tasks, act_limit_s=-1, folder=on.folder)],
     "hang_limit_s": [lambda on: marketgen.evaluate(on.tasks, hang_limit_s=float("nan"), folder=on.folder)],
     "start_limit_s": [lambda on: marketgen.evaluate(on.tasks, start_limit_s="long", folder=on.folder)],
+    "repetition": [lambda on: marketgen.evaluate(on.tasks, repetition=0, folder=on.folder), lambda on: marketgen.evaluate(on.tasks, repetition="2", folder=on.folder)],
     "shard": [lambda on: marketgen.evaluate(on.tasks, shard="5/4", folder=on.folder), lambda on: marketgen.evaluate(on.tasks, shard=2, folder=on.folder)],
     "results": [
         lambda on: marketgen.merge(on.tasks, on.folder),

@@ -52,6 +52,19 @@ def test_shards_are_joined_and_ranked(tasks, tmp_path):
 
 
 @pytest.mark.parametrize("act_limit_s", [0, 120])
+def test_repetitions_draw_anew_and_are_summed_up(tasks, tmp_path, act_limit_s):
+    folders = [tmp_path / str(number) for number in (1, 2)]
+    first, second = (
+        marketgen.evaluate(tasks, "random", folder, repetition=number, act_limit_s=act_limit_s) for number, folder in enumerate(folders, start=1)
+    )
+    for before, after in zip(first.results, second.results, strict=True):
+        assert "repetition" not in before and after["repetition"] == 2
+        assert before["episode_hash"] == after["episode_hash"] and before["state_hash"] != after["state_hash"]
+    board = marketgen.leaderboard(folders)
+    assert [(row["policy"], row["repetitions"], row["strict"]["deviation"]) for row in board["tracks"][0]["repeated"]] == [("random", 2, 0)]
+
+
+@pytest.mark.parametrize("act_limit_s", [0, 120])
 def test_motion_is_what_became_of_it(tasks, tmp_path, act_limit_s):
     scores = marketgen.evaluate(tasks, "random", tmp_path, record_motion=True, act_limit_s=act_limit_s)
     for result in scores.results:

@@ -21,7 +21,7 @@ def play(env, policy, seen, limit=4000):
 def test_it_unloads_a_basket(checkout_file, control_mode):
     env = gymnasium.make(CHECKOUT, episodes=checkout_file, control_mode=control_mode)
     policy = marketgen.policies.oracle(env)
-    seen, _ = env.reset(options={"episode": 0})  # one that it solves in either mode: it solves some 97 of 100
+    seen, _ = env.reset(options={"episode": 1})  # one that it solves in either mode: it solves some 97 of 100
     _, reward, info = play(env, policy, seen)
     assert info["success"] and info["goal_fraction"] == 1 and reward == 1, info
     assert policy.failure() == "None"

@@ -49,10 +49,11 @@ expect 'the sums are right' bash -c "cd '$tree/set' && sha256sum --quiet -c SHA2
 expect 'all files are summed' [ "$(wc -l < "$tree/set/SHA256SUMS")" = 4 ]
 
 echo 'drawn long ago' > "$tree/set/aisle-doors.jsonl.gz"
-freeze 41 3 aisle-doors checkout-hard
+freeze 41 3 aisle-doors checkout-hard checkout-stock
 expect 'a set that is there stays' grep -q 'drawn long ago' "$tree/set/aisle-doors.jsonl.gz"
 expect 'no store is made: those of another set are there' [ "$(grep -c '^generate' "$ASKED")" = 0 ]
-expect 'the other one is drawn in them' grep -q -- '^episodes .*/aisle-suction.jsonl.gz --track checkout --difficulty hard --count 30' "$ASKED"
+expect 'the other one is drawn in them' grep -q -- '^episodes .*/aisle-suction.jsonl.gz --track checkout --difficulty hard --skip-impossible --count 30' "$ASKED"
+expect 'the hand that one can buy is asked for' grep -q -- '^episodes .*--track checkout --station checkout-stock --count 30' "$ASKED"
 expect 'a set that nobody knows is refused' bash -c "! '$repository/tools/freeze_benchmark' '$tree/set' 1 1 aisle-drawers 2> /dev/null"
 
 [ "$failures" = 0 ] && echo 'freeze_benchmark: all is well'

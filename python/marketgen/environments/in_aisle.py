@@ -7,7 +7,8 @@ from .task_vector import TaskVectorEnv
 class InAisleCollection(TaskEnv):
     """A dual-arm Realman with a lift drives through a stocked store and fetches the named products into its basket.
 
-    Options as those of CheckoutUnloading, and so is the end; the camera is head_camera. An action is, 20 a second:
+    Options as those of CheckoutUnloading, and so is the end; the camera is head_camera, by
+    `cameras` also left_wrist_camera and right_wrist_camera. An action is, 20 a second:
                     pd_joint_pos        17 joints: lift (m), 7 of the left arm, 7 of the right, head pan and tilt (rad)
                     pd_joint_delta_pos  17, 1 = 7.5 mm of the lift, 0.1 rad of the others, from the last target
                     pd_ee_delta_pos     3 of the left tool, 3 of the right: 1 = 20 mm along x, y, z of the base (x ahead);

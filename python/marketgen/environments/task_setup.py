@@ -177,7 +177,7 @@ class TaskSetup:
             return ()
         if wanted is not None and not wanted and self.obs_mode == "pointcloud":
             raise _core.Error("usage.bad_flag", "cameras", "points come from at least one camera")
-        return tuple(known if wanted is None else wanted)
+        return tuple(environment.usual_cameras() if wanted is None else wanted)
 
     def new_environment(self) -> _core.Environment:
         return _core.create_environment(

@@ -22,7 +22,7 @@ class MarketGenEnv(EnvConfig):
     """The options of record(), which must be those that the policy's dataset was recorded with.
 
     task           a file of `marketgen episodes`, or a set that comes with the program
-    cameras        "scene_camera,wrist_camera"; "none": numbers alone; empty: all that the robot has
+    cameras        "scene_camera,wrist_camera"; "none": numbers alone; empty: both at the counter, the head's in the aisles
     render_camera, render_width, render_height  of the films that lerobot-eval leaves
     features       are made of these, whatever is given
     """

@@ -94,7 +94,7 @@ def record(
     folder        becomes the dataset; until then FOLDER.unfinished has what is done
     policy        "oracle", "classical" or another of the program's own; a function from observation to action, an object with
                   act() or a class of such, or "FILE.py:NAME", as evaluate() takes them (docs/python.md). It acts in this process
-    cameras       whose pictures are kept (by themselves all that the robot has; none: numbers alone)
+    cameras       whose pictures are kept (by themselves both at the counter, the head's in the aisles; none: numbers alone)
     size          (width, height) of the pictures, even numbers
     quality       of the pictures: "fast", "balanced" or "best"
     control_mode  what an action is; the program's own policies need "pd_joint_pos" or "pd_joint_delta_pos"

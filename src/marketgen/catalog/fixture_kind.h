@@ -43,12 +43,13 @@ struct FixtureKind {
   double door_swing_mm = 0;         // how far its doors open into the aisle
   std::string material = "metal-white";
   std::string color = "#f2f2f0";
-  std::string accent;                 // header bands and signs; empty: the store's own
-  int board_mm = 25;                  // thickness of its shelves
-  double shelf_tilt_deg = 0;          // shelves over the base slope to the shopper by this
-  int fence_mm = 0;                   // bar along the shelves' front edges, this high; 0: none
-  int header_mm = -1;                 // band along its top, this high; -1: the generator's usual
-  std::vector<int> spacings_mm;       // from each level to the next, lowest first; empty: even
+  std::string accent;            // header bands and signs; empty: the store's own
+  int board_mm = 25;             // thickness of its shelves
+  double shelf_tilt_deg = 0;     // shelves over the base slope to the shopper by this
+  int fence_mm = 0;              // bar along the shelves' front edges, this high; 0: none
+  int header_mm = -1;            // band along its top, this high; -1: the generator's usual
+  std::vector<int> spacings_mm;  // from each level to the next, lowest first; empty: even
+  int slot_mm = 0;  // its boards hang in slots this far apart; 0: they stay where they are
   std::vector<std::string> keywords;  // words of plans; a mere variant has none
   std::vector<std::string> tags;      // words that only the asset search knows
 
@@ -115,6 +116,10 @@ struct FixtureKind {
             &FixtureKind::spacings_mm,
             "from each level to the next, lowest first; empty: even",
             range(80, 2000)),
+      field("slot_mm",
+            &FixtureKind::slot_mm,
+            "raster of the slots that its boards hang in; 0: they cannot be moved",
+            range(0, 100)),
       field("keywords", &FixtureKind::keywords, "words that plans name it by"),
       field("tags", &FixtureKind::tags, "more words that the asset search finds it by"));
 };

@@ -66,6 +66,9 @@ class Environment {
   const std::vector<ObservationPart>& observation_parts() const { return parts_; }
   std::size_t observation_size() const { return size_; }
   virtual std::vector<std::string> cameras() const = 0;
+  virtual std::vector<std::string> usual_cameras() const {
+    return cameras();
+  }  // when none is named
 
   // Errors: those of EpisodeGround::check and of the track's world; episode.unknown_track.
   Result<void> reset(const episodes::EpisodeSpec& spec);

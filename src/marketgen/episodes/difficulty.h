@@ -71,8 +71,9 @@ struct Difficulty {
             range(0, 1)),
       field("look_alikes",
             &Difficulty::look_alikes,
-            "checkout: share of baskets, as they are drawn, in which one of the others is easily "
-            "taken for a goal, where the stock has one; in the rest none is",
+            "share of tasks, as they are drawn, in which something in the basket, or on the shelf "
+            "within a metre of a goal, is easily taken for a goal, where the stock has such goods; "
+            "in the rest nothing is, where it has enough others",
             range(0, 1)),
       field(
           "levels",

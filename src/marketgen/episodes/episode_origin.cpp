@@ -16,6 +16,12 @@ EpisodeSpec begun_spec(
   return spec;
 }
 
+EpisodeSpec repetition_of(EpisodeSpec spec, int number) {
+  if (number > 1)
+    spec.seed = Seed(spec.seed).child("repetition", static_cast<std::uint64_t>(number)).value();
+  return spec;
+}
+
 std::string spoken_product(const catalog::Product& product) {
   const std::string variant = product.variant.empty() ? "" : " " + product.variant;
   return fmt::format("{} {}{} ({})", product.brand, product.name, variant, product.net);

@@ -20,6 +20,11 @@ struct EpisodeOrigin {
 EpisodeSpec begun_spec(
     std::string_view kind, const EpisodeOrigin& origin, Seed seed, int index, Seed own);
 
+// Run `number` of an episode, from 1: the first is the episode itself, for others all that is drawn
+// while it runs (by the policy, by a realism for noise and goods) is drawn anew.
+constexpr int max_repetitions = 1000;
+EpisodeSpec repetition_of(EpisodeSpec spec, int number);
+
 // As instructions name it: brand, name, variant, net content.
 std::string spoken_product(const catalog::Product& product);
 

@@ -27,6 +27,7 @@ struct EpisodeResult {
   std::string schema = "market-result/1";
   std::string episode, episode_hash, store, scene_hash, policy;
   std::string realism = "ideal";
+  std::optional<int> repetition = {};  // the first when there is none
   PolicyIsolation isolation = PolicyIsolation::own;
   std::vector<GoalOutcome> goals;
   int hits = 0, asked = 0;
@@ -55,6 +56,10 @@ struct EpisodeResult {
       field("realism",
             &EpisodeResult::realism,
             "what stood between the world and the robot: a row's name, or own- and a hash"),
+      field("repetition",
+            &EpisodeResult::repetition,
+            "which run of the episode with draws of its own; the first when absent",
+            range(2, 1000)),
       field("isolation",
             &EpisodeResult::isolation,
             "what kept it from reading what it must not know; own: it is the program's own"),

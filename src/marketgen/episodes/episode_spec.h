@@ -139,9 +139,11 @@ struct EpisodeSpec {
       field("instructions", &EpisodeSpec::instructions, "how goals are told: by SKU or in words"),
       field("items", &EpisodeSpec::items, "checkout: what lies in the basket", at_most_items(64)),
       field("goals", &EpisodeSpec::goals, "what is to be done", required(), at_most_items(16)),
-      field("look_alikes",
-            &EpisodeSpec::look_alikes,
-            "checkout: something in the basket is easily taken for a goal"),
+      field(
+          "look_alikes",
+          &EpisodeSpec::look_alikes,
+          "something in the basket, or on the shelf within a metre of a goal, is easily taken for "
+          "a goal (not told of aisles by files of before)"),
       field("start", &EpisodeSpec::start, "aisle: where the robot stands"),
       field("categories",
             &EpisodeSpec::categories,

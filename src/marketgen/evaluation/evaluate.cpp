@@ -15,6 +15,7 @@
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "environments/policy_name.h"
+#include "episodes/episode_origin.h"
 #include "evaluation/episode_worker.h"
 #include "evaluation/run_recorded.h"
 #include "io/json.h"
@@ -114,7 +115,7 @@ class EvaluationRun {
   Result<void> run_and_keep(const EpisodeRunner& run, std::size_t number) {
     const episodes::EpisodeSpec& spec = file_.episodes[number];
     MARKETGEN_CHECK(check_interrupt());
-    auto result = run(spec);
+    auto result = run(episodes::repetition_of(spec, options_.repetition));
     if (result.ok()) return folder_.keep(number, *std::move(result));
     if (ends_the_run(result.error())) return result.error();
     return folder_.keep(number, not_run(spec, options_.policy, result.error()));
@@ -156,13 +157,13 @@ Result<std::vector<episodes::EpisodeResult>> evaluate_with(
     const EvaluationOptions& options,
     const std::function<EpisodeRunner()>& make_runner,
     Progress& progress) {
-  MARKETGEN_TRY(const auto folder,
-                ResultsFolder::open(file,
-                                    options.folder,
-                                    options.policy,
-                                    options.realism.name,
-                                    options.resume,
-                                    options.shard));
+  MARKETGEN_TRY(
+      const auto folder,
+      ResultsFolder::open(
+          file,
+          options.folder,
+          record_of(file, options.policy, options.realism.name, options.shard, options.repetition),
+          options.resume));
   EvaluationRun run(file, options, *folder, progress);
   run.go(make_runner);
   const NoForcedEnd keeping;

@@ -26,7 +26,8 @@ struct EvaluationOptions {
   AnswerLimits answer = {};  // of a policy in a worker
   // Of processor time until a worker is ready; 0 = none. `answer.hang_s` holds here, too.
   double start_limit_s = 120;
-  Shard shard = {};  // which of the episodes are run
+  Shard shard = {};    // which of the episodes are run
+  int repetition = 1;  // with which draws (episodes::repetition_of)
   episodes::Realism realism = {};
   llm::ModelChoice model = {};  // how that of the policy is reached, if it has one
   bool record_motion = false;   // motion/ID.bin.gz of each episode that is run (motion_recorder.h)

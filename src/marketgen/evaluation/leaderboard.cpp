@@ -1,6 +1,7 @@
 #include "evaluation/leaderboard.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -24,6 +25,7 @@ RankedRun ranked(const FinishedRun& run, episodes::Track track) {
   entry.policy = run.record.policy;
   entry.results = run.folder.string();
   entry.commit = run.record.commit();
+  entry.repetition = run.record.repetition;
   entry.floor = environments::is_floor(entry.policy);
   entry.episodes = summary.episodes;
   entry.stores = summary.stores;
@@ -52,6 +54,42 @@ void correct(LeaderboardTrack& track,
     if (entry.to_best) (*entry.to_best).*corrected = p[next++];
 }
 
+RepeatedShare repeated_share(const std::vector<double>& shares) {
+  RepeatedShare made;
+  for (const double share : shares)
+    made.mean += share / static_cast<double>(shares.size());
+  double squares = 0;
+  for (const double share : shares)
+    squares += (share - made.mean) * (share - made.mean);
+  made.deviation = std::sqrt(squares / static_cast<double>(shares.size() - 1));
+  return made;
+}
+
+// In the order of their first entry. Two runs of one repetition are of different builds: they are
+// no repetitions of each other.
+std::vector<RepeatedPolicy> repeated_policies(const std::vector<LeaderboardEntry>& entries) {
+  std::vector<RepeatedPolicy> made;
+  for (const LeaderboardEntry& entry : entries) {
+    if (std::ranges::find(made, entry.policy, &RepeatedPolicy::policy) != made.end()) continue;
+    std::vector<double> strict, clean, partial;
+    std::set<int> repetitions;
+    for (const LeaderboardEntry& other : entries) {
+      if (other.policy != entry.policy) continue;
+      repetitions.insert(other.repetition.value_or(1));
+      strict.push_back(other.strict.share);
+      clean.push_back(other.clean.share);
+      partial.push_back(other.partial.value);
+    }
+    if (strict.size() < 2 || repetitions.size() < strict.size()) continue;
+    made.push_back({entry.policy,
+                    static_cast<int>(strict.size()),
+                    repeated_share(strict),
+                    repeated_share(clean),
+                    repeated_share(partial)});
+  }
+  return made;
+}
+
 LeaderboardTrack track_of(const std::vector<FinishedRun>& runs, episodes::Track track) {
   std::vector<RankedRun> all;
   for (const FinishedRun& run : runs)
@@ -72,6 +110,7 @@ LeaderboardTrack track_of(const std::vector<FinishedRun>& runs, episodes::Track 
   }
   correct(made, &PairedComparison::p_strict, &PairedComparison::p_strict_holm);
   correct(made, &PairedComparison::p_partial, &PairedComparison::p_partial_holm);
+  made.repeated = repeated_policies(made.entries);
   return made;
 }
 

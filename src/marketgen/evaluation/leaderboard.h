@@ -42,6 +42,7 @@ PairedComparison compared(const std::vector<episodes::EpisodeResult>& these,
 
 struct LeaderboardEntry {
   std::string policy, results, commit;
+  std::optional<int> repetition = {};
   bool floor = false;
   int episodes = 0, stores = 0;
   grasping::Share strict, clean, violations;
@@ -56,6 +57,9 @@ struct LeaderboardEntry {
       field("policy", &LeaderboardEntry::policy, "who acted"),
       field("results", &LeaderboardEntry::results, "folder that it is from"),
       field("commit", &LeaderboardEntry::commit, "of the program that ran it"),
+      field("repetition",
+            &LeaderboardEntry::repetition,
+            "which run of the episodes with draws of its own; the first when absent"),
       field("floor", &LeaderboardEntry::floor, "it knows nothing of what is asked for"),
       field("episodes", &LeaderboardEntry::episodes, "that were run"),
       field("stores", &LeaderboardEntry::stores, "that they are of"),
@@ -70,12 +74,37 @@ struct LeaderboardEntry {
       field("power", &LeaderboardEntry::power, "episodes needed, each policy on its own"));
 };
 
+// A share over several runs of the same episodes.
+struct RepeatedShare {
+  double mean = 0, deviation = 0;
+  static constexpr auto fields =
+      field_list(field("mean", &RepeatedShare::mean, "over the repetitions"),
+                 field("deviation", &RepeatedShare::deviation, "standard, between repetitions"));
+};
+
+// A policy that was run more than once on the episodes, each time with draws of its own.
+struct RepeatedPolicy {
+  std::string policy;
+  int repetitions = 0;
+  RepeatedShare strict, clean, partial;
+  static constexpr auto fields =
+      field_list(field("policy", &RepeatedPolicy::policy, "who acted"),
+                 field("repetitions", &RepeatedPolicy::repetitions, "that were run"),
+                 field("strict", &RepeatedPolicy::strict, "episodes with all goals reached"),
+                 field("clean", &RepeatedPolicy::clean, "strict ones without side effects"),
+                 field("partial", &RepeatedPolicy::partial, "mean partial score"));
+};
+
 struct LeaderboardTrack {
   episodes::Track track = episodes::Track::checkout;
   std::vector<LeaderboardEntry> entries;
+  std::vector<RepeatedPolicy> repeated = {};
   static constexpr auto fields =
       field_list(field("track", &LeaderboardTrack::track, "what kind of task"),
-                 field("entries", &LeaderboardTrack::entries, "best first"));
+                 field("entries", &LeaderboardTrack::entries, "best first"),
+                 field("repeated",
+                       &LeaderboardTrack::repeated,
+                       "policies of which there is more than one repetition, best first"));
 };
 
 struct Leaderboard {

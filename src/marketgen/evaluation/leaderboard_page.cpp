@@ -36,7 +36,7 @@ std::string p_cell(double p) {
 
 std::string entry_row(const LeaderboardEntry& entry) {
   std::string row = fmt::format("<tr><td>{}{}<br><small>{}</small></td>",
-                                escaped_markup(entry.policy),
+                                escaped_markup(spoken_entry(entry)),
                                 entry.floor ? " <span class=\"warn\">floor</span>" : "",
                                 escaped_markup(entry.commit));
   row += share_cell(entry.strict) + estimate_cell(entry.partial) + share_cell(entry.goals) +
@@ -64,12 +64,19 @@ std::string power_table(const LeaderboardTrack& track) {
       "<table><tr><th>policy</th><th>likeness in stores</th><th>2 points</th><th>5 points</th>"
       "<th>10 points</th><th>20 points</th></tr>";
   for (const LeaderboardEntry& entry : track.entries) {
-    out += power_row(entry.policy, fmt::format("{:.2f}", entry.likeness), entry.power);
+    out += power_row(spoken_entry(entry), fmt::format("{:.2f}", entry.likeness), entry.power);
     if (entry.to_best)
-      out +=
-          power_row(entry.policy + " beside " + entry.to_best->against, "", entry.to_best->power);
+      out += power_row(
+          spoken_entry(entry) + " beside " + entry.to_best->against, "", entry.to_best->power);
   }
   return out + "</table>";
+}
+
+std::string repeated_lines(const LeaderboardTrack& track) {
+  std::string out;
+  for (const RepeatedPolicy& policy : track.repeated)
+    out += fmt::format("<p>{}</p>", escaped_markup(spoken_repeated(policy)));
+  return out;
 }
 
 std::string track_section(const LeaderboardTrack& track) {
@@ -90,13 +97,33 @@ std::string track_section(const LeaderboardTrack& track) {
   out += "</table>";
   if (std::ranges::none_of(track.entries, &LeaderboardEntry::floor))
     out += fmt::format("<p class=\"warn\">{}</p>", escaped_markup(no_floor_remark()));
-  return out + power_table(track) + "</section>";
+  return out + repeated_lines(track) + power_table(track) + "</section>";
 }
 
 }  // namespace
 
 std::string percent_with_interval(double value, double low, double high) {
   return fmt::format("{:.1f} ({:.1f} to {:.1f})", 100 * value, 100 * low, 100 * high);
+}
+
+std::string percent_with_deviation(const RepeatedShare& share) {
+  return fmt::format("{:.1f} ± {:.1f}", 100 * share.mean, 100 * share.deviation);
+}
+
+std::string spoken_repeated(const RepeatedPolicy& policy) {
+  return fmt::format(
+      "{}, {} repetitions: strict {}, partial {}, clean {} % (mean and standard "
+      "deviation between them)",
+      policy.policy,
+      policy.repetitions,
+      percent_with_deviation(policy.strict),
+      percent_with_deviation(policy.partial),
+      percent_with_deviation(policy.clean));
+}
+
+std::string spoken_entry(const LeaderboardEntry& entry) {
+  return entry.repetition ? fmt::format("{} (repetition {})", entry.policy, *entry.repetition)
+                          : entry.policy;
 }
 
 std::string leaderboard_sections(const Leaderboard& board) {

@@ -13,5 +13,11 @@ std::string leaderboard_sections(const Leaderboard& board);
 
 // "47.0 (37.5 to 56.7)", in percent: of anything with low and high.
 std::string percent_with_interval(double value, double low, double high);
+// "47.0 ± 1.2", in percent.
+std::string percent_with_deviation(const RepeatedShare& share);
+// Its policy, and which repetition it is of, but for the first.
+std::string spoken_entry(const LeaderboardEntry& entry);
+// "oracle, 3 repetitions: strict ...": what several runs of a policy have in common.
+std::string spoken_repeated(const RepeatedPolicy& policy);
 
 }  // namespace marketgen::evaluation

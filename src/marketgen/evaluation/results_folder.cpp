@@ -58,17 +58,15 @@ std::string ResultsFolder::results_path() const {
 
 Result<std::unique_ptr<ResultsFolder>> ResultsFolder::open(const episodes::EpisodeFile& file,
                                                            const std::filesystem::path& folder,
-                                                           const std::string& policy,
-                                                           const std::string& realism,
-                                                           bool resume,
-                                                           const Shard& shard) {
+                                                           RunRecord record,
+                                                           bool resume) {
   io::Outputs place;
   MARKETGEN_CHECK(place.add_folder(folder));
   MARKETGEN_CHECK(place.commit());
   std::error_code failed;
   MARKETGEN_TRY(io::FolderLock lock, io::FolderLock::take(folder));
   std::unique_ptr<ResultsFolder> opened(
-      new ResultsFolder(file, folder, record_of(file, policy, realism, shard), std::move(lock)));
+      new ResultsFolder(file, folder, std::move(record), std::move(lock)));
   const std::string path = opened->results_path();
   io::Outputs files;  // looked at before any work; written by others
   MARKETGEN_CHECK(files.add({{"--output", path}, {"--output", folder / "summary.json"}}));
@@ -104,6 +102,14 @@ Result<void> ResultsFolder::check_taken_over(
                                results_path(),
                                result.realism,
                                record_.realism)};
+    if (result.repetition != record_.repetition)
+      return Error{"usage.bad_flag",
+                   "--repetition",
+                   fmt::format("{} has results of repetition {}, this run is repetition {}: go on "
+                               "with that, or name another folder",
+                               results_path(),
+                               result.repetition.value_or(1),
+                               record_.repetition.value_or(1))};
     const auto spec = std::ranges::find(file_.episodes, id, &episodes::EpisodeSpec::id);
     if (spec == file_.episodes.end())
       return Error{"usage.bad_flag",
@@ -174,6 +180,7 @@ Result<void> ResultsFolder::keep(std::size_t number, episodes::EpisodeResult res
   result.episode = record_.episodes[number].id;  // whatever its runner says
   result.episode_hash = record_.episodes[number].hash;
   result.realism = record_.realism;
+  result.repetition = record_.repetition;
   lines_ << io::write_json_line(result) << "\n" << std::flush;
   if (!lines_) return Error{"io.cannot_write", results_path(), "is the disk full?"};
   results_[number] = std::move(result);

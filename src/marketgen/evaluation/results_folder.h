@@ -24,17 +24,16 @@ Result<std::map<std::string, episodes::EpisodeResult>> finished_results(
 
 class ResultsFolder {
  public:
-  // Has it to itself while it lives. With `resume` it keeps what is finished there: results of the
-  // same episodes, as they are now (EpisodeResult::episode_hash), that could be run. Errors:
-  // io.in_use, io.*; store.exists when it has results and `resume` is off; usage.bad_flag when they
-  // are of another policy, realism or shard, or of episodes that the file does not have; those of
-  // finished_results and read_record. `file` must outlive it.
+  // `record`: of a run of `file` (record_of). Has the folder to itself while it lives. With
+  // `resume` it keeps what is finished there: results of the same episodes, as they are now
+  // (EpisodeResult::episode_hash), that could be run. Errors: io.in_use, io.*; store.exists when it
+  // has results and `resume` is off; usage.bad_flag when they are of another policy, realism, shard
+  // or repetition, or of episodes that the file does not have; those of finished_results and
+  // read_record. `file` must outlive it.
   static Result<std::unique_ptr<ResultsFolder>> open(const episodes::EpisodeFile& file,
                                                      const std::filesystem::path& folder,
-                                                     const std::string& policy,
-                                                     const std::string& realism,
-                                                     bool resume,
-                                                     const Shard& shard = {});
+                                                     RunRecord record,
+                                                     bool resume);
 
   bool is_asked_for(std::size_t number) const { return record_.shard.has(number); }
   bool has(std::size_t number) const;  // of the episode in its file

@@ -55,7 +55,8 @@ std::string RunRecord::commit() const {
 RunRecord record_of(const episodes::EpisodeFile& file,
                     const std::string& policy,
                     const std::string& realism,
-                    const Shard& shard) {
+                    const Shard& shard,
+                    int repetition) {
   RunRecord record;
   record.policy = policy;
   record.realism = realism;
@@ -65,6 +66,7 @@ RunRecord record_of(const episodes::EpisodeFile& file,
   record.split = file.header.split;
   record.instructions = instructions_of(file);
   record.shard = shard;
+  if (repetition > 1) record.repetition = repetition;
   Hasher hasher;
   for (const episodes::EpisodeSpec& spec : file.episodes) {
     const std::string hash = episodes::episode_hash(file.header, spec);

@@ -51,6 +51,7 @@ struct RunRecord {
   episodes::Split split = episodes::Split::planned;
   std::string instructions = "ids";  // of the file's episodes: ids, words, or "ids and words"
   Shard shard;
+  std::optional<int> repetition = {};  // the first when there is none
   std::vector<RunEpisode> episodes;
 
   static constexpr auto fields = field_list(
@@ -77,6 +78,11 @@ struct RunRecord {
             &RunRecord::instructions,
             "how the file's goals are told: ids, words, or ids and words"),
       field("shard", &RunRecord::shard, "the part of the file that was run"),
+      field("repetition",
+            &RunRecord::repetition,
+            "which run of the episodes with draws of its own (eval --repetition); the first when "
+            "absent",
+            range(2, 1000)),
       field("episodes", &RunRecord::episodes, "all of the file", required()));
   std::string commit() const;  // of the commits, as one text
 };
@@ -85,7 +91,8 @@ struct RunRecord {
 RunRecord record_of(const episodes::EpisodeFile& file,
                     const std::string& policy,
                     const std::string& realism,
-                    const Shard& shard);
+                    const Shard& shard,
+                    int repetition = 1);
 
 // "v1/checkout (3f…)": how pages and tables name the file of episodes.
 std::string spoken_episodes(const std::optional<std::string>& set, const std::string& hash);

@@ -81,6 +81,10 @@ Result<void> check_one_run(const std::vector<FinishedRun>& runs) {
         run,
         {same_realism(a, b),
          {"policy", a.policy, b.policy, "name the shards of one policy"},
+         {"repetition",
+          std::to_string(a.repetition.value_or(1)),
+          std::to_string(b.repetition.value_or(1)),
+          "name the shards of one repetition"},
          {"commit", a.commit(), b.commit(), "run all shards with the same build of marketgen"}}));
   }
   return {};

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "environments/run_episode.h"
+#include "episodes/episode_origin.h"
 #include "episodes/named_dials.h"
 #include "episodes/realism.h"
 #include "episodes/track_world.h"
@@ -50,8 +51,13 @@ Result<void> check_can_be_repeated(const FinishedRun& run, const episodes::Episo
   if (run.record.realism.starts_with(episodes::own_dials))
     return fault(
         " has a realism of one's own: `marketgen replay --realism FILE --strip` makes strips");
-  const FinishedRun asked{
-      "--episodes", record_of(file, run.record.policy, run.record.realism, run.record.shard), {}};
+  const FinishedRun asked{"--episodes",
+                          record_of(file,
+                                    run.record.policy,
+                                    run.record.realism,
+                                    run.record.shard,
+                                    run.record.repetition.value_or(1)),
+                          {}};
   return check_same_episodes({run, asked});
 }
 
@@ -83,8 +89,14 @@ Result<void> make_strip(environments::Arena& arena,
                     .height = strip_px,
                     .every_s = std::max(episodes::control_step_s, ran_s / (strip_pictures - 1)),
                     .strip_pictures = strip_pictures});
-  MARKETGEN_TRY(const episodes::EpisodeResult again,
-                environments::run_episode(arena, spec, before.policy, &film, {}, realism));
+  MARKETGEN_TRY(
+      const episodes::EpisodeResult again,
+      environments::run_episode(arena,
+                                episodes::repetition_of(spec, before.repetition.value_or(1)),
+                                before.policy,
+                                &film,
+                                {},
+                                realism));
   MARKETGEN_CHECK(check_repeated(before, again));
   MARKETGEN_CHECK(film.finish(outputs));
   return outputs.commit();

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "catalog/country.h"
 #include "intake/brief.h"
 #include "intake/drawn_shell.h"
 #include "intake/photos_file.h"
+#include "intake/plan_zones.h"
 #include "intake/store_size.h"
 #include "io/json.h"
 #include "plan/store_time.h"
@@ -78,6 +81,20 @@ Result<void> check_brief(const Brief& brief, const catalog::Catalog& catalog) {
   return check_known(catalog.styles, "style", brief.style, "--style");
 }
 
+// Boards as high as their goods. How many there are is left to the goods, too, where nobody asked
+// for more or fewer than gondolas usually have.
+void fit_shelves(plan::Plan& plan) {
+  plan.shelves = plan::ShelfPitch::fitted;
+  for (std::size_t i = 0; i < plan.zones.size(); ++i) {
+    plan::FixtureSpec& fixture = plan.zones[i].fixture;
+    const std::string path = fmt::format("/zones/{}/fixture/levels", i);
+    const bool said =
+        std::ranges::find(plan.provenance, path, &plan::Provenance::path) != plan.provenance.end();
+    if (!said && fixture.height_mm && fixture.levels == gondola_levels(*fixture.height_mm))
+      fixture.levels.reset();
+  }
+}
+
 }  // namespace
 
 Result<Planned> plan_from_brief(const Brief& brief,
@@ -89,6 +106,7 @@ Result<Planned> plan_from_brief(const Brief& brief,
   MARKETGEN_TRY(const Drawn drawn, with_drawing(brief, catalog));
   MARKETGEN_TRY(Planned planned, planner.plan(drawn.brief, catalog, seed, concessions));
   planned.trace.insert(planned.trace.begin(), drawn.warnings.begin(), drawn.warnings.end());
+  if (!planned.plan.shelves) fit_shelves(planned.plan);
   planned.drawn = drawn.brief.zones;
   if (const auto& photos = drawn.brief.photos; !photos.empty()) {
     PhotosFile file;

@@ -162,7 +162,7 @@ class ZoneWriter {
     spec.height_mm = std::clamp(wished_height(zone, usual).value_or(usual),
                                 kind.height_range_mm[0],
                                 kind.height_range_mm[1]);
-    spec.levels = *spec.height_mm >= six_levels_from_mm ? 6 : 5;
+    spec.levels = gondola_levels(*spec.height_mm);
     const int run = runs_along_y(zone, rect) ? rect.depth() : rect.width();
     spec.endcaps =
         run >= endcaps_both_from_mm
@@ -356,6 +356,10 @@ class ZoneWriter {
 };
 
 }  // namespace
+
+int gondola_levels(int height_mm) {
+  return height_mm >= six_levels_from_mm ? 6 : 5;
+}
 
 bool set_price_tags(std::optional<plan::PriceTagSpec>& tags,
                     std::string_view subject,

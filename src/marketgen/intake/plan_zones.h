@@ -20,4 +20,7 @@ bool set_price_tags(std::optional<plan::PriceTagSpec>& tags,
 // In the order of the program's zones.
 std::vector<plan::Zone> zones_of(const PlanSources& sources);
 
+// Boards of a gondola where nobody says how many.
+int gondola_levels(int height_mm);
+
 }  // namespace marketgen::intake

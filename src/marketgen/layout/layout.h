@@ -46,9 +46,12 @@ struct Fixture {
   int width_mm = 1250;     // along its front
   int depth_mm = 500;      // front to back
   int height_mm = 1800;
-  int levels = 5;          // stocked levels, base included
-  int base_mm = 150;       // top of the lowest level
-  int spacing_mm = 350;    // between levels
+  int levels = 5;        // stocked levels, base included
+  int base_mm = 150;     // top of the lowest level
+  int spacing_mm = 350;  // between levels
+  // Of boards that are fitted to their goods: from each to the next and over the last, lowest
+  // first. Those of the back, where it has others.
+  std::optional<std::vector<int>> spacings_mm, back_spacings_mm;
   int sides = 1;           // 1, or 2 for double-sided
   std::string endcap_of;   // the run whose end it closes; empty otherwise
   bool run_start = false;  // has no neighbour on its left (seen from its front)
@@ -75,7 +78,18 @@ struct Fixture {
       field("run_start", &Fixture::run_start, "no neighbour on its left"),
       field("run_end", &Fixture::run_end, "no neighbour on its right"),
       field("material", &Fixture::material, "material of its body"),
-      field("color", &Fixture::color, "colour of its body, #rrggbb"));
+      field("color", &Fixture::color, "colour of its body, #rrggbb"),
+      // Last: scene files of before have fields by number.
+      field("spacings_mm",
+            &Fixture::spacings_mm,
+            "from each board to the next and over the last, lowest first; absent: spacing_mm",
+            range(80, 2000),
+            at_most_items(12)),
+      field("back_spacings_mm",
+            &Fixture::back_spacings_mm,
+            "those of its back; absent: as in front",
+            range(80, 2000),
+            at_most_items(12)));
 };
 
 // Footprint in store coordinates: width and depth swapped for yaw 90 and 270.

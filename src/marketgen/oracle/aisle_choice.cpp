@@ -103,7 +103,7 @@ Result<void> AisleOracle::choose() {
   for (const Fetch& fetch : found) {
     if (looked_at[sku_of(fetch.product)]++ >= search_.max_items_looked_at) continue;
     if (go_to(fetch.product)) return {};
-    refused_.insert(fetch.product);
+    if (++unplanned_[fetch.product] >= search_.max_unplanned) refused_.insert(fetch.product);
   }
   // The others at the next step: one answer must not take for ever.
   memory_.done = looked_at.empty();
@@ -218,8 +218,9 @@ bool AisleOracle::go_to(std::uint32_t product) {
 }
 
 // Planned anew from where the base came to stand, and rehearsed; what does no harm is done.
-// Otherwise another grasp is tried, and in the end the one that does least harm is done; none of
-// those that would not bring the item into the basket.
+// Otherwise another grasp is tried. Where each does harm the robot comes once more, perhaps to
+// stand elsewhere and with its other hand, and then does the one that does least; none of those
+// that would not bring the item into the basket.
 Result<void> AisleOracle::reach() {
   const std::uint32_t product = memory_.plan.product;
   const Memory before = memory_;
@@ -246,7 +247,7 @@ Result<void> AisleOracle::reach() {
     next.failures = memory_.failures;
     memory_ = std::move(next);
   }
-  if (best)
+  if (best && memory_.unreached[product] > 0)
     memory_ = std::move(*best);
   else
     come_in_vain(product);

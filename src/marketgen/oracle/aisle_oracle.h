@@ -165,6 +165,7 @@ class AisleOracle : public agent::Policy {
   Memory memory_;
   std::map<std::string, std::vector<motion::GraspCandidate>> grasps_;  // by SKU
   std::set<std::uint32_t> refused_;
+  std::map<std::uint32_t, int> unplanned_;  // times that no way to one was found
   std::set<std::uint32_t> refused_doors_;
 };
 

@@ -15,9 +15,10 @@ struct OracleSearch {
   // for; rehearsals of a decision.
   std::size_t max_grasps = 24, max_plans = 6, max_place_searches = 12;
   int max_rehearsals = 8, max_rehearsals_of_item = 3;
-  // In the aisles: tries of an item of a SKU, times that it comes to one in vain, grasps rehearsed
-  // from where the base stands, items of a SKU looked at.
-  int max_item_tries = 3, max_unreached = 2, max_rehearsals_here = 3;
+  // In the aisles: tries of an item of a SKU, times that it comes to one in vain, times that a way
+  // to one is sought in vain, each from other random postures, grasps rehearsed from where the base
+  // stands, items of a SKU looked at.
+  int max_item_tries = 3, max_unreached = 3, max_unplanned = 3, max_rehearsals_here = 3;
   std::size_t max_items_looked_at = 4;
 };
 

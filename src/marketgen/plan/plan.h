@@ -428,6 +428,15 @@ struct Placement {
                  field("yaw_deg", &Placement::yaw_deg, "0 = front faces south", range(-360, 360)));
 };
 
+// How far boards are apart and how goods share them.
+enum class ShelfPitch {
+  even,   // as far from one another all over a fixture; goods come in the assortment's order
+  fitted  // as high as what stands on them; goods have the room that shops give their kind
+};
+constexpr std::array<std::string_view, 2> names_of(ShelfPitch) {
+  return {"even", "fitted"};
+}
+
 struct Plan {
   std::string schema = "market-plan/1";
   std::string name = "Market";
@@ -435,6 +444,7 @@ struct Plan {
   std::optional<std::string> country;
   std::optional<std::string> time;  // plan/store_time.h
   std::optional<Vary> vary;
+  std::optional<ShelfPitch> shelves;  // none: even
   Shell shell;
   Look look;
   std::vector<Node> nodes;
@@ -460,6 +470,12 @@ struct Plan {
             "restocking is gone; absent: no time",
             at_most_bytes(16)),
       field("vary", &Plan::vary, "seeds of single axes in the place of the store's own"),
+      field(
+          "shelves",
+          &Plan::shelves,
+          "how far boards are apart. fitted: as high as the goods on them, and each kind of goods "
+          "has the room that shops give it; even: all over a fixture alike, and goods come in the "
+          "order of the assortment; absent: even"),
       field("shell", &Plan::shell, "the room", required()),
       field("look", &Plan::look, "materials and light"),
       field("nodes",

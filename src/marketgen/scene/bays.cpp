@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "scene/assortment.h"
+#include "scene/board_goods.h"
 #include "scene/brand_blocks.h"
 #include "scene/own_goods.h"
 
@@ -27,6 +28,23 @@ int place_along(const layout::Fixture& fixture, int side) {
 
 bool shows_promotions(const layout::Fixture& fixture) {
   return !fixture.endcap_of.empty() || fixture.kind == "bin" || fixture.kind == "pallet";
+}
+
+// In the zone's pattern.
+std::vector<PlannedShelf> plan_of_range(const BayRef& bay,
+                                        const BayRange& range,
+                                        const std::vector<std::uint32_t>& assortment,
+                                        const plan::StockSpec& stock,
+                                        const catalog::Catalog& catalog,
+                                        Stream draw) {
+  if (stock.block == plan::BlockPattern::brand_vertical || stock.block == plan::BlockPattern::mixed)
+    return plan_range(bay.bay, range, assortment, stock, catalog, bay.certain);
+  std::vector<std::uint32_t> rows = bay.certain;
+  for (const RangedGoods& goods : range)
+    if (std::ranges::find(rows, goods.product) == rows.end()) rows.push_back(goods.product);
+  AssortmentCursor from_the_first;
+  const auto& plan_goods = has_brand_blocks(bay.bay, stock) ? plan_brand_blocks : plan_bay;
+  return plan_goods(bay.bay, rows, stock, catalog, from_the_first, draw, bay.certain);
 }
 
 }  // namespace
@@ -92,14 +110,20 @@ void plan_bays(std::vector<BayRef>& bays,
                const Scene& scene,
                const plan::Plan& plan,
                const catalog::Catalog& catalog,
-               Seed seed) {
+               Seed seed,
+               const BayRanges& ranges) {
   Stocks stocks(scene, plan, catalog);
   const auto plan_again = [&](BayRef& bay, AssortmentCursor& cursor) {
     const std::string& fixture = scene.layout.fixtures[bay.fixture].id;
     const Seed bay_seed =
         seed.child("bay", fixture).child("side", static_cast<std::uint64_t>(bay.side));
-    const std::vector<std::uint32_t>& assortment = stocks.of(bay).assortment;
     const plan::StockSpec& stock = stocks.zone_of(bay).stock;
+    const std::vector<std::uint32_t>& assortment = stocks.of(bay).assortment;
+    const auto range = ranges.find({fixture, bay.side});
+    if (range != ranges.end()) {
+      bay.plan = plan_of_range(bay, range->second, assortment, stock, catalog, bay_seed.stream());
+      return;
+    }
     const auto& plan_goods = has_brand_blocks(bay.bay, stock) ? plan_brand_blocks : plan_bay;
     bay.plan =
         plan_goods(bay.bay, assortment, stock, catalog, cursor, bay_seed.stream(), bay.certain);

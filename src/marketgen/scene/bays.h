@@ -12,6 +12,7 @@
 #include "plan/plan.h"
 #include "scene/planogram.h"
 #include "scene/scene.h"
+#include "scene/zone_range.h"
 
 namespace marketgen::scene {
 
@@ -33,15 +34,19 @@ const plan::Zone& zone_or_usual(const plan::Plan& plan, std::string_view id);
 // In the order in which shoppers meet them: zone by zone, run by run.
 std::vector<BayRef> bays_of(const Scene& scene);
 
-// Plans every bay. Slices of the assortment run on from bay to bay, separately for each zone and
-// temperature. The user's own products, and what zones must stock, come into bays that sell and
-// hold them where no slice has them (scene/own_goods.h); without such goods nothing is other than
-// it was.
+// What stands in which bay, by fixture id and side.
+using BayRanges = std::map<std::pair<std::string, int>, BayRange>;
+
+// Plans every bay; one that has a range has goods of that and no others. Slices of the assortment
+// run on from bay to bay, separately for each zone and temperature. The user's own products, and
+// what zones must stock, come into bays that sell and hold them where no slice has them
+// (scene/own_goods.h); without such goods nothing is other than it was.
 void plan_bays(std::vector<BayRef>& bays,
                const Scene& scene,
                const plan::Plan& plan,
                const catalog::Catalog& catalog,
-               Seed seed);
+               Seed seed,
+               const BayRanges& ranges = {});
 
 // What a zone sells on fixtures of one temperature, and how far its bays have come in it.
 struct Stock {

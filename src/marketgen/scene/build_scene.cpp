@@ -11,6 +11,7 @@
 #include "layout/module_spec.h"
 #include "scene/bays.h"
 #include "scene/catalog_slice.h"
+#include "scene/fitted_shelves.h"
 #include "scene/handled_goods.h"
 #include "scene/placements.h"
 #include "scene/price_tags.h"
@@ -39,6 +40,7 @@ auto key_of(const assets::FixtureShape& s) {
                     s.color,
                     s.accent,
                     s.spacings_mm,
+                    s.back_spacings_mm,
                     s.board_mm,
                     s.shelf_tilt_deg,
                     s.fence_mm,
@@ -351,6 +353,21 @@ void add_stock(Scene& scene,
   }
 }
 
+// The store without goods.
+Result<Scene> bare_scene(layout::Layout layout, const catalog::Catalog& catalog, Seed seed) {
+  Scene scene;
+  scene.seed = seed.value();
+  scene.layout = std::move(layout);
+  const plan::Look& look = scene.layout.look;
+  for (const std::string* id : {&look.floor, &look.wall, &look.ceiling, &look.fixture})
+    material_row(scene, *id, catalog);
+  const std::vector<layout::Fixture>& fixtures = scene.layout.fixtures;
+  MARKETGEN_TRY(const FixtureModels models, FixtureModels::build(scene.layout, catalog));
+  for (std::size_t f = 0; f < fixtures.size(); ++f)
+    add_fixture(scene, fixtures[f], models.of(f), catalog);
+  return scene;
+}
+
 }  // namespace
 
 Result<Scene> build_scene(const layout::Layout& layout,
@@ -359,23 +376,22 @@ Result<Scene> build_scene(const layout::Layout& layout,
                           Seed seed) {
   const catalog::LocalCatalog local(catalog, plan.country);
   const catalog::Catalog& rows = local.get();
-  Scene scene;
-  scene.seed = seed.value();
-  scene.layout = layout;
-  for (const std::string* id :
-       {&layout.look.floor, &layout.look.wall, &layout.look.ceiling, &layout.look.fixture}) {
-    material_row(scene, *id, rows);
-  }
-  MARKETGEN_TRY(const FixtureModels models, FixtureModels::build(layout, rows));
-  for (std::size_t f = 0; f < layout.fixtures.size(); ++f)
-    add_fixture(scene, layout.fixtures[f], models.of(f), rows);
+  const bool fits_boards = plan.shelves == plan::ShelfPitch::fitted;
+  MARKETGEN_TRY(Scene scene,
+                bare_scene(fits_boards ? before_fitting(layout, plan, rows) : layout, rows, seed));
 
   const auto of = [&](std::optional<std::uint64_t> plan::Vary::*axis) {
     return plan::axis_seed(plan.vary, axis, seed, scene_stream);
   };
-  const Seed prices = of(&plan::Vary::prices);
+  const Seed prices = of(&plan::Vary::prices), planogram = of(&plan::Vary::planogram);
+  BayRanges ranges;
+  if (fits_boards) {
+    FittedShelves fitted = fit_shelves(scene, plan, rows, planogram);
+    MARKETGEN_TRY(scene, bare_scene(std::move(fitted.layout), rows, seed));
+    ranges = std::move(fitted.ranges);
+  }
   std::vector<BayRef> bays = bays_of(scene);
-  plan_bays(bays, scene, plan, rows, of(&plan::Vary::planogram));
+  plan_bays(bays, scene, plan, rows, planogram, ranges);
   MARKETGEN_CHECK(stock_by_planogram(bays, scene, plan, rows));
   MARKETGEN_CHECK(check_number(bays, scene, plan, rows));
   MARKETGEN_TRY(const std::optional<StoreSales> sales, sales_of(plan, rows));

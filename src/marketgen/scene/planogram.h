@@ -59,6 +59,7 @@ constexpr int max_facings = 8;           // of one SKU in one block; leaders hav
 struct Bay {
   std::vector<ShelfRoom> shelves;
   bool promotion = false;
+  bool fitted = false;  // goods of one height share a board (plan::ShelfPitch::fitted)
 };
 
 // Where the next bay goes on in the assortment.

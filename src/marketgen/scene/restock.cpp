@@ -47,6 +47,7 @@ Result<Scene> alone(const layout::Layout& layout,
     return std::ranges::find(shelves, fixture.id, &plan::StockedShelf::fixture) == shelves.end();
   });
   plan.planogram = shelves;
+  plan.shelves.reset();  // the boards stay where they are
   return build_scene(few, plan, catalog, seed);
 }
 

@@ -1,5 +1,6 @@
 #include "skills/shelf_pick.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -115,7 +116,9 @@ class ShelfPickPlanner {
 Result<ShelfPick> plan_shelf_pick(const robots::Robot& robot,
                                   const ShelfPickQuestion& question,
                                   Seed seed) {
-  MARKETGEN_TRY(const std::vector<Hand> hands, hands_with(robot, question.tool_row));
+  MARKETGEN_TRY(std::vector<Hand> hands, hands_with(robot, question.tool_row));
+  // Either hand comes first as often: of a robot with two none is there in vain.
+  if (seed.child("first hand").stream().chance(0.5)) std::ranges::reverse(hands);
   std::vector<ShelfPickPlanner> planners;
   for (const Hand& hand : hands) {
     planners.emplace_back(robot, question, hand, seed);

@@ -14,6 +14,7 @@
 #include "layout/repair_moves.h"
 #include "plan/plan_place.h"
 #include "scene/block_swap.h"
+#include "scene/fitted_shelves.h"
 #include "scene/own_goods.h"
 #include "scene/restock.h"
 #include "store/design.h"
@@ -164,9 +165,9 @@ Result<scene::Scene> scene_after(const Store& store,
                                  const catalog::Catalog& catalog) {
   const auto shelves = scene::shelves_changed(store.plan, now.plan, catalog);
   const StoreVersions& made_by = store.manifest.versions;
-  const bool same_floor =
-      shelves && made_by.marketgen == program_version && made_by.catalog == catalog.content_hash &&
-      io::write_json_line(store.scene.layout) == io::write_json_line(now.layout);
+  const bool same_floor = shelves && made_by.marketgen == program_version &&
+                          made_by.catalog == catalog.content_hash &&
+                          scene::same_but_for_boards(store.scene.layout, now.layout);
   Result<scene::Scene> scene =
       same_floor ? scene::restocked(store.scene, *shelves, now.plan, catalog)
                  : scene::build_scene(now.layout,
@@ -296,7 +297,7 @@ Result<bool> follows_from_plan(const Store& store, const catalog::Catalog& catal
   const Result<layout::Layout> plain = layout::make_layout(store.plan, catalog, seed);
   if (!plain.ok() && plain.error().code == "layout.impossible") return false;
   if (!plain.ok()) return plain.error();
-  return io::write_json_line(*plain) == io::write_json_line(store.scene.layout);
+  return scene::same_but_for_boards(*plain, store.scene.layout);
 }
 
 Result<Edited> edit_store(const Store& store,

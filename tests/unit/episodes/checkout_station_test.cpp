@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "robots/grasp_tool.h"
+#include "support/drawn_checkout.h"
 
 namespace marketgen {
 namespace {
@@ -20,6 +21,31 @@ TEST(CheckoutStation, ItsBasketIsThatOfTheGraspStudy) {
   EXPECT_EQ(made.taper_m, physics::checkout_basket.taper_m);
   EXPECT_EQ(made.ledge_width_m, physics::checkout_basket.ledge_width_m);
   EXPECT_EQ(made.ledge_height_m, physics::checkout_basket.ledge_height_m);
+}
+
+TEST(CheckoutStation, TheStockOneHasWhatOneCanBuy) {
+  const auto eased = episodes::load_checkout_station(station_data);
+  const auto stock = episodes::load_checkout_station(station_data, "checkout-stock");
+  ASSERT_TRUE(stock.ok()) << to_string(stock.error());
+  EXPECT_EQ(stock->container().ledge_width_m, 0);
+  EXPECT_EQ(stock->container().top_x_m, eased->container().top_x_m);
+  EXPECT_EQ(stock->container().height_m, eased->container().height_m);
+  const auto robot = episodes::load_station_robot(station_data, *stock);
+  ASSERT_TRUE(robot.ok()) << to_string(robot.error());
+  EXPECT_EQ(robot->tools.at(0).row, "panda-hand");
+  EXPECT_LT(stock->basket_boxes().size(), eased->basket_boxes().size()) << "four ledges less";
+}
+
+TEST(CheckoutStation, EpisodesOfAnotherSayWhich) {
+  const episodes::EpisodeSpec spec = drawn_by({.station = "checkout-stock"}, 7, 0);
+  EXPECT_EQ(spec.station, "checkout-stock");
+  EXPECT_TRUE(spec.id.starts_with("checkout-stock/")) << spec.id;
+  EXPECT_FALSE(drawn(7, 0).station);
+  auto eased = episodes::CheckoutWorld::create(data_rows(), committed_catalog().frictions);
+  ASSERT_TRUE(eased.ok());
+  const auto refused = eased->reset(spec, checkout_goods_rows());
+  ASSERT_FALSE(refused.ok()) << "it is of another station";
+  EXPECT_EQ(refused.error().code, "robot.unknown");
 }
 
 TEST(CheckoutStation, ItsRobotHasTheLongFingers) {

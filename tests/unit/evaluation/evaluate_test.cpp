@@ -27,9 +27,11 @@ episodes::EpisodeFile three_episodes() {
 
 Result<std::vector<episodes::EpisodeResult>> evaluated(const episodes::EpisodeFile& file,
                                                        const std::filesystem::path& folder,
-                                                       bool resume) {
-  return evaluation::evaluate(
-      data_rows(), file, committed_catalog(), {"random", folder, resume}, silent_progress());
+                                                       bool resume,
+                                                       int repetition = 1) {
+  evaluation::EvaluationOptions options{"random", folder, resume};
+  options.repetition = repetition;
+  return evaluation::evaluate(data_rows(), file, committed_catalog(), options, silent_progress());
 }
 
 TEST(Evaluate, ABrokenRunGoesOnAndKeepsWhatWasFinished) {
@@ -57,6 +59,25 @@ TEST(Evaluate, ABrokenRunGoesOnAndKeepsWhatWasFinished) {
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_EQ((*resumed)[i].state_hash, (*whole)[i].state_hash);
   EXPECT_TRUE(std::filesystem::exists(broken / "summary.json"));
+}
+
+TEST(Evaluate, RepetitionsDrawAnewAndAreKeptApart) {
+  const episodes::EpisodeFile file = three_episodes();
+  const ScratchFolder scratch;
+  const auto first = evaluated(file, scratch.path() / "1", false);
+  const auto second = evaluated(file, scratch.path() / "2", false, 2);
+  const auto again = evaluated(file, scratch.path() / "again", false, 2);
+  ASSERT_TRUE(first.ok() && second.ok() && again.ok());
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_FALSE((*first)[i].repetition);
+    EXPECT_EQ((*second)[i].repetition, 2);
+    EXPECT_EQ((*second)[i].episode_hash, (*first)[i].episode_hash);
+    EXPECT_NE((*second)[i].state_hash, (*first)[i].state_hash);
+    EXPECT_EQ((*second)[i].state_hash, (*again)[i].state_hash);
+  }
+  const auto refused = evaluated(file, scratch.path() / "1", true, 2);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().where, "--repetition");
 }
 
 TEST(Evaluate, ResultsAreNotOverwritten) {

@@ -35,9 +35,11 @@ Result<void> run_quickly(const episodes::EpisodeFile& file,
                          const fs::path& folder,
                          const std::string& policy,
                          const std::string& solves,
-                         const evaluation::Shard& shard = {}) {
+                         const evaluation::Shard& shard = {},
+                         int repetition = 1) {
   evaluation::EvaluationOptions options{policy, folder, false, 1};
   options.shard = shard;
+  options.repetition = repetition;
   const evaluation::EpisodeRunner runner =
       [&](const episodes::EpisodeSpec& spec) -> Result<episodes::EpisodeResult> {
     if (solves == "none can be run") return Error{"robot.unknown", spec.id, "no such robot"};
@@ -97,6 +99,39 @@ TEST_F(Runs, AreRankedWithTheirFloors) {
   EXPECT_NEAR(entries[1].to_best->p_strict, 0.0625, 1e-12);
   EXPECT_DOUBLE_EQ(entries[1].to_best->p_partial, 0.5) << "two stores: four ways, two as far";
   EXPECT_FALSE(entries[0].commit.empty());
+}
+
+TEST_F(Runs, RepetitionsAreSummedUp) {
+  const episodes::EpisodeFile file = episodes_of_two_stores(10);
+  ASSERT_TRUE(run_quickly(file, folder("1"), "oracle", "01234567").ok());
+  ASSERT_TRUE(run_quickly(file, folder("2"), "oracle", "0123", {}, 2).ok());
+  ASSERT_TRUE(run_quickly(file, folder("3"), "oracle", "012345", {}, 3).ok());
+  ASSERT_TRUE(run_quickly(file, folder("floor"), "stop", "").ok());
+  auto board = evaluation::leaderboard_of(
+      read_all({folder("1"), folder("2"), folder("3"), folder("floor")}));
+  ASSERT_TRUE(board.ok()) << to_string(board.error());
+  const evaluation::LeaderboardTrack& track = board->tracks[0];
+  ASSERT_EQ(track.repeated.size(), 1U) << "the floor was run once";
+  EXPECT_EQ(track.repeated[0].repetitions, 3);
+  EXPECT_NEAR(track.repeated[0].strict.mean, 0.6, 1e-12);
+  EXPECT_NEAR(track.repeated[0].strict.deviation, 0.2, 1e-12);
+  EXPECT_EQ(evaluation::spoken_entry(track.entries[1]), "oracle (repetition 3)");
+  EXPECT_NE(evaluation::leaderboard_html(*board).find("3 repetitions: strict 60.0 ± 20.0"),
+            std::string::npos);
+  // The same one by two builds is not two of them.
+  ASSERT_TRUE(run_quickly(file, folder("other build"), "oracle", "0").ok());
+  board = evaluation::leaderboard_of(read_all({folder("1"), folder("2"), folder("other build")}));
+  EXPECT_TRUE(board->tracks[0].repeated.empty());
+}
+
+TEST_F(Runs, ShardsOfTwoRepetitionsAreNotJoined) {
+  const episodes::EpisodeFile file = episodes_of_two_stores(4);
+  ASSERT_TRUE(run_quickly(file, folder("first"), "oracle", "0", {1, 2}).ok());
+  ASSERT_TRUE(run_quickly(file, folder("second"), "oracle", "1", {2, 2}, 2).ok());
+  const auto joined =
+      evaluation::merge_folders({folder("first"), folder("second")}, folder("whole"));
+  ASSERT_FALSE(joined.ok());
+  EXPECT_EQ(joined.error().code, "results.not_comparable");
 }
 
 TEST_F(Runs, OfASetOfTheProgramSayWhich) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 #include "motion/grasp_candidates.h"
 #include "support/committed_robot.h"
 
@@ -52,6 +55,17 @@ TEST_F(ShelfPick, ABestGraspThatCannotBeLetGoIsPassedOver) {
   const auto other = plan();
   ASSERT_TRUE(other.ok()) << to_string(other.error());
   EXPECT_TRUE(other->number != first->number || other->group != first->group);
+}
+
+TEST_F(ShelfPick, EitherHandComesFirst) {
+  std::map<std::string, int> picks;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto pick = skills::plan_shelf_pick(robot_, question_, Seed(seed));
+    ASSERT_TRUE(pick.ok()) << to_string(pick.error());
+    ++picks[pick->group];
+  }
+  ASSERT_EQ(picks.size(), 2U);
+  EXPECT_GE(std::min(picks.begin()->second, picks.rbegin()->second), 4);
 }
 
 TEST_F(ShelfPick, WhereNoneCanBeLetGoTheReasonIsSaid) {

@@ -13,6 +13,7 @@
 #include "catalog/user_products.h"
 #include "io/file.h"
 #include "io/json.h"
+#include "scene/fitted_shelves.h"
 #include "support/hand_laid_shop.h"
 
 namespace marketgen {
@@ -154,7 +155,10 @@ struct DrawnAxes {
 
 DrawnAxes axes_of(const scene::Scene& scene) {
   DrawnAxes drawn;
-  drawn.layout = io::write_json_line(scene.layout);
+  layout::Layout layout = scene::with_even_boards(scene.layout);
+  for (layout::Fixture& fixture : layout.fixtures)
+    fixture.levels = 0;  // boards follow from the goods: they are the planogram's
+  drawn.layout = io::write_json_line(layout);
   for (const scene::Facing& facing : scene.facings) {
     drawn.planogram += fmt::format("{} {} {:.4f} {}, ",
                                    facing.shelf,

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double aisle_reward_scale_m = 3;  // 4.4 m away counts 0.1
 constexpr ProgressScale aisle_scale{aisle_reward_scale_m, aisle_reward_scale_m};
-constexpr char head[] = "head_camera";
 
 class AisleEnvironment : public Environment {
  public:
@@ -29,7 +28,13 @@ class AisleEnvironment : public Environment {
     set_robot(robot_, {far, 2 * far});  // from one corner of a store to another
   }
 
-  std::vector<std::string> cameras() const override { return {head}; }
+  std::vector<std::string> cameras() const override {
+    return {episodes::aisle_cameras.begin(), episodes::aisle_cameras.end()};
+  }
+  // What is in a hand's picture the head mostly sees, too, and each picture takes its time.
+  std::vector<std::string> usual_cameras() const override {
+    return {std::string(episodes::aisle_cameras.front())};
+  }
 
   Result<render::Frame> picture(const std::string& camera,
                                 int width,
@@ -38,17 +43,17 @@ class AisleEnvironment : public Environment {
     const std::scoped_lock lock(view_->mutex);
     MARKETGEN_CHECK(show(camera));
     MARKETGEN_TRY(const render::Camera from, view_->view->camera(camera, width, height));
-    if (camera != head) return view_->view->renderer().render(from, options);
+    if (!episodes::is_aisle_camera(camera)) return view_->view->renderer().render(from, options);
     return episodes::sensed_picture(*aisles_, camera, view_->view->renderer(), from, options);
   }
 
-  // The robot knows where its head is from its joints and from where it believes that it stands:
-  // the true place would tell it how far off that is.
+  // The robot knows where its cameras are from its joints and from where it believes that it
+  // stands: the true place would tell it how far off that is.
   Result<render::Camera> camera(const std::string& camera, int width, int height) override {
     const std::scoped_lock lock(view_->mutex);
     MARKETGEN_CHECK(show(camera));
     MARKETGEN_TRY(render::Camera seen, view_->view->camera(camera, width, height));
-    if (camera == head)
+    if (episodes::is_aisle_camera(camera))
       seen.world_from_camera = agent::store_from_base(aisles_->observe().base) *
                                inverse(view_->view->world_from_base()) * *seen.world_from_camera;
     return seen;
@@ -187,7 +192,8 @@ class AisleEnvironment : public Environment {
     if (!view_->view) {
       MARKETGEN_TRY(view_->view, episodes::AisleView::create(*aisles_));
     }
-    return view_->view->follow(*aisles_, camera == head ? aisles_->pictured() : aisles_->scenery());
+    return view_->view->follow(
+        *aisles_, episodes::is_aisle_camera(camera) ? aisles_->pictured() : aisles_->scenery());
   }
 
   robots::Robot robot_;

@@ -158,8 +158,7 @@ class CheckoutEnvironment : public Environment {
 
 Result<std::unique_ptr<Environment>> make_checkout_environment(
     std::shared_ptr<EpisodeGround> ground, const EnvironmentOptions& options) {
-  const std::string station =
-      options.station.empty() ? episodes::checkout_station : options.station;
+  const std::string station = episodes::station_or_own(options.station);
   MARKETGEN_TRY(episodes::CheckoutWorld world,
                 episodes::CheckoutWorld::create(
                     ground->data(), ground->catalog().frictions, station, options.tools));

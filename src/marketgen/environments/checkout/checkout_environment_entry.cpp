@@ -77,11 +77,15 @@ class CheckoutSampling : public EpisodeSampler {
       : arena_(arena), tools_(std::move(tools)), rules_(std::move(rules)) {}
   Result<std::unique_ptr<StoreSampler>> of_store(const episodes::EpisodeOrigin& origin) override {
     MARKETGEN_TRY(const auto scene, arena_.scene(origin.scene_hash));
-    MARKETGEN_TRY(const auto station, episodes::load_checkout_station(arena_.data()));
     MARKETGEN_TRY(
-        episodes::CheckoutHand hand,
-        episodes::checkout_hand(
-            arena_.data(), arena_.catalog().frictions, episodes::store_stock(*scene), tools_));
+        const auto station,
+        episodes::load_checkout_station(arena_.data(), episodes::station_or_own(rules_.station)));
+    MARKETGEN_TRY(episodes::CheckoutHand hand,
+                  episodes::checkout_hand(arena_.data(),
+                                          arena_.catalog().frictions,
+                                          episodes::store_stock(*scene),
+                                          tools_,
+                                          rules_.station));
     return std::unique_ptr<StoreSampler>(std::make_unique<CheckoutStoreSampler>(
         arena_, origin, *scene, station, std::move(hand), rules_));
   }
@@ -118,8 +122,8 @@ class CheckoutEnvironmentEntry : public EnvironmentEntry {
   Result<std::unique_ptr<EpisodeSampler>> sampler(Arena& arena,
                                                   const std::string& tools,
                                                   const episodes::DrawRules& rules) const override {
-    MARKETGEN_CHECK(
-        episodes::load_checkout_station(arena.data(), episodes::checkout_station, tools));
+    MARKETGEN_CHECK(episodes::load_checkout_station(
+        arena.data(), episodes::station_or_own(rules.station), tools));
     return std::unique_ptr<EpisodeSampler>(std::make_unique<CheckoutSampling>(arena, tools, rules));
   }
 };

@@ -33,7 +33,9 @@ class RecordedAisle : public RecordedView {
 
 class AisleEntry : public TrackEntry {
  public:
-  std::vector<std::string_view> cameras() const override { return {"head_camera"}; }
+  std::vector<std::string_view> cameras() const override {
+    return {aisle_cameras.begin(), aisle_cameras.end()};
+  }
   std::vector<std::string_view> own_fields() const override {
     return {"categories", "doors", "start"};
   }
@@ -96,7 +98,9 @@ class AisleEntry : public TrackEntry {
   }
 
   std::vector<std::string> recorded_cameras() const override {
-    return {film_camera_name, "head_camera"};
+    std::vector<std::string> names{film_camera_name};
+    names.insert(names.end(), aisle_cameras.begin(), aisle_cameras.end());
+    return names;
   }
 
   Result<std::unique_ptr<RecordedView>> open_recorded(

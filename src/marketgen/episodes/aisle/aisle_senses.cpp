@@ -1,20 +1,19 @@
 #include "episodes/aisle/aisle_senses.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "collect/scene_obstacles.h"
 #include "episodes/camera_senses.h"
 #include "episodes/told_goals.h"
 
 namespace marketgen::episodes {
-namespace {
-
-constexpr std::string_view head_camera_name = "head_camera";
-
-}  // namespace
-
 Result<agent::View> AisleEyes::look(std::string_view camera) {
-  if (camera != head_camera_name)
+  if (!is_aisle_camera(camera))
     return Error{
-        "usage.bad_flag", std::string(camera), "the agent has no such camera; it has head_camera"};
+        "usage.bad_flag",
+        std::string(camera),
+        fmt::format("the agent has no such camera; it has {}", fmt::join(aisle_cameras, ", "))};
   if (!view_) {
     MARKETGEN_TRY(view_, AisleView::create(world_));
   }

@@ -1,8 +1,12 @@
 #include "episodes/aisle/aisle_station.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 #include "episodes/source_keys.h"
+#include "geometry/rotation_axes.h"
 #include "io/file.h"
 #include "io/json.h"
 
@@ -10,6 +14,8 @@ namespace marketgen::episodes {
 namespace {
 
 constexpr char aisle_file[] = "aisle.json";
+constexpr Vec3 wrist_bracket_m{0.08, 0, 0.02};  // in the flange's frame; fingers open along its y
+constexpr double wrist_tilt_rad = 0.38;         // towards the gripper: tan = 0.08 over 0.2 m
 constexpr std::string_view basket_color = "#2f6f4f";
 
 Result<void> check_station(const AisleStation& s) {
@@ -31,7 +37,10 @@ Result<void> check_robot(const AisleStation& station, const robots::Robot& robot
   if (!robot.drive) return lacks("a drive");
   if (robot.find_posture(station.posture) == nullptr)
     return lacks("the posture \"" + station.posture + "\"");
-  for (const std::string& frame : {station.basket.frame, station.head_camera.frame})
+  std::vector<std::string> frames{station.basket.frame};
+  for (const std::string_view camera : aisle_cameras)
+    frames.push_back(mount_of_camera(station, camera).frame);
+  for (const std::string& frame : frames)
     if (robot.find_frame(frame) < 0) return lacks("the frame \"" + frame + "\"");
   if (const std::string& row = station.tools().picks_with; !skills::hands_with(robot, row).ok())
     return lacks("an arm with the tool \"" + row + "\"");
@@ -53,6 +62,14 @@ void add_basket_look(const AisleStation& station, robots::Robot& robot) {
 }
 
 }  // namespace
+
+CameraMount mount_of_camera(const AisleStation& station, std::string_view camera) {
+  if (camera == aisle_cameras.front()) return {station.head_camera.frame, {}};
+  const std::string_view arm = camera.substr(0, camera.find('_'));
+  const double c = std::cos(wrist_tilt_rad), s = std::sin(wrist_tilt_rad);
+  return {fmt::format("{}_flange", arm),
+          {wrist_bracket_m, rotation_with_axes({-c, 0, -s}, {-s, 0, c})}};
+}
 
 std::vector<physics::ContainerBox> AisleStation::basket_boxes() const {
   const CarriedBasketRow& b = basket;

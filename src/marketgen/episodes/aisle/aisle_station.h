@@ -3,8 +3,11 @@
 // Poses are in the frame of the robot's base (on the floor, X ahead) or of one of its frames; SI
 // units.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "episodes/station_rows.h"
@@ -58,6 +61,14 @@ struct FrameCameraRow {
                  field("source", &FrameCameraRow::source, "keys of the sources, by blanks"));
 };
 
+// The robot's cameras: that of its head, as the station's row has it, and those of its wrists,
+// which have the lens of the head's.
+inline constexpr std::array<std::string_view, 3> aisle_cameras{
+    "head_camera", "left_wrist_camera", "right_wrist_camera"};
+inline bool is_aisle_camera(std::string_view name) {
+  return std::ranges::find(aisle_cameras, name) != aisle_cameras.end();
+}
+
 struct AisleStation {
   std::string schema = "market-aisle/1";
   std::string id;
@@ -95,6 +106,16 @@ struct AisleStation {
   // Walls and floor in the basket's frame: origin in the middle of its inner floor.
   std::vector<physics::ContainerBox> basket_boxes() const;
 };
+
+// Where one of aisle_cameras is: Z ahead, Y down. A wrist's is on a bracket beside the flange, on a
+// side to which no finger opens, and looks at where its gripper closes (own layout, not measured;
+// nothing collides with it). No row of the station has it: frozen episodes hold the hash over
+// those.
+struct CameraMount {
+  std::string frame;  // of the robot
+  Pose frame_from_camera;
+};
+CameraMount mount_of_camera(const AisleStation& station, std::string_view camera);
 
 // With one of its tool sets, the first when `tools` is empty. Errors: as load_checkout_station;
 // robot.unknown for a set that there is not, with those there are.

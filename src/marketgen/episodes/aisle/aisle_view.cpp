@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/parallel.h"
 #include "episodes/field_of_view.h"
@@ -13,8 +14,6 @@
 
 namespace marketgen::episodes {
 namespace {
-
-constexpr std::string_view head_name = "head_camera";
 
 Vec3 vec3_of_row(const robots::Triple& row) {
   return {row[0], row[1], row[2]};
@@ -126,8 +125,11 @@ Result<void> AisleView::follow(const robots::Robot& robot,
   MARKETGEN_CHECK(renderer_->move_things(moved, joints));
   MARKETGEN_CHECK(renderer_->move_actor(0, render::world_link_poses(robot, then.robot, {})));
   world_from_base_ = base_of(robot, then.robot);
-  world_from_head_ =
-      robots::frame_pose(robot, then.robot, robot.find_frame(station_.head_camera.frame));
+  for (std::size_t i = 0; i < aisle_cameras.size(); ++i) {
+    const CameraMount mount = mount_of_camera(station_, aisle_cameras[i]);
+    world_from_camera_[i] = robots::frame_pose(robot, then.robot, robot.find_frame(mount.frame)) *
+                            mount.frame_from_camera;
+  }
   return {};
 }
 
@@ -164,9 +166,11 @@ Result<render::Camera> AisleView::camera(std::string_view name, int width, int h
     camera.height = height > 0 ? height : row.height;
     camera.fov_deg = fov_down_deg(row.fov_deg, camera.width, camera.height);
   };
-  if (name == head_name) {
+  const auto own = std::ranges::find(aisle_cameras, name);
+  if (own != aisle_cameras.end()) {
     size(station_.head_camera);
-    camera.world_from_camera = world_from_head_;
+    camera.world_from_camera =
+        world_from_camera_[static_cast<std::size_t>(own - aisle_cameras.begin())];
     return camera;
   }
   if (name == film_camera_name) {
@@ -174,9 +178,10 @@ Result<render::Camera> AisleView::camera(std::string_view name, int width, int h
     MARKETGEN_CHECK(place_film_camera(camera));
     return camera;
   }
-  return Error{"camera.unknown",
-               std::string(name),
-               fmt::format("there are {} and {}", head_name, film_camera_name)};
+  return Error{
+      "camera.unknown",
+      std::string(name),
+      fmt::format("there are {} and {}", fmt::join(aisle_cameras, ", "), film_camera_name)};
 }
 
 }  // namespace marketgen::episodes

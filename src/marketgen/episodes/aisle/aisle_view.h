@@ -1,5 +1,7 @@
-// Pictures of a running In-Aisle Item Collection: from the robot's head, and from beside it.
+// Pictures of a running In-Aisle Item Collection: from the robot's head and wrists, and from beside
+// it.
 #pragma once
+#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -31,9 +33,9 @@ class AisleView {
                       const Scenery& then,
                       std::span<const render::MovedJoint> joints);
 
-  // As it stood when follow() was called: "head_camera", "film_camera". 0: as many pixels as the
-  // station's row says. The film's camera stands where its row says, or on another side of the
-  // robot or nearer to it where that sees more of it: in an aisle there are shelves all round.
+  // As it stood when follow() was called: one of aisle_cameras, or "film_camera". 0: as many pixels
+  // as the station's row says. The film's camera stands where its row says, or on another side of
+  // the robot or nearer to it where that sees more of it: in an aisle there are shelves all round.
   // Error camera.unknown.
   Result<render::Camera> camera(std::string_view name, int width = 0, int height = 0) const;
   render::Renderer& renderer() { return *renderer_; }
@@ -55,7 +57,8 @@ class AisleView {
   render::Actor robot_;
   std::vector<SeenPerson> people_;
   std::uint32_t robot_object_ = 0;  // its number in pictures
-  Pose world_from_base_, world_from_head_;
+  Pose world_from_base_;
+  std::array<Pose, aisle_cameras.size()> world_from_camera_{};
 };
 
 }  // namespace marketgen::episodes

@@ -138,7 +138,7 @@ Result<EpisodeSpec> DoorStages::draw(const EpisodeOrigin& origin, Seed seed) {
   spec.robot = store_->station.robot;
   spec.tools = store_->station.tools().id;
   spec.doors = Doors::hinged;
-  spec.cameras = {"head_camera"};
+  spec.cameras = {aisle_cameras.begin(), aisle_cameras.end()};
   spec.limit_s = stage_limit_s;
   spec.certificate.proved.assign(shown_before_a_door.begin(), shown_before_a_door.end());
   std::vector<std::uint32_t> doors;

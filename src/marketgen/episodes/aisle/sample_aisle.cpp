@@ -68,16 +68,8 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
   made->doors_ = std::make_unique<DoorBook>(made->store_);
   made->rules_ = std::move(rules);
   made->offer_ = Offer(store_stock(made->store_->scene));
-  const scene::Scene& scene = made->store_->scene;
-  std::set<std::uint32_t> seen;
-  for (const scene::SceneProduct& product : scene.products) {
-    if (!seen.insert(product.sku).second) continue;
-    const catalog::Product& goods = scene.catalog[product.sku];
-    if (made->is_drawn_from(goods)) made->shapes_[goods.archetype].push_back(&goods);
-  }
-  std::size_t products = 0;
-  for (const auto& [shape, of_shape] : made->shapes_)
-    products += of_shape.size();
+  made->add_drawn_from();
+  const std::size_t products = count_of(made->shapes_);
   const int needed = made->rules_.difficulty.goals.max;
   if (products < static_cast<std::size_t>(needed))
     return Error{
@@ -88,49 +80,6 @@ Result<std::unique_ptr<AisleSampler>> AisleSampler::make(std::shared_ptr<const A
             products,
             needed)};
   return made;
-}
-
-// All that can be had of it from the front: whoever fetches it takes any.
-bool AisleSampler::stands_on_levels(const std::string& sku) const {
-  if (rules_.difficulty.levels.empty()) return true;
-  return std::ranges::all_of(store_->front_items(sku), [&](std::uint32_t row) {
-    return rules_.difficulty.has_level(store_->scene.products[row].position_m[2]);
-  });
-}
-
-// In the front row of a shelf within reach; where a robot can stand before it; rigid; unseen.
-bool AisleSampler::is_drawn_from(const catalog::Product& product) const {
-  if (rules_.trained_on.has(product) || !stands_on_levels(product.sku)) return false;
-  if (rules_.split == Split::all) return !store_->front_items(product.sku).empty();
-  return (rules_.split == Split::paper || product.rigidity != catalog::Rigidity::soft) &&
-         !store_->standing_places(product.sku).empty();
-}
-
-// What is_drawn_from misses: of where its items stand what came nearest to it.
-std::string AisleSampler::why_not_drawn(const catalog::Product& product) const {
-  if (rules_.trained_on.has(product)) return std::string(seen_in_training);
-  if (!stands_on_levels(product.sku)) return "other_level";
-  if (!store_->front_items(product.sku).empty())
-    return store_->standing_places(product.sku).empty() ? "no_room_before" : "soft";
-  ShelfRefusal nearest = ShelfRefusal::behind_another;
-  for (const std::uint32_t row : store_->items_of(product.sku))
-    nearest = std::max(nearest, store_->shelf_refusal(row));
-  return std::string(name_of(nearest));
-}
-
-Result<GoalChance> AisleSampler::goal_chance(const catalog::Product& product) {
-  if (!is_drawn_from(product)) return GoalChance{why_not_drawn(product)};
-  MARKETGEN_TRY(const StudiedProduct studied, book_->study(product));
-  if (!studied.why_not.empty()) return GoalChance{studied.why_not};
-  const scene::Scene& scene = store_->scene;
-  std::set<std::uint32_t> fixtures;
-  for (const std::uint32_t row : store_->front_items(product.sku)) {
-    if (!store_->standing_place(row)) continue;
-    MARKETGEN_TRY(const OpenDoor door, doors_->before(row));
-    if (door.why_not.empty())
-      fixtures.insert(scene.shelves[scene.facings[scene.products[row].facing].shelf].fixture);
-  }
-  return GoalChance{fixtures.empty() ? std::string(door_stays_shut) : "", std::move(fixtures)};
 }
 
 // Numbers of the grasps by which a product can be fetched; none when it cannot.
@@ -402,10 +351,12 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
   Witness witness{axle_of(store_->robot, upright(*start)), {}, {}};
   std::set<std::string> drawn;
   const Seed words = seed.child("words");
+  const bool alike = seed.child("look_alikes").stream().chance(difficulty.look_alikes);
   int most = two_of_a_kind ? 2 : 1;  // items of the next goal
   for (int i = 0; i < max_skus_drawn && static_cast<int>(spec.goals.size()) < wanted; ++i) {
-    auto shape = shapes_.begin();
-    std::advance(shape, draw.integer(0, static_cast<int>(shapes_.size()) - 1));
+    const Shapes& shapes = shapes_for_next(spec, alike);
+    auto shape = shapes.begin();
+    std::advance(shape, draw.integer(0, static_cast<int>(shapes.size()) - 1));
     const auto& of_shape = shape->second;
     const catalog::Product& product =
         *of_shape[static_cast<std::size_t>(draw.integer(0, static_cast<int>(of_shape.size()) - 1))];
@@ -419,6 +370,7 @@ Result<std::optional<EpisodeSpec>> AisleSampler::attempt(EpisodeSpec spec, Seed 
   if (static_cast<int>(spec.goals.size()) < wanted) return std::optional<EpisodeSpec>{};
   spec.start = {start->position.x, start->position.y, start->heading * 180 / std::numbers::pi};
   if (!is_far_enough(spec)) return std::optional<EpisodeSpec>{};
+  spec.look_alikes = has_look_alike(spec);
   if (!tell_goals(offer_, InstructionVerb::collect, words, spec))
     return std::optional<EpisodeSpec>{};
   return std::optional(std::move(spec));
@@ -454,7 +406,7 @@ Result<EpisodeSpec> AisleSampler::sample(const EpisodeOrigin& origin,
   spec.track = Track::aisle;
   spec.robot = store_->station.robot;
   spec.tools = store_->station.tools().id;
-  spec.cameras = {"head_camera"};
+  spec.cameras = {aisle_cameras.begin(), aisle_cameras.end()};
   spec.instructions = rules_.instructions;
   spec.limit_s = with_doors ? doors_limit_s : store_->station.limit_s;
   spec.certificate.proved = shown();

@@ -52,13 +52,22 @@ class AisleSampler {
 
  private:
   struct Witness;
+  using Shapes = std::map<std::string, std::vector<const catalog::Product*>>;  // by archetype
   AisleSampler() = default;
-  Result<std::vector<int>> grasps_for(const catalog::Product& product);
-  std::vector<std::string> shown() const;
+
+  // ---- What is asked for: aisle_goals.cpp ----
+  static std::size_t count_of(const Shapes& shapes);  // products
+  void add_drawn_from();
+  const Shapes& shapes_for_next(const EpisodeSpec& spec, bool look_alikes) const;
+  bool has_look_alike(const EpisodeSpec& spec) const;
   bool is_drawn_from(const catalog::Product& product) const;
   bool stands_on_levels(const std::string& sku) const;
-  bool is_far_enough(const EpisodeSpec& spec) const;
   std::string why_not_drawn(const catalog::Product& product) const;
+
+  // ---- A way to it ----
+  Result<std::vector<int>> grasps_for(const catalog::Product& product);
+  std::vector<std::string> shown() const;
+  bool is_far_enough(const EpisodeSpec& spec) const;
   std::vector<std::uint32_t> nearest_rows(const std::string& sku, const Vec3& axle) const;
   bool can_be_told(const catalog::Product& product, Seed words);
   Result<int> witnessed(
@@ -92,8 +101,7 @@ class AisleSampler {
   std::unique_ptr<DoorBook> doors_;
   DrawRules rules_;
   Offer offer_{std::vector<catalog::Product>{}};  // all that the store sells
-  std::map<std::string, std::vector<const catalog::Product*>>
-      shapes_;  // within reach, by archetype
+  Shapes shapes_, alike_, unlike_;  // within reach: all; with a look-alike beside it; without
   mutable std::mutex mutex_;
   std::map<std::string, std::string> considered_;  // SKU: why it is not held, or empty
 };

@@ -16,10 +16,6 @@
 namespace marketgen::episodes {
 namespace {
 
-std::string station_of(const Motion& motion) {
-  return motion.station.empty() ? checkout_station : motion.station;
-}
-
 class RecordedCheckout : public RecordedView {
  public:
   RecordedCheckout(const Motion& motion,
@@ -127,7 +123,7 @@ class CheckoutEntry : public TrackEntry {
                                  const Motion& motion,
                                  std::shared_ptr<const scene::Scene> store,
                                  const catalog::Catalog& catalog) const override {
-    const std::string named = station_of(motion);
+    const std::string named = station_or_own(motion.station);
     MARKETGEN_TRY(const CheckoutStation station, load_checkout_station(data, named, motion.tools));
     MARKETGEN_TRY(robots::Robot robot, load_station_robot(data, station));
     CheckoutPlace place = checkout_room(station);
@@ -151,7 +147,7 @@ class CheckoutEntry : public TrackEntry {
       const RecordedPlace& place,
       const std::vector<catalog::Product>& products) const override {
     MARKETGEN_TRY(const CheckoutStation station,
-                  load_checkout_station(data, station_of(motion), motion.tools));
+                  load_checkout_station(data, station_or_own(motion.station), motion.tools));
     auto scene = std::make_unique<scene::Scene>(*place.scene);
     MARKETGEN_CHECK(add_items(*scene, motion, products));
     const std::vector<double>& at = motion.store_from_robot;

@@ -118,9 +118,10 @@ Result<CheckoutRefusal> cup_refusal(const catalog::Product& product,
 Result<CheckoutHand> checkout_hand(const std::filesystem::path& data,
                                    const std::vector<catalog::FrictionRow>& frictions,
                                    const std::vector<catalog::Product>& products,
-                                   const std::string& tools) {
+                                   const std::string& tools,
+                                   const std::string& station_id) {
   MARKETGEN_TRY(const CheckoutStation station,
-                load_checkout_station(data, checkout_station, tools));
+                load_checkout_station(data, station_or_own(station_id), tools));
   CheckoutHand hand;
   if (station.carries > 0) hand.tools = station.tools().id;
   MARKETGEN_TRY(const robots::GraspTool tool,

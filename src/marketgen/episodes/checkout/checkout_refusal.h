@@ -63,11 +63,14 @@ struct CheckoutHand {
   }
 };
 
-// Of a tool set of Checkout Unloading (the first when `tools` is empty), for these products.
+// Of a tool set (the first when `tools` is empty) of a station (that of Checkout Unloading when it
+// is empty), for these products. What a gripper can be expected to hold is said of long fingers and
+// a basket with a ledge; at other stations that is where a search for a witness begins.
 // Errors: those of load_checkout_station, load_grasp_tool and cup_refusal.
 Result<CheckoutHand> checkout_hand(const std::filesystem::path& data,
                                    const std::vector<catalog::FrictionRow>& frictions,
                                    const std::vector<catalog::Product>& products,
-                                   const std::string& tools);
+                                   const std::string& tools,
+                                   const std::string& station = {});
 
 }  // namespace marketgen::episodes

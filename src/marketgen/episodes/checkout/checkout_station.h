@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/fields.h"
@@ -140,6 +141,16 @@ struct CheckoutStation {
 };
 
 inline constexpr char checkout_station[] = "checkout";
+
+// Rows at which baskets of a store are unloaded: with fingers and a basket that make it easier, and
+// with what one can buy.
+enum class UnloadingStation { eased, stock };
+constexpr std::array<std::string_view, 2> names_of(UnloadingStation) {
+  return {checkout_station, "checkout-stock"};
+}
+inline std::string station_or_own(const std::string& id) {
+  return id.empty() ? checkout_station : id;
+}
 
 // `data` is usually data_folder(), `id` the name of its file; with one of its tool sets, the first
 // when `tools` is empty. Errors: catalog.missing_data, those of read_json, catalog.bad_row when a

@@ -14,8 +14,9 @@
 namespace marketgen::episodes {
 namespace {
 
-constexpr int max_baskets = 20;      // drawn until enough stays in
-constexpr int max_cup_baskets = 80;  // a cup needs a flat face up, and no finger rights a pack
+constexpr int max_baskets = 20;  // drawn until enough stays in
+// A cup needs a flat face up, and no finger rights a pack; short fingers do not reach down to much.
+constexpr int max_rare_baskets = 80;
 // A full basket has a way through far less often: so many times as many.
 constexpr int other_difficulty_times = 5;
 constexpr double settle_s = 1.5;    // in the station, with the basket free
@@ -347,21 +348,24 @@ Result<EpisodeSpec> sample_checkout(const std::filesystem::path& data,
                              targets.size(),
                              min_stock)};
   MARKETGEN_TRY(CheckoutWorld world,
-                CheckoutWorld::create(data, frictions, checkout_station, hand.tools));
+                CheckoutWorld::create(data, frictions, station_or_own(rules.station), hand.tools));
   const Seed own =
       rules.difficulty.seed_of(seed.child("checkout", static_cast<std::uint64_t>(index)));
-  const std::string kind = hand.tools.empty() ? "checkout" : "checkout/" + hand.tools;
+  const std::string at = station_or_own(rules.station);
+  const std::string kind = hand.tools.empty() ? at : at + "/" + hand.tools;
   EpisodeSpec spec = begun_spec(rules.difficulty.kind_of(kind), origin, seed, index, own);
   spec.difficulty = rules.difficulty.told();
   spec.robot = world.station().robot;
   spec.tools = hand.tools;
+  if (at != checkout_station) spec.station = at;
   spec.instructions = rules.instructions;
   spec.cameras = {"scene", "wrist"};
   spec.limit_s = world.station().limit_s;
   CheckoutSampler sampler(stock, world, certify, prove, hand, targets, rules, own);
   const bool cup = world.robot().tools.front().kind == robots::ToolKind::suction;
   const int times = rules.difficulty.is_standard() ? 1 : other_difficulty_times;
-  const int max_drawn = times * (cup ? max_cup_baskets : max_baskets);
+  const bool rare = cup || at != checkout_station;
+  const int max_drawn = times * (rare ? max_rare_baskets : max_baskets);
   for (int number = 0; number < max_drawn; ++number) {
     MARKETGEN_TRY(std::optional<EpisodeSpec> made, sampler.attempt(spec, number));
     if (made) return std::move(*made);
