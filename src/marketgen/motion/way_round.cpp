@@ -109,9 +109,11 @@ std::optional<PointMm> passing_place(const navigation::FreeSpace& space,
   };
   if (!misses(base, now)) return {};
   const NearFloor::Cells own = floor.reached(base, person, room_mm);
+  const double least_mm = std::min<double>(room_mm, apart_mm(base, person));
+  const auto keeps_off = [&](PointMm at) { return apart_mm(at, person) >= least_mm; };
   std::vector<int> places;
   for (int cell = 0; cell < cells * cells; ++cell)
-    if (own[static_cast<std::size_t>(cell)]) places.push_back(cell);
+    if (own[static_cast<std::size_t>(cell)] && keeps_off(floor.point(cell))) places.push_back(cell);
   std::ranges::stable_sort(places, {}, [&](int cell) { return apart_mm(floor.point(cell), base); });
   for (const int cell : places) {
     const PointMm at = floor.point(cell);
@@ -154,9 +156,10 @@ Result<WayRound> plan_way_round(const navigation::VisibilityGraph& graph,
   if (auto past = plan_drive(graph, robot, state, here, to, people); past.ok())
     return WayRound{.on = std::move(past->follower)};
   const int room_mm = graph.space().clearance_mm() + point_of({body_m + beside_base_m, 0})[0];
-  auto place = passing_place(graph.space(), stands, people, room_mm);
-  if (!place && waited) place = place_away(graph.space(), stands, people, room_mm);
-  if (place) {
+  std::vector<std::optional<PointMm>> places{passing_place(graph.space(), stands, people, room_mm)};
+  if (waited) places.insert(places.begin(), place_away(graph.space(), stands, people, room_mm));
+  for (const std::optional<PointMm>& place : places) {
+    if (!place) continue;
     const FloorPlace aside{{(*place)[0] * 1e-3, (*place)[1] * 1e-3}, from.heading};
     auto there = plan_drive(graph, robot, state, here, aside, people);
     auto on = plan_drive(graph, robot, state, aside, to);

@@ -170,7 +170,8 @@ Result<void> AisleOracle::make_way() {
                                        memory_.goes_to,
                                        skills::people_about(now_),
                                        memory_.waited));
-  memory_.waited = way.wait_s > 0 && !way.aside;
+  // What was in vain is not tried twice running.
+  memory_.waited = way.wait_s > 0 && !memory_.waited;
   say(way.aside ? "makes room for somebody" : way.wait_s > 0 ? "waits for somebody" : "goes round");
   memory_.executor.drive(std::move(way));
   return memory_.phase == Phase::arrived ? rise_and_open() : Result<void>{};

@@ -138,7 +138,7 @@ Result<void> AisleBody::drive_to(const robots::BasePlace& place) {
 Result<void> AisleBody::make_way() {
   MARKETGEN_TRY(motion::WayRound way,
                 setup_.map->way_round(now_.base, goes_to_, skills::people_about(now_), waited_));
-  waited_ = way.wait_s > 0 && !way.aside;
+  waited_ = way.wait_s > 0 && !waited_;  // what was in vain is not tried twice running
   executor_.drive(std::move(way));
   return looks_there_ ? executor_.look(looks_there_->first, looks_there_->second) : Result<void>{};
 }

@@ -91,6 +91,29 @@ TEST(WayRound, AfterItWaitedInVainItGoesAway) {
   EXPECT_GE(std::hypot(at.x - 6.5, at.y - 3), 2.99);
 }
 
+// A bay of 1.5 m in a corner, somebody in it, the robot before its mouth: a little nearer to them
+// would let them out, too, but it cannot get there.
+TEST(WayRound, OutOfTheMouthOfABay) {
+  const robots::Robot& robot = committed_robot("realman-rm75");
+  const PolygonMm hall{{550, 0}, {8000, 0}, {8000, 6950}, {550, 6950}};
+  const auto graph =
+      navigation::VisibilityGraph::make(hall, {{2050, 5850, 8000, 6950}}, clearance_mm).value();
+  const std::vector<motion::MovingDisc> people{person_at(1.177, 5.954)};
+  for (const bool waited : {false, true}) {
+    const auto way = motion::plan_way_round(
+        graph, robot, stow_of(robot), {{1.87, 5.13}, 0.8}, {{1.3, 6.2}, 1.6}, people, waited);
+    ASSERT_TRUE(way.ok()) << to_string(way.error());
+    if (!waited && !way->aside) continue;
+    ASSERT_TRUE(way->aside);
+    motion::BaseFollower aside = *way->aside;
+    for (int step = 0; step < 4000 && !aside.done(); ++step)
+      aside.step(0.05, people);
+    ASSERT_TRUE(aside.done());
+    const Vec2 at = aside.state().position;
+    EXPECT_GT(std::hypot(at.x - 1.177, at.y - 5.954), waited ? 1.5 : 1.05);
+  }
+}
+
 TEST(WayRound, NobodyIsShutInWithoutPeople) {
   const auto graph = graph_of(corridor);
   EXPECT_FALSE(motion::passing_place(graph.space(), {4600, 3000}, {}, room_mm));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "collect/drive_graph.h"
 
@@ -12,17 +13,19 @@ namespace {
 constexpr double clear_start_m = 1.5;
 constexpr double person_height_m = 2.0;
 constexpr double beside_others_m = 0.05;  // beside the rooms of two people
-constexpr double give_way_m = 0.05;       // so much nearer they come to get past a robot ...
-constexpr double least_gap_m = 0.35;      // ... but not nearer than that
+constexpr double give_way_m = 0.05;       // so much nearer they come to get past a robot
 constexpr int first_steps = 2;            // granted together: who walks one only shuffles
 constexpr double samples_a_step = 3;
 // Shoppers stand 12 s before what they buy (Dickson and Sawyer, "The Price Knowledge and Search of
 // Supermarket Shoppers", Journal of Marketing 54, 1990).
 constexpr double least_stay_s = 4, longest_stay_s = 20;
-constexpr double waiting_stay_s = 20, looks_again_s = 2;
+constexpr double waiting_stay_s = 20;
 constexpr double near_wish_m = 6, least_way_m = 0.8;
-constexpr std::size_t near_wishes = 8, far_wishes = 6;
+constexpr std::size_t near_wishes = 8, far_wishes = 6, most_refuges = 24;
+constexpr double farther_m = 0.4;  // from the robot: worth turning round
 constexpr int max_off_ways_mm = 60;  // corners are cut by less
+// Who walks turns no faster than this, and so is slower at a sharp corner, but not slower than that.
+constexpr double max_turn_rad_s = 2.8, min_corner_m_s = 0.3;
 
 double distance(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -41,7 +44,7 @@ PointMm point_mm(Vec2 at) {
 }
 
 // About all of the robot, with what people keep from it.
-std::optional<navigation::DiscMm> room_of(std::span<const FloorDisc> robot) {
+std::vector<navigation::DiscMm> room_of(std::span<const FloorDisc> robot) {
   if (robot.empty()) return {};
   Vec2 middle{};
   for (const FloorDisc& disc : robot)
@@ -50,7 +53,25 @@ std::optional<navigation::DiscMm> room_of(std::span<const FloorDisc> robot) {
   for (const FloorDisc& disc : robot)
     radius = std::max(radius, distance(middle, disc.at) + disc.radius_m);
   radius += person_radius_m + stop_before_robot_m;
-  return navigation::DiscMm{point_mm(middle), static_cast<int>(std::ceil(radius * 1e3))};
+  return {{point_mm(middle), static_cast<int>(std::ceil(radius * 1e3))}};
+}
+
+// About each part of it, with what who squeezes past keeps from it; not those within another.
+std::vector<navigation::DiscMm> parts_of(std::span<const FloorDisc> robot) {
+  std::vector<navigation::DiscMm> parts;
+  for (std::size_t i = 0; i < robot.size(); ++i) {
+    const auto hides = [&](std::size_t other) {
+      const double spare =
+          robot[other].radius_m - robot[i].radius_m - distance(robot[i].at, robot[other].at);
+      return other != i && (spare > 0 || (spare == 0 && other < i));
+    };
+    bool hidden = false;
+    for (std::size_t other = 0; other < robot.size() && !hidden; ++other)
+      hidden = hides(other);
+    const double radius = robot[i].radius_m + person_radius_m + least_gap_m;
+    if (!hidden) parts.push_back({point_mm(robot[i].at), static_cast<int>(std::ceil(radius * 1e3))});
+  }
+  return parts;
 }
 
 double step_m(const collect::PersonAct& walk) {
@@ -116,7 +137,6 @@ void PeopleAround::begin(std::size_t person, collect::PersonWalk walk) {
   rounds_[person].acts = collect::acts_of_walk(walk);
   walker.now = {std::move(walk), 0};
   walker.granted = 0;
-  walker.stopped_s = 0;
 }
 
 collect::StandingPlace PeopleAround::stands_at(std::size_t person) const {
@@ -141,6 +161,11 @@ std::vector<Vec2> PeopleAround::held_by(std::size_t person) const {
   return held;
 }
 
+// From the robot, on this walk.
+double PeopleAround::keeps_m(std::size_t person) const {
+  return walkers_[person].squeezes ? least_gap_m : stop_before_robot_m - give_way_m;
+}
+
 bool PeopleAround::may_step(std::size_t person, int step, Robot robot) const {
   const collect::PersonAct& walk = *collect::walked_act(rounds_[person].acts);
   const Vec2 here = place(person);
@@ -150,7 +175,7 @@ bool PeopleAround::may_step(std::size_t person, int step, Robot robot) const {
     there.push_back(walk.way->at(step_m(walk) * (step - 1 + i / samples_a_step)).position);
   for (const Vec2 at : there) {
     const double gap = gap_m(at, robot);
-    if (gap < std::min(stop_before_robot_m, gap_here) - give_way_m) return false;
+    if (gap < std::min(keeps_m(person), gap_here - give_way_m)) return false;
     if (gap < std::min(least_gap_m, gap_here)) return false;
   }
   for (std::size_t other = 0; other < count(); ++other) {
@@ -206,35 +231,35 @@ bool PeopleAround::walk_on(std::size_t person,
   const int last = std::max(soonest, first_steps);
   if (last >= walker.granted || walker.now.walk.steps_cut == walker.granted) return true;
   const double gap_there = gap_m(walk.way->at(step * walker.granted).position, robot);
-  if (gap_there < std::min(stop_before_robot_m, gap_here) - give_way_m) cut(person, last);
+  if (gap_there < std::min(keeps_m(person), gap_here - give_way_m)) cut(person, last);
   return true;
 }
 
-// Of who stands where their walk led.
+// Of who stands where their walk led. Who looked for a way in vain stands until they look again.
 bool PeopleAround::has_stood_enough(std::size_t person, double dt_s, Robot robot) {
   Walker& walker = walkers_[person];
-  const bool waits = walker.now.walk.steps_cut > 0;
+  const bool waits = walker.now.walk.steps_cut > 0 || walker.found_none;
   const bool is_asked = gap_m(place(person), robot) < asks_for_room_m;
   walker.stopped_s = waits || is_asked ? walker.stopped_s + dt_s : 0;
-  return walker.stopped_s > patience_s || walker.now.time_s >= end_s(rounds_[person].acts.back());
+  const bool is_over = walker.now.time_s >= end_s(rounds_[person].acts.back());
+  return is_over || (walker.stopped_s > patience_s && !walker.found_none);
 }
 
 // Those who are farther may have gone when the person comes there.
-std::vector<navigation::DiscMm> PeopleAround::in_the_way(std::size_t person, Robot robot) const {
-  std::vector<navigation::DiscMm> discs;
+PeopleAround::Discs PeopleAround::others_in_the_way(std::size_t person) const {
+  Discs discs;
   const Vec2 here = place(person);
   for (std::size_t other = 0; other < count(); ++other) {
     if (other == person || distance(place(other), here) > near_wish_m) continue;
     const double rooms = who(person).room_m + who(other).room_m + beside_others_m;
     discs.push_back({point_mm(held_by(other).back()), static_cast<int>(std::ceil(rooms * 1e3))});
   }
-  if (const auto room = room_of(robot)) discs.push_back(*room);
   return discs;
 }
 
 std::optional<collect::PersonWalk> PeopleAround::walk_to(std::size_t person,
                                                          const collect::StandingPlace& to,
-                                                         std::span<const navigation::DiscMm> past,
+                                                         const Discs& past,
                                                          double stay_s) const {
   const navigation::VisibilityGraph& ways = company_->floor.graph;
   collect::PersonWalk walk{.from = stands_at(person), .heading_rad = to.heading_rad};
@@ -244,8 +269,11 @@ std::optional<collect::PersonWalk> PeopleAround::walk_to(std::size_t person,
   if (!path.ok() || path->length_m < least_way_m) return {};
   walk.points = std::move(path->points);
   walk.points.front() = here;
-  walk.speed_m_s = company_->seeds[person].child("speed").stream().uniform(collect::min_walk_m_s,
-                                                                           collect::max_walk_m_s);
+  const double own_m_s = company_->seeds[person].child("speed").stream().uniform(
+      collect::min_walk_m_s, collect::max_walk_m_s);
+  const collect::FloorWay way({walk.points, 0}, collect::WayTurning::even);
+  const double corner_m_s = max_turn_rad_s / std::max(way.sharpest_rad_m(), 1e-3);
+  walk.speed_m_s = std::min(own_m_s, std::max(corner_m_s, min_corner_m_s));
   walk.stay_s = stay_s;
   return walk;
 }
@@ -273,27 +301,71 @@ std::vector<collect::StandingPlace> PeopleAround::wishes(std::size_t person, Str
   return wished;
 }
 
+// Those who are farther off from the robot, the nearest first; above them those to which it does
+// not come too near.
+std::vector<collect::StandingPlace> PeopleAround::refuges(std::size_t person, Robot robot) const {
+  const Vec2 here = place(person);
+  const double gap_here = gap_m(here, robot);
+  std::vector<collect::StandingPlace> places;
+  for (const collect::StandingPlace& place : company_->floor.shelves)
+    if (gap_m(place.position, robot) > gap_here + farther_m) places.push_back(place);
+  std::ranges::stable_sort(places, {}, [&](const collect::StandingPlace& place) {
+    const bool too_near = gap_m(place.position, robot) < asks_for_room_m;
+    return std::pair(too_near, distance(place.position, here));
+  });
+  places.resize(std::min(places.size(), most_refuges));
+  return places;
+}
+
+bool PeopleAround::goes_to(std::size_t person,
+                           const collect::StandingPlace& to,
+                           const Discs& past,
+                           double stay_s,
+                           Robot robot) {
+  auto walk = walk_to(person, to, past, stay_s);
+  if (!walk) return false;
+  begin(person, std::move(*walk));
+  // Steps that the robot itself allows: as a disc it may leave more room than it does.
+  const int steps = std::min(first_steps, collect::walked_act(rounds_[person].acts)->steps);
+  if (!grant(person, steps, robot)) return false;
+  ++walkers_[person].walks;
+  return true;
+}
+
 bool PeopleAround::goes_elsewhere(std::size_t person, Stream& draw, Robot robot) {
-  const std::vector<navigation::DiscMm> past = in_the_way(person, robot);
+  Discs past = others_in_the_way(person);
+  const Discs room = room_of(robot);
+  past.insert(past.end(), room.begin(), room.end());
   const double stay_s = draw.uniform(least_stay_s, longest_stay_s);
-  for (const collect::StandingPlace& wish : wishes(person, draw)) {
-    if (gap_m(wish.position, robot) < asks_for_room_m) continue;
-    auto walk = walk_to(person, wish, past, stay_s);
-    if (!walk) continue;
-    begin(person, std::move(*walk));
-    // Steps that the robot itself allows: as a disc it may leave more room than it does.
-    const int steps = std::min(first_steps, collect::walked_act(rounds_[person].acts)->steps);
-    if (!grant(person, steps, robot)) continue;
-    ++walkers_[person].walks;
-    return true;
-  }
-  return false;
+  return std::ranges::any_of(wishes(person, draw), [&](const collect::StandingPlace& wish) {
+    return gap_m(wish.position, robot) >= asks_for_room_m &&
+           goes_to(person, wish, past, stay_s, robot);
+  });
+}
+
+// Of who found no way: past the robot, nearer than they like, or away from it.
+bool PeopleAround::gets_away(std::size_t person, Stream& draw, Robot robot) {
+  Discs past = others_in_the_way(person);
+  const Discs parts = parts_of(robot);
+  past.insert(past.end(), parts.begin(), parts.end());
+  const double stay_s = draw.uniform(least_stay_s, longest_stay_s);
+  walkers_[person].squeezes = true;
+  return std::ranges::any_of(refuges(person, robot), [&](const collect::StandingPlace& to) {
+    return goes_to(person, to, past, stay_s, robot);
+  });
 }
 
 void PeopleAround::decide(std::size_t person, Robot robot) {
-  const std::uint32_t number = walkers_[person].decisions++;
-  Stream draw = company_->seeds[person].child("decision", number).stream();
-  if (goes_elsewhere(person, draw, robot)) return;
+  Walker& walker = walkers_[person];
+  Stream draw = company_->seeds[person].child("decision", walker.decisions++).stream();
+  walker.squeezes = false;
+  const bool goes = goes_elsewhere(person, draw, robot) ||
+                    (walker.found_none && gets_away(person, draw, robot));
+  walker.found_none = !goes;
+  if (goes) {
+    walker.stopped_s = 0;
+    return;
+  }
   collect::PersonWalk stays{.from = stands_at(person)};
   stays.stay_s = looks_again_s;
   begin(person, std::move(stays));

@@ -5,8 +5,9 @@
 // to where another has been granted theirs, is refused, and they come to stand before it. So nobody
 // ever meets anybody. Who was stopped for some seconds goes another way or elsewhere, past
 // everybody and the robot as they stand; so does who stands where a robot waits before them. Who
-// finds no way stands on and looks again later: that is who is shut in by the robot, which has to
-// make room.
+// found no such way and still stands there comes nearer to the robot to get past it, or turns
+// round and goes as far from it as they can. Only who is shut in by it and has nowhere farther to
+// go stands on and looks again later: the robot has to make room.
 //
 // Store frame, SI units.
 #pragma once
@@ -28,8 +29,11 @@ namespace marketgen::episodes {
 inline constexpr double stop_before_robot_m = 0.6;
 // A robot that is nearer than that to somebody who stands there asks them to make room.
 inline constexpr double asks_for_room_m = 1.2;
-// How long people stand before a robot, or one another, until they go elsewhere.
-inline constexpr double patience_s = 2;
+// Who finds no other way comes so near to a robot to get past it.
+inline constexpr double least_gap_m = 0.35;
+// How long people stand before a robot, or one another, until they go elsewhere; and until who
+// found nowhere to go looks again.
+inline constexpr double patience_s = 2, looks_again_s = 2;
 
 // Their bodies for contacts: an upright cylinder to the shoulders, a ball for the head. Radii after
 // ANSUR II: half of a mean bideltoid breadth of 0.49 m, of a head of 0.20 m.
@@ -64,6 +68,9 @@ class PeopleAround {
   double stature_m(std::size_t person) const { return who(person).look.stature_m; }
   // Whether nothing that stands on the floor is between them and `from`.
   bool sees(Vec2 from, std::size_t person) const;
+  // How long somebody or the robot has kept them from going where they want, or waited before
+  // them; 0 once they go.
+  double stopped_s(std::size_t person) const { return walkers_[person].stopped_s; }
   // How many walks they have begun.
   int walks(std::size_t person) const { return static_cast<int>(walkers_[person].walks); }
   // Posed as at that moment of theirs.
@@ -82,9 +89,12 @@ class PeopleAround {
     double stopped_s = 0;  // by somebody or the robot
     double speed_m_s = 0;
     std::uint32_t walks = 0, decisions = 0;
+    bool found_none = false;  // where to go, when they looked last
+    bool squeezes = false;    // on this walk: past the robot by least_gap_m
     template <class Archive, class Self>
     static void bytes(Archive& archive, Self& self) {
       archive(self.now, self.granted, self.stopped_s, self.speed_m_s, self.walks, self.decisions);
+      archive(self.found_none, self.squeezes);
     }
   };
   struct Company {
@@ -94,6 +104,7 @@ class PeopleAround {
     std::vector<Seed> seeds;
   };
   using Robot = std::span<const FloorDisc>;
+  using Discs = std::vector<navigation::DiscMm>;
 
   const collect::PersonRound& who(std::size_t person) const { return company_->who[person]; }
   void know_acts();
@@ -105,14 +116,22 @@ class PeopleAround {
   void cut(std::size_t person, int steps);
   bool walk_on(std::size_t person, const collect::PersonAct& walk, double to_s, Robot robot);
   bool has_stood_enough(std::size_t person, double dt_s, Robot robot);
+  double keeps_m(std::size_t person) const;
   void decide(std::size_t person, Robot robot);
+  bool goes_to(std::size_t person,
+               const collect::StandingPlace& to,
+               const Discs& past,
+               double stay_s,
+               Robot robot);
   bool goes_elsewhere(std::size_t person, Stream& draw, Robot robot);
-  std::vector<navigation::DiscMm> in_the_way(std::size_t person, Robot robot) const;
+  bool gets_away(std::size_t person, Stream& draw, Robot robot);
+  Discs others_in_the_way(std::size_t person) const;
   std::optional<collect::PersonWalk> walk_to(std::size_t person,
                                              const collect::StandingPlace& to,
-                                             std::span<const navigation::DiscMm> past,
+                                             const Discs& past,
                                              double stay_s) const;
   std::vector<collect::StandingPlace> wishes(std::size_t person, Stream& draw) const;
+  std::vector<collect::StandingPlace> refuges(std::size_t person, Robot robot) const;
 
   std::shared_ptr<const Company> company_;
   std::vector<Walker> walkers_;
