@@ -81,6 +81,20 @@ const MovingDisc& nearest_to(PointMm base, std::span<const MovingDisc> people) {
   });
 }
 
+// Past those people if they stand: where the base is too near to somebody already, its ways lead
+// nearer past them than it drives.
+bool gets_there(BaseFollower way, std::span<const MovingDisc> people) {
+  constexpr double step_s = 0.05, max_way_s = 300;
+  std::vector<MovingDisc> standing(people.begin(), people.end());
+  for (MovingDisc& person : standing)
+    person.speed = 0;
+  for (double t = 0; t < max_way_s && !way.done(); t += step_s) {
+    way.step(step_s, standing);
+    if (way.waits()) return false;
+  }
+  return way.done();
+}
+
 bool opens_more(const NearFloor::Cells& with, const NearFloor::Cells& without) {
   for (std::size_t i = 0; i < with.size(); ++i)
     if (with[i] && !without[i]) return true;
@@ -153,7 +167,8 @@ Result<WayRound> plan_way_round(const navigation::VisibilityGraph& graph,
                                 bool waited) {
   const PointMm stands = graph.space().nearest_free(point_of(from.position), max_off_mm);
   const FloorPlace here{{stands[0] * 1e-3, stands[1] * 1e-3}, from.heading};
-  if (auto past = plan_drive(graph, robot, state, here, to, people); past.ok())
+  auto past = plan_drive(graph, robot, state, here, to, people);
+  if (past.ok() && gets_there(past->follower, people))
     return WayRound{.on = std::move(past->follower)};
   const int room_mm = graph.space().clearance_mm() + point_of({body_m + beside_base_m, 0})[0];
   std::vector<std::optional<PointMm>> places{passing_place(graph.space(), stands, people, room_mm)};
@@ -163,7 +178,7 @@ Result<WayRound> plan_way_round(const navigation::VisibilityGraph& graph,
     const FloorPlace aside{{(*place)[0] * 1e-3, (*place)[1] * 1e-3}, from.heading};
     auto there = plan_drive(graph, robot, state, here, aside, people);
     auto on = plan_drive(graph, robot, state, aside, to);
-    if (there.ok() && on.ok())
+    if (there.ok() && on.ok() && gets_there(there->follower, people))
       return WayRound{std::move(there->follower), let_past_s, std::move(on->follower)};
   }
   MARKETGEN_TRY(DrivePlan later, plan_drive(graph, robot, state, here, to));
