@@ -8,8 +8,8 @@
 namespace marketgen::collect {
 
 // How the body is turned. `along`: as the way goes, within 0.8 m of a corner, and at the ends
-// exactly so. `even`: to where the way is half a metre on, from where it was half a metre ago, so
-// that a corner near an end turns nobody round at once.
+// exactly so. `even`: as it goes in the mean of the metre about them, so that no corner, also
+// beside an end, turns anybody round at once.
 enum class WayTurning { along, even };
 
 // Immutable. Store frame, metres.

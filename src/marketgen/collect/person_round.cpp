@@ -240,8 +240,8 @@ std::optional<std::vector<PersonAct>> draw_acts(const PeopleFloor& floor,
 std::vector<PersonAct> acts_of_walk(const PersonWalk& walk) {
   RoundWriter writer;
   if (walk.walks()) {
-    const auto way = std::make_shared<const FloorWay>(navigation::FloorPath{walk.points, 0},
-                                                      WayTurning::even);
+    const auto way =
+        std::make_shared<const FloorWay>(navigation::FloorPath{walk.points, 0}, WayTurning::even);
     writer.turn(walk.from.position, walk.from.heading_rad, way->at(0).heading_rad);
     writer.walk(way, walk.speed_m_s, walk.steps_cut);
     const assets::WayPlace end = writer.walked_to();

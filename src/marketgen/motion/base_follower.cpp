@@ -116,7 +116,8 @@ double BaseFollower::room_ahead(const Leg& leg, std::span<const MovingDisc> disc
     const double half = std::sqrt(std::max(clear * clear - across * across, 0.0));
     if (!std::isfinite(along + across + clear)) return 0;
     // Who is too near already does not hold it where it comes hardly nearer to them.
-    if (half <= 0 || along <= 0 || std::abs(across) > std::hypot(along, across) - hardly_nearer_m) continue;
+    if (half <= 0 || along <= 0 || std::abs(across) > std::hypot(along, across) - hardly_nearer_m)
+      continue;
     room = std::min(room, std::max(along - half, 0.0));
   }
   return room;

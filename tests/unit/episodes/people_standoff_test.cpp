@@ -32,8 +32,7 @@ std::optional<FloorDisc> robot_in_aisle(const PeopleAround& people, Stream& draw
   const navigation::FreeSpace& floor = riverside()->ways.space();
   const RectMm around = bounds_of(plan::floor_of(riverside()->scene.layout.shell));
   for (int tries = 0; tries < 200; ++tries) {
-    const PointMm at{draw.integer(around.x0, around.x1),
-                     draw.integer(around.y0, around.y1)};
+    const PointMm at{draw.integer(around.x0, around.x1), draw.integer(around.y0, around.y1)};
     if (!floor.on_floor(at) || !floor.free(at)) continue;
     const FloorDisc robot{{at[0] * 1e-3, at[1] * 1e-3}, robot_radius_m};
     bool clear = true;
@@ -84,8 +83,8 @@ TEST(PeopleStandoffs, EndWhereverTheRobotStands) {
       const auto robot = robot_in_aisle(people, draw);
       ASSERT_TRUE(robot) << seed;
       const Standoffs seen = watch_beside(people, *robot, 90);
-      const auto where = testing::Message() << "seed " << seed << ", robot at " << robot->at.x
-                                            << ", " << robot->at.y;
+      const auto where = testing::Message()
+                         << "seed " << seed << ", robot at " << robot->at.x << ", " << robot->at.y;
       EXPECT_LT(seen.longest_s, max_standoff_s) << where;
       EXPECT_LT(seen.longest_stopped_s, max_standoff_s) << where;
       EXPECT_GT(seen.nearest_m, episodes::least_gap_m - 0.01) << where;

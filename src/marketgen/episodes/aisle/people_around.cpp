@@ -22,9 +22,10 @@ constexpr double least_stay_s = 4, longest_stay_s = 20;
 constexpr double waiting_stay_s = 20;
 constexpr double near_wish_m = 6, least_way_m = 0.8;
 constexpr std::size_t near_wishes = 8, far_wishes = 6, most_refuges = 24;
-constexpr double farther_m = 0.4;  // from the robot: worth turning round
+constexpr double farther_m = 0.4;    // from the robot: worth turning round
 constexpr int max_off_ways_mm = 60;  // corners are cut by less
-// Who walks turns no faster than this, and so is slower at a sharp corner, but not slower than that.
+// Who walks turns no faster than this, and so is slower at a sharp corner, but not slower than
+// that.
 constexpr double max_turn_rad_s = 2.8, min_corner_m_s = 0.3;
 
 double distance(Vec2 a, Vec2 b) {
@@ -69,7 +70,8 @@ std::vector<navigation::DiscMm> parts_of(std::span<const FloorDisc> robot) {
     for (std::size_t other = 0; other < robot.size() && !hidden; ++other)
       hidden = hides(other);
     const double radius = robot[i].radius_m + person_radius_m + least_gap_m;
-    if (!hidden) parts.push_back({point_mm(robot[i].at), static_cast<int>(std::ceil(radius * 1e3))});
+    if (!hidden)
+      parts.push_back({point_mm(robot[i].at), static_cast<int>(std::ceil(radius * 1e3))});
   }
   return parts;
 }
@@ -359,8 +361,8 @@ void PeopleAround::decide(std::size_t person, Robot robot) {
   Walker& walker = walkers_[person];
   Stream draw = company_->seeds[person].child("decision", walker.decisions++).stream();
   walker.squeezes = false;
-  const bool goes = goes_elsewhere(person, draw, robot) ||
-                    (walker.found_none && gets_away(person, draw, robot));
+  const bool goes =
+      goes_elsewhere(person, draw, robot) || (walker.found_none && gets_away(person, draw, robot));
   walker.found_none = !goes;
   if (goes) {
     walker.stopped_s = 0;
