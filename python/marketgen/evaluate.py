@@ -43,7 +43,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--jobs", type=int, default=0, metavar="N", help="episodes at a time; 0: as many as there are cores (default: %(default)s)")
     add("--shard", default="", metavar="I/N", help="run a part of the file; `marketgen merge` joins them")
     add("--repetition", type=int, default=1, metavar="N", help="which run of the episodes this is: from 2 on all that is drawn is drawn anew")
-    add("--realism", default="ideal", help="ideal, standard, hard, randomized or a file (default: %(default)s)")
+    add("--realism", default="ideal", help="ideal, standard, hard, crowded, randomized or a file (default: %(default)s)")
     add("--obs-mode", metavar="MODE", help="of a policy of your own: state_robot, rgbd or pointcloud")
     add("--control-mode", metavar="MODE", help="of a policy of your own: pd_joint_pos, ...")
     add("--policy-files", action="append", default=[], metavar="PATH", help="that a policy of your own reads and writes")

@@ -109,7 +109,7 @@ def evaluate(
     shard        "2/4": the second of four parts of the file; merge() joins their results
     repetition   which run of the episodes this is: from 2 on what the policy and a realism draw is drawn anew; leaderboard() sums
                  repetitions up
-    realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard", "hard", "randomized", or a
+    realism      what stands between the world and the robot (docs/episodes.md): "ideal" (nothing), "standard", "hard", "crowded", "randomized", or a
                  file of your own that ends with .json. Rankings are meant to use "standard"
     record_motion  also keep what moved, in motion/ID.bin.gz of the folder (read_motion()); of the program's own policies
     record_decisions  also keep what "classical", "vlm" or "hybrid" decided and which of its modules was first wrong, in decisions/ID.json.gz

@@ -44,7 +44,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--size", default="256x256", help="of the pictures (default: %(default)s)")
     add("--quality", default="fast", choices=("fast", "balanced", "best"), help="of the pictures (default: %(default)s)")
     add("--control-mode", metavar="MODE", help="what an action is (default: pd_joint_pos)")
-    add("--realism", help="ideal, standard, hard, randomized or a file (default: ideal)")
+    add("--realism", help="ideal, standard, hard, crowded, randomized or a file (default: ideal)")
     add("--codec", default="h264", choices=tuple(CODECS), help="of the videos (default: %(default)s)")
     add("--success-only", action="store_true", help="leave out episodes that did not reach all their goals")
     add("--count", type=int, default=0, metavar="N", help="stop when so many are in the dataset (default: all)")

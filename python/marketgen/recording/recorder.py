@@ -98,7 +98,7 @@ def record(
     size          (width, height) of the pictures, even numbers
     quality       of the pictures: "fast", "balanced" or "best"
     control_mode  what an action is; the program's own policies need "pd_joint_pos" or "pd_joint_delta_pos"
-    realism       what stands between the world and the robot: "ideal", "standard", "hard", "randomized" or a file
+    realism       what stands between the world and the robot: "ideal", "standard", "hard", "crowded", "randomized" or a file
     codec         "h264", which keeps every pixel's colour, or "av1", which keeps one for four, as browsers want it
     success_only  leave out episodes that did not reach all their goals
     count         stop when so many are in the dataset; 0: act out all

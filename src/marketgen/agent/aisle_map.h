@@ -13,6 +13,7 @@
 #include "geometry/pose.h"
 #include "motion/base_follower.h"
 #include "motion/collision_world.h"
+#include "motion/way_round.h"
 
 namespace marketgen::agent {
 
@@ -42,6 +43,12 @@ class AisleMap {
   // From rest to rest. Errors: motion.base_blocked, motion.unreachable and those of plan_drive.
   virtual Result<motion::BaseFollower> way(const robots::BasePlace& from,
                                            const robots::BasePlace& to) const = 0;
+  // On from where people, in the frame of the store, hold the robot up; `waited`: for them
+  // in vain. Errors: likewise.
+  virtual Result<motion::WayRound> way_round(const robots::BasePlace& from,
+                                             const robots::BasePlace& to,
+                                             std::span<const motion::MovingDisc> people,
+                                             bool waited) const = 0;
   // Its length; empty when there is none.
   virtual std::optional<double> way_m(const robots::BasePlace& from,
                                       const robots::BasePlace& to) const = 0;

@@ -13,6 +13,7 @@
 #include "agent/part_use.h"
 #include "agent/subtask.h"
 #include "base/result.h"
+#include "motion/base_follower.h"
 #include "robots/wheel_drive.h"
 
 namespace marketgen::agent {
@@ -29,6 +30,9 @@ struct Observation {
   std::vector<double> external_force_n;
   robots::BasePlace base;  // as its wheels' encoders reckon it; zeros of a robot without wheels
   bool stopped = false;    // a protective stop: it takes no command yet
+  // What the laser scanner of a base that drives tells of people, in the base's frame (X ahead):
+  // those within 4 m whom no fixture hides. Empty where nobody is about.
+  std::vector<motion::MovingDisc> people;
 };
 
 // Opening of a cup that does not suck.

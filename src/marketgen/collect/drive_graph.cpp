@@ -1,5 +1,6 @@
 #include "collect/drive_graph.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "layout/layout.h"
@@ -29,6 +30,19 @@ Result<navigation::VisibilityGraph> drive_graph(const scene::Scene& scene,
   obstacles.insert(obstacles.end(), more.begin(), more.end());
   return navigation::VisibilityGraph::make(
       plan::floor_of(scene.layout.shell), obstacles, static_cast<int>(std::lround(room_m * 1e3)));
+}
+
+Result<navigation::FreeSpace> open_floor(const scene::Scene& scene, double height_m) {
+  constexpr int least_mm = 1;
+  return navigation::FreeSpace::make(
+      plan::floor_of(scene.layout.shell), obstacles_below(scene, height_m), least_mm);
+}
+
+double free_floor_m2(const scene::Scene& scene, double height_m) {
+  double free = area_m2(plan::floor_of(scene.layout.shell));
+  for (const RectMm& obstacle : obstacles_below(scene, height_m))
+    free -= obstacle.area_m2();
+  return std::max(free, 0.0);
 }
 
 }  // namespace marketgen::collect

@@ -17,4 +17,10 @@ Result<navigation::VisibilityGraph> drive_graph(const scene::Scene& scene,
                                                 const std::vector<RectMm>& more = {},
                                                 double margin_m = 0.03);
 
+// All of the floor that nothing up to such a height stands on: what may be seen across it. Errors:
+// those of FreeSpace::make.
+Result<navigation::FreeSpace> open_floor(const scene::Scene& scene, double height_m);
+// The floor that nothing up to such a height stands on, m2.
+double free_floor_m2(const scene::Scene& scene, double height_m);
+
 }  // namespace marketgen::collect

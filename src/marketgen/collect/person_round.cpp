@@ -84,15 +84,22 @@ class RoundWriter {
     for (int i = 0; i < pieces; ++i)
       add({now_, turn_piece_s, at, from_rad + whole * i / pieces, whole / pieces});
   }
-  void walk(const std::shared_ptr<const FloorWay>& way, double speed_m_s) {
-    const double even_s = way->length_m() / speed_m_s;
-    PersonAct act{now_, even_s + std::min(speed_up_s, even_s), {}, 0, 0};
-    act.way = way;
-    act.steps = std::max(
+  // All of it, or so many steps.
+  void walk(const std::shared_ptr<const FloorWay>& way, double speed_m_s, int steps_cut = 0) {
+    const int all = std::max(
         1, static_cast<int>(std::lround(way->length_m() / assets::step_length_m(speed_m_s))));
+    PersonAct act;
+    act.begin_s = now_;
+    act.way = way;
+    act.steps = steps_cut > 0 ? std::min(steps_cut, all) : all;
+    act.walk_m = act.steps == all ? way->length_m() : way->length_m() * act.steps / all;
+    const double even_s = act.walk_m / speed_m_s;
+    act.length_s = even_s + std::min(speed_up_s, even_s);
     add(std::move(act));
   }
   double now() const { return now_; }
+  // Of the last act, a walk.
+  assets::WayPlace walked_to() const { return acts_.back().way->at(acts_.back().walk_m); }
   std::vector<PersonAct> acts() { return std::move(acts_); }
 
  private:
@@ -170,16 +177,6 @@ const PersonAct& act_at(const PersonRound& person, double time_s) {
   return *(next - 1);
 }
 
-// Metres walked: even speed between speeding up and slowing down.
-double walked_m(const PersonAct& act, double time_s) {
-  const double length = act.way->length_m(), ramp = std::min(speed_up_s, act.length_s / 2);
-  const double speed = length / (act.length_s - ramp);
-  const double t = std::clamp(time_s - act.begin_s, 0.0, act.length_s), left = act.length_s - t;
-  if (t < ramp) return speed * t * t / (2 * ramp);
-  if (left < ramp) return length - speed * left * left / (2 * ramp);
-  return speed * (t - ramp / 2);
-}
-
 double turned_share(const PersonAct& act, double time_s) {
   return std::clamp((time_s - act.begin_s) / act.length_s, 0.0, 1.0);
 }
@@ -240,13 +237,50 @@ std::optional<std::vector<PersonAct>> draw_acts(const PeopleFloor& floor,
   return write_round(stops, *ways, speed, stay_s);
 }
 
+std::vector<PersonAct> acts_of_walk(const PersonWalk& walk) {
+  RoundWriter writer;
+  if (walk.walks()) {
+    const auto way =
+        std::make_shared<const FloorWay>(navigation::FloorPath{walk.points, 0}, WayTurning::even);
+    writer.turn(walk.from.position, walk.from.heading_rad, way->at(0).heading_rad);
+    writer.walk(way, walk.speed_m_s, walk.steps_cut);
+    const assets::WayPlace end = writer.walked_to();
+    const double heading = walk.steps_cut > 0 ? end.heading_rad : walk.heading_rad;
+    writer.turn(end.position, end.heading_rad, heading);
+    writer.stand({end.position, heading}, walk.stay_s);
+  } else {
+    writer.stand(walk.from, walk.stay_s);
+  }
+  return writer.acts();
+}
+
+// Even speed between speeding up and slowing down.
+double walked_in_act(const PersonAct& act, double time_s) {
+  const double length = act.walk_m, ramp = std::min(speed_up_s, act.length_s / 2);
+  const double speed = length / (act.length_s - ramp);
+  const double t = std::clamp(time_s - act.begin_s, 0.0, act.length_s), left = act.length_s - t;
+  if (t < ramp) return speed * t * t / (2 * ramp);
+  if (left < ramp) return length - speed * left * left / (2 * ramp);
+  return speed * (t - ramp / 2);
+}
+
+const PersonAct* walked_act(const std::vector<PersonAct>& acts) {
+  const auto found =
+      std::ranges::find_if(acts, [](const PersonAct& act) { return act.way != nullptr; });
+  return found == acts.end() ? nullptr : &*found;
+}
+
+double stopping_m(double speed_m_s) {
+  return speed_m_s * speed_up_s / 2;
+}
+
 std::vector<PersonAct> acts_of_standing(const StandingPlace& place) {
   return {{0, round_s, place.position, place.heading_rad, 0}};
 }
 
 assets::WayPlace place_in_round(const PersonRound& person, double time_s) {
   const PersonAct& act = act_at(person, time_s);
-  if (act.way) return act.way->at(walked_m(act, time_s));
+  if (act.way) return act.way->at(walked_in_act(act, time_s));
   const double turned =
       act.turn_rad == 0 ? 0 : assets::turned_rad(act.turn_rad, turned_share(act, time_s));
   return {act.position, act.heading_rad + turned};
@@ -257,7 +291,7 @@ double room_in_round(const PersonRound& person, double time_s) {
   constexpr double share_of_step = 0.62, past_ankle_m = 0.23;
   const PersonAct& act = act_at(person, time_s);
   if (!act.way) return person.room_m;
-  return std::max(person.room_m, share_of_step * act.way->length_m() / act.steps + past_ankle_m);
+  return std::max(person.room_m, share_of_step * act.walk_m / act.steps + past_ankle_m);
 }
 
 assets::PersonPose pose_in_round(const PersonRound& person, double time_s) {
@@ -269,9 +303,9 @@ assets::PersonPose pose_in_round(const PersonRound& person, double time_s) {
     pose = assets::walking_pose(
         look,
         [&way](double s) { return way.at(s); },
-        way.length_m(),
+        act.walk_m,
         act.steps,
-        walked_m(act, time_s));
+        walked_in_act(act, time_s));
   } else if (act.turn_rad != 0) {
     pose = assets::turning_pose(look, act.turn_rad, turned_share(act, time_s));
   } else {  // looking along the goods, and back where it began when the stay ends
@@ -281,10 +315,18 @@ assets::PersonPose pose_in_round(const PersonRound& person, double time_s) {
     pose.head_left_rad = calm * person.head_left_rad * std::cos(6 * pi * share);
   }
   // Who never walks off may hold a hand before the belly.
-  if (person.acts.size() == 1 && person.head_left_rad > 0) pose.arms[0] = assets::ArmUse::rest;
+  if (person.acts.size() == 1 && act.length_s == round_s && person.head_left_rad > 0)
+    pose.arms[0] = assets::ArmUse::rest;
   if (person.basket) pose.arms[1] = assets::ArmUse::basket;
   if (person.carries) pose.arms = {assets::ArmUse::carry, assets::ArmUse::carry};
   return pose;
+}
+
+assets::PlacedPerson placed_in_round(const PersonRound& person, double time_s) {
+  const assets::WayPlace place = place_in_round(person, time_s);
+  return {person.look,
+          pose_in_round(person, time_s),
+          {{place.position.x, place.position.y, 0}, rotation_about({0, 0, 1}, place.heading_rad)}};
 }
 
 }  // namespace marketgen::collect

@@ -145,12 +145,7 @@ double StorePeople::room_m(std::size_t person, double time_s) const {
 }
 
 assets::PlacedPerson StorePeople::person(std::size_t person, double time_s) const {
-  const PersonRound& round = rounds_[person];
-  const double t = in_round(round, time_s);
-  const assets::WayPlace place = place_in_round(round, t);
-  return {round.look,
-          pose_in_round(round, t),
-          {{place.position.x, place.position.y, 0}, rotation_about({0, 0, 1}, place.heading_rad)}};
+  return placed_in_round(rounds_[person], in_round(rounds_[person], time_s));
 }
 
 std::vector<assets::PlacedPerson> StorePeople::at(double time_s) const {

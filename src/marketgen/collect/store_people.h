@@ -33,6 +33,7 @@ struct PersonAct {
   Vec2 position;  // standing, turning
   double heading_rad = 0, turn_rad = 0;
   std::shared_ptr<const FloorWay> way = {};  // walking
+  double walk_m = 0;                         // of the way, from its beginning
   int steps = 0;
 };
 

@@ -27,9 +27,9 @@ struct EpisodeEnd {
 bool ended_in_time(const TrackWorld& world);
 
 // By the first of these that holds: all goals are met, an error broke it off, the time was over,
-// the basket was tilted too far, wrong items are there, what the policy says. A policy's error is
-// PolicyError; Unknown when nobody can say, and when the physics broke it off (`detail` says how).
-// A policy may tell any code but None, PolicyError and NotRun.
+// the basket was tilted too far or somebody was hurt, wrong items are there, what the policy says.
+// A policy's error is PolicyError; Unknown when nobody can say, and when the physics broke it off
+// (`detail` says how). A policy may tell any code but None, PolicyError and NotRun.
 FailureCode failure_of(const EpisodeResult& judged, const EpisodeEnd& end);
 
 // Adds to a judged result whose it is, why it failed, and the error.

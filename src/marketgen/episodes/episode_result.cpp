@@ -5,7 +5,7 @@ namespace marketgen::episodes {
 bool is_clean(const SideEffects& effects) {
   return effects.hard_contacts == 0 && effects.base_collisions == 0 && effects.toppled == 0 &&
          effects.dropped == 0 && effects.strayed == 0 && effects.protective_stops == 0 &&
-         effects.doors_open.value_or(0) == 0;
+         effects.doors_open.value_or(0) == 0 && effects.person_contacts.value_or(0) == 0;
 }
 
 void add_outcome(const EpisodeOutcome& outcome, EpisodeResult& result) {

@@ -72,7 +72,7 @@ struct EpisodeResult {
       field("success_clean",
             &EpisodeResult::success_clean,
             "strict, and within the limits on side effects"),
-      field("void", &EpisodeResult::is_void, "the basket was tilted too far"),
+      field("void", &EpisodeResult::is_void, "the basket was tilted too far, or somebody was hurt"),
       field("failure", &EpisodeResult::failure, "what kept the agent from its goals"),
       field("error",
             &EpisodeResult::error,

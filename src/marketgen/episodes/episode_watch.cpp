@@ -60,6 +60,8 @@ EpisodeWatch::EpisodeWatch(const physics::World& world,
     GeomRole& role = roles_[static_cast<std::size_t>(geom)];
     if (name != nullptr && std::string_view(name).starts_with(basket_prefix))
       role.part = Part::basket;
+    else if (body != nullptr && std::string_view(body).starts_with(person_prefix))
+      role.part = Part::person;
     else if (body != nullptr)
       role = role_of(robot, body);
     role.of_robot = body != nullptr &&
@@ -110,6 +112,8 @@ void EpisodeWatch::add_push(const physics::WorldContact& contact, Touches& seen)
     if (is_robot(b) && !robot) continue;  // in the hand, or over the basket
     if (robot && roles_[a.row].part == Part::base && b.kind == physics::BodyKind::fixture)
       seen.base_hit = seen.base_hit || contact.normal_n > 0;
+    if (b.kind == physics::BodyKind::actor && roles_[b.row].part == Part::person)
+      seen.people_n[static_cast<std::uint64_t>(roles_[b.row].body)] += contact.normal_n;
     seen.force_n[key_of(b)] += contact.normal_n;
     if (is_robot(b)) return;  // on itself: once
   }
@@ -246,8 +250,25 @@ void EpisodeWatch::look(physics::World& world, const Moment& moment) {
   pushes_.follow(seen.force_n, physics::time_step_s);
   base_collisions_ += seen.base_hit && !base_touches_ ? 1 : 0;
   base_touches_ = seen.base_hit;
+  look_at_people(seen);
   tilt_deg_ = std::max(tilt_deg_, lean_deg(moment.world_from_basket));
   follow_events(world);
+}
+
+void EpisodeWatch::look_at_people(const Touches& seen) {
+  person_pushes_.follow(seen.people_n, physics::time_step_s);
+  std::set<std::uint64_t> touched;
+  for (const auto& [body, force_n] : seen.people_n) {
+    person_contacts_ += touched_people_.contains(body) ? 0 : 1;
+    touched.insert(body);
+  }
+  touched_people_ = std::move(touched);
+}
+
+double EpisodeWatch::person_hardest_n() const {
+  SideEffects effects;
+  person_pushes_.add_to(effects);
+  return effects.hardest_n;
 }
 
 SideEffects EpisodeWatch::effects() const {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "episodes/push_ledger.h"
@@ -18,10 +19,13 @@ namespace marketgen::episodes {
 
 class EpisodeWatch {
  public:
+  static constexpr std::string_view person_prefix = "person/";
+
   EpisodeWatch() = default;
   // After the world was made with the robot in it. The basket's geoms are named "basket/...": it is
   // the robot's when they are on one of its links. `loose`: products that lie loose from the start
-  // and are watched from then on; others, once they were taken or are in the basket.
+  // and are watched from then on; others, once they were taken or are in the basket. People are
+  // bodies whose names begin with person_prefix.
   EpisodeWatch(const physics::World& world,
                const robots::Robot& robot,
                const std::vector<std::uint32_t>& loose = {});
@@ -63,6 +67,8 @@ class EpisodeWatch {
   // Whether both fingers of a tool are on what hangs on the joint; never without know_joints().
   bool is_joint_held(const physics::World& world, std::uint32_t joint) const;
   double max_tilt_deg() const { return tilt_deg_; }  // of the basket
+  int person_contacts() const { return person_contacts_; }
+  double person_hardest_n() const;  // the greatest force on one, mean over 10 ms
 
   // Counts contacts that still last as ended. Of loose goods `displaced`, and what else needs the
   // track's areas, is the judge's.
@@ -81,10 +87,11 @@ class EpisodeWatch {
   static void bytes(Archive& archive, Self& self) {
     archive(self.items_, self.pushes_, self.toppled_, self.dropped_, self.displaced_);
     archive(self.base_collisions_, self.base_touches_, self.tilt_deg_);
+    archive(self.person_contacts_, self.touched_people_, self.person_pushes_);
   }
 
  private:
-  enum class Part { body, base, basket, finger };
+  enum class Part { body, base, basket, finger, person };
   struct GeomRole {
     Part part = Part::body;
     int tool = -1, finger = -1;  // finger: 0 and 1, a cup is the only one
@@ -96,6 +103,7 @@ class EpisodeWatch {
     std::map<std::uint32_t, std::set<std::pair<int, int>>> fingers;  // product: tool, finger
     std::set<std::uint32_t> met, basket;
     std::map<std::uint64_t, double> force_n;
+    std::map<std::uint64_t, double> people_n;  // force on them; MuJoCo's bodies
     bool base_hit = false;
   };
   using Fingers = std::set<std::pair<int, int>>;  // tool, finger
@@ -120,6 +128,7 @@ class EpisodeWatch {
                        const Quaternion& now,
                        const Moment& moment);
   void follow_events(physics::World& world);
+  void look_at_people(const Touches& seen);
 
   std::vector<GeomRole> roles_;       // by geom
   std::vector<std::int32_t> joints_;  // by part
@@ -128,6 +137,9 @@ class EpisodeWatch {
   std::set<std::uint32_t> toppled_, dropped_, displaced_;
   int base_collisions_ = 0;
   bool base_touches_ = false;
+  int person_contacts_ = 0;
+  PushLedger person_pushes_;
+  std::set<std::uint64_t> touched_people_;
   double tilt_deg_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "agent/policy.h"
+#include "episodes/aisle/person_moment.h"
 #include "episodes/control_step.h"
 #include "episodes/realism.h"
 #include "geometry/pose.h"
@@ -26,10 +27,11 @@ struct Scenery {
   std::vector<double> robot = {};                             // all degrees of freedom
   std::vector<std::pair<std::uint32_t, Pose>> products = {};  // those that have moved, by row
   std::optional<Pose> basket = {};                            // one that is loose
+  std::vector<PersonMoment> people = {};                      // in the aisles
 
   template <class Archive, class Self>
   static void bytes(Archive& archive, Self& self) {
-    archive(self.time_s, self.robot, self.products, self.basket);
+    archive(self.time_s, self.robot, self.products, self.basket, self.people);
   }
 };
 

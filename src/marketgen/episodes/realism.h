@@ -2,17 +2,19 @@
 // that is not quite as its row says. An episode is the same task at any realism; whoever runs it
 // chooses one, and results say which.
 //
-// Four are rows, data/benchmark/realism/NAME.json: `ideal` (nothing), `standard` (a robot that was
-// calibrated and maintained), `hard` (one that was not) and `randomized` (for learning: the goods
-// themselves are other in each episode, too). All that is drawn comes from named
-// streams of the episode's seed and the number of the control step, so the same actions give the
-// same bytes by any door, on any number of threads. What is drawn once an episode: the lamps'
-// light, each camera's error of calibration, how late commands, pictures and readings are, the
-// odometry's errors of scale, where the map has fixtures, where the basket stands.
+// Five are rows, data/benchmark/realism/NAME.json: `ideal` (nothing), `standard` (a robot that was
+// calibrated and maintained), `hard` (one that was not), `crowded` (standard, with people in the
+// aisles) and `randomized` (for learning: the goods themselves are other in each episode, too). All
+// that is drawn comes from named streams of the episode's seed and the number of the control step,
+// so the same actions give the same bytes by any door, on any number of threads. What is drawn once
+// an episode: the lamps' light, each camera's error of calibration, how late commands, pictures and
+// readings are, the odometry's errors of scale, where the map has fixtures, where the basket
+// stands.
 //
 // Sources are named at each field; "assumed" is our own estimate, which nobody has measured.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -235,6 +237,21 @@ struct BasketDials {
             range(0, 45)));
 };
 
+// Who else is in the store (episodes/aisle/people_around.h). They walk from shelf to shelf, stop
+// before the robot and make room for it.
+struct PeopleDials {
+  // Shops are reckoned to hold a person on 300 square feet of their floor: 0.036 a square metre
+  // (Energy Code for New Federal Buildings, 10 CFR 434.513, table 513.2.a, "Retail").
+  double per_m2 = 0.036;
+  static constexpr auto fields = field_list(
+      field("per_m2",
+            &PeopleDials::per_m2,
+            "shoppers and staff who walk about in the aisles, on a square metre of the floor that "
+            "nothing stands on; rounded down to whole people, 60 at most, and fewer where no more "
+            "find room",
+            range(0, 0.5)));
+};
+
 struct Realism {
   std::string schema = "market-realism/1";
   std::string name = "ideal";
@@ -249,6 +266,7 @@ struct Realism {
   MapDials map;
   BasketDials basket;
   PerturbationSizes goods{.place_m = 0, .turn_deg = 0, .friction = 0, .mass = 0};
+  std::optional<PeopleDials> people = {};  // optional: names of one's own dials are their hash
 
   static constexpr auto fields = field_list(
       field("schema", &Realism::schema, "schema tag", constant("market-realism/1")),
@@ -269,7 +287,8 @@ struct Realism {
       field("goods",
             &Realism::goods,
             "where goods lie or stand, how they rub and what they weigh, once an episode; none of "
-            "it is told"));
+            "it is told"),
+      field("people", &Realism::people, "who else is in the aisles; nobody when left out"));
 };
 
 // A row by its name, or a file of one's own (load_named_dials). Errors: those of it;

@@ -5,7 +5,7 @@
 
 namespace marketgen::episodes {
 
-inline constexpr std::array<std::string_view, 4> realism_rows{
-    "ideal", "standard", "hard", "randomized"};
+inline constexpr std::array<std::string_view, 5> realism_rows{
+    "ideal", "standard", "hard", "crowded", "randomized"};
 
 }  // namespace marketgen::episodes

@@ -23,6 +23,9 @@ struct SideEffects {
   int base_collisions = 0;
   int protective_stops = 0;
   std::optional<int> doors_open = {};  // of episodes with doors
+  // Of episodes with people.
+  std::optional<int> person_contacts = {};
+  std::optional<double> person_hardest_n = {}, person_near_s = {}, person_distance_m = {};
 
   static constexpr auto fields = field_list(
       field("light_contacts", &SideEffects::light_contacts, "below 10 N"),
@@ -43,12 +46,26 @@ struct SideEffects {
             "times that the robot stopped because something pressed on it"),
       field("doors_open",
             &SideEffects::doors_open,
-            "of episodes with doors: how many stand open at the end"));
+            "of episodes with doors: how many stand open at the end"),
+      field("person_contacts",
+            &SideEffects::person_contacts,
+            "of episodes with people: times that the robot, or what it held, touched one"),
+      field("person_hardest_n",
+            &SideEffects::person_hardest_n,
+            "of episodes with people: the greatest force on one, N; above 65 the episode is void"),
+      field("person_near_s",
+            &SideEffects::person_near_s,
+            "of episodes with people: seconds in which some part of the robot was nearer to one "
+            "than 0.5 m and faster than 0.3 m/s"),
+      field("person_distance_m",
+            &SideEffects::person_distance_m,
+            "of episodes with people: smallest distance between the robot and one; 2 where none "
+            "came nearer"));
 };
 
-// No contact above 50 N, nothing driven into, toppled or dropped, no item strayed and no door left
-// open. `displaced`
-// is not asked for: what lies in a heap sinks into the room of what is taken out.
+// No contact above 50 N, nothing driven into, toppled or dropped, no item strayed, nobody touched
+// and no door left open. `displaced` is not asked for: what lies in a heap sinks into the room of
+// what is taken out.
 bool is_clean(const SideEffects& effects);
 
 }  // namespace marketgen::episodes

@@ -11,6 +11,7 @@ namespace marketgen::motion {
 namespace {
 
 constexpr double arrived = 1e-9;  // m or rad
+constexpr double hardly_nearer_m = 0.01;
 
 Vec2 in_metres(PointMm p) {
   return {p[0] * 1e-3, p[1] * 1e-3};
@@ -114,7 +115,9 @@ double BaseFollower::room_ahead(const Leg& leg, std::span<const MovingDisc> disc
         options_.base_radius + options_.margin + disc.radius + disc.speed * to_stop;
     const double half = std::sqrt(std::max(clear * clear - across * across, 0.0));
     if (!std::isfinite(along + across + clear)) return 0;
-    if (half <= 0 || along <= 0) continue;
+    // Who is too near already does not hold it where it comes hardly nearer to them.
+    if (half <= 0 || along <= 0 || std::abs(across) > std::hypot(along, across) - hardly_nearer_m)
+      continue;
     room = std::min(room, std::max(along - half, 0.0));
   }
   return room;

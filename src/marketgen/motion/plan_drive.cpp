@@ -10,6 +10,9 @@ namespace {
 // limits themselves can never catch up.
 constexpr double planned_share = 0.8;
 
+// Beside what the follower stops for: it is not to stop on its way past.
+constexpr double beside_past_m = 0.02;
+
 int in_mm(double m) {
   return static_cast<int>(std::lround(m * 1e3));
 }
@@ -46,7 +49,8 @@ Result<DrivePlan> plan_drive(const navigation::VisibilityGraph& graph,
                              const robots::Robot& robot,
                              std::span<const double> state,
                              const FloorPlace& from,
-                             const FloorPlace& to) {
+                             const FloorPlace& to,
+                             std::span<const MovingDisc> past) {
   for (const FloorPlace& place : {from, to}) {
     if (!std::isfinite(place.position.x + place.position.y + place.heading))
       return Error{"motion.bad_configuration", "place on the floor", "expected finite numbers"};
@@ -56,11 +60,17 @@ Result<DrivePlan> plan_drive(const navigation::VisibilityGraph& graph,
   for (double* limit :
        {&limits.speed, &limits.acceleration, &limits.turn_rate, &limits.turn_acceleration})
     *limit *= planned_share;
-  MARKETGEN_TRY(navigation::FloorPath path,
-                graph.shortest_path({in_mm(from.position.x), in_mm(from.position.y)},
-                                    {in_mm(to.position.x), in_mm(to.position.y)}));
   BaseOptions options;
   options.base_radius = envelope.radius_m;
+  std::vector<navigation::DiscMm> discs;
+  for (const MovingDisc& disc : past) {
+    const double clear = envelope.radius_m + options.margin + disc.radius + beside_past_m;
+    discs.push_back({{in_mm(disc.position.x), in_mm(disc.position.y)}, in_mm(clear)});
+  }
+  MARKETGEN_TRY(navigation::FloorPath path,
+                graph.shortest_path_past({in_mm(from.position.x), in_mm(from.position.y)},
+                                         {in_mm(to.position.x), in_mm(to.position.y)},
+                                         discs));
   MARKETGEN_TRY(BaseFollower follower,
                 BaseFollower::make(path, from.heading, to.heading, limits, options));
   return DrivePlan{std::move(path), std::move(follower)};

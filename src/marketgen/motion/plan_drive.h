@@ -33,10 +33,12 @@ struct DrivePlan {
 // Slower than the limits of the robot's row, so that there is room to steer back to the way.
 // Errors: those of base_envelope, motion.bad_configuration for a place that is not finite,
 // motion.outside_floor, motion.base_blocked (an end is too near to something), motion.unreachable.
+// `past`: those who stand there for now.
 Result<DrivePlan> plan_drive(const navigation::VisibilityGraph& graph,
                              const robots::Robot& robot,
                              std::span<const double> state,
                              const FloorPlace& from,
-                             const FloorPlace& to);
+                             const FloorPlace& to,
+                             std::span<const MovingDisc> past = {});
 
 }  // namespace marketgen::motion

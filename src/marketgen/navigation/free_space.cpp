@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -219,6 +220,21 @@ bool FreeSpace::sees(PointMm from, PointMm to) const {
     }
   }
   return true;
+}
+
+PointMm FreeSpace::nearest_free(PointMm p, int max_off_mm) const {
+  if (free(p)) return p;
+  PointMm nearest = p;
+  double min_off = std::numeric_limits<double>::infinity();
+  for (int x = -max_off_mm; x <= max_off_mm; ++x) {
+    for (int y = -max_off_mm; y <= max_off_mm; ++y) {
+      const double off = std::hypot(x, y);
+      if (off >= min_off || off > max_off_mm || !free({p[0] + x, p[1] + y})) continue;
+      nearest = {p[0] + x, p[1] + y};
+      min_off = off;
+    }
+  }
+  return nearest;
 }
 
 }  // namespace marketgen::navigation

@@ -36,6 +36,8 @@ class FreeSpace {
   bool sees(PointMm from, PointMm to) const;  // the straight way between two free points is free
   const std::vector<PolygonMm>& grown() const { return grown_; }
   int clearance_mm() const { return clearance_mm_; }
+  // The nearest free place, no farther off than so much; without one, `p` itself.
+  PointMm nearest_free(PointMm p, int max_off_mm) const;
 
  private:
   struct Cell {

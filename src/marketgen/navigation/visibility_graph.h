@@ -6,6 +6,7 @@
 // 8-connected grid is up to 8.2 % longer.
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "base/result.h"
@@ -16,6 +17,12 @@ namespace marketgen::navigation {
 struct FloorPath {
   std::vector<PointMm> points;  // both ends and every corner between them
   double length_m = 0;
+};
+
+// Somebody or something that stands on the floor for now: the centre of the base keeps `radius_mm`.
+struct DiscMm {
+  PointMm at;
+  int radius_mm = 0;
 };
 
 // Immutable after make(); queries may run on many threads at once.
@@ -32,6 +39,11 @@ class VisibilityGraph {
   // motion.outside_floor, motion.base_blocked (an end is too near to an obstacle),
   // motion.unreachable.
   Result<FloorPath> shortest_path(PointMm from, PointMm to) const;
+  // The same, round the discs: by the octagon about each. Of one that is nearer to `from` than its
+  // radius no more is kept than is kept there. Error motion.unreachable, too, when `to` is in one.
+  Result<FloorPath> shortest_path_past(PointMm from,
+                                       PointMm to,
+                                       std::span<const DiscMm> discs) const;
 
   const FreeSpace& space() const { return space_; }
   std::size_t corners() const { return corners_.size(); }
@@ -49,6 +61,7 @@ class VisibilityGraph {
   void find_edges();
   std::vector<Edge> corners_seen_from(PointMm p) const;
   static bool tangent(const Corner& corner, PointMm from);
+  class Search;  // of one path
 
   FreeSpace space_;
   std::vector<Corner> corners_;

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "oracle/aisle_oracle.h"
 #include "oracle/rehearsal.h"
 #include "skills/hand_grasp.h"
+#include "skills/people_about.h"
 #include "skills/plan_failure.h"
 
 namespace marketgen::oracle {
@@ -15,22 +15,6 @@ namespace {
 constexpr double min_item_s = 25;                         // no new item with less time left
 constexpr double max_aside_m = 0.10, min_upright = 0.99;  // of what may be tried once more
 constexpr int max_off_mm = 30;  // the ways of a base that slid on its wheels, or was stopped
-
-// The nearest place on the ways. Where there is none so near, the place itself.
-PointMm on_ways(const navigation::FreeSpace& space, PointMm at) {
-  if (space.free(at)) return at;
-  PointMm nearest = at;
-  double min_off = std::numeric_limits<double>::infinity();
-  for (int x = -max_off_mm; x <= max_off_mm; ++x) {
-    for (int y = -max_off_mm; y <= max_off_mm; ++y) {
-      const double off = std::hypot(x, y);
-      if (off >= min_off || off > max_off_mm || !space.free({at[0] + x, at[1] + y})) continue;
-      nearest = {at[0] + x, at[1] + y};
-      min_off = off;
-    }
-  }
-  return nearest;
-}
 
 }  // namespace
 
@@ -155,20 +139,48 @@ Result<collect::CollectOptions> AisleOracle::collect_options(std::uint32_t produ
   return options;
 }
 
-Result<motion::BaseFollower> AisleOracle::way_of(const Pose& world_from_base) const {
-  const PointMm stands =
-      on_ways(ways().space(),
-              episodes::floor_point_mm(episodes::axle_of(robot_, world_->world_from_base())));
-  const Vec3 from{stands[0] * 1e-3, stands[1] * 1e-3, 0},
-      to = episodes::axle_of(robot_, world_from_base);
+motion::FloorPlace AisleOracle::axle_place(const Pose& world_from_base) const {
+  const Vec3 axle = episodes::axle_of(robot_, world_from_base);
   const Vec3 ahead = rotate(world_from_base.rotation, {1, 0, 0});
+  return {{axle.x, axle.y}, std::atan2(ahead.y, ahead.x)};
+}
+
+Result<motion::BaseFollower> AisleOracle::way_of(const Pose& world_from_base) {
+  const PointMm stands = ways().space().nearest_free(
+      episodes::floor_point_mm(episodes::axle_of(robot_, world_->world_from_base())), max_off_mm);
+  memory_.goes_to = axle_place(world_from_base);
+  memory_.waited = false;
   MARKETGEN_TRY(motion::DrivePlan plan,
                 motion::plan_drive(ways(),
                                    robot_,
                                    world_->store().driving,
-                                   {{from.x, from.y}, now_.base.heading},
-                                   {{to.x, to.y}, std::atan2(ahead.y, ahead.x)}));
+                                   {{stands[0] * 1e-3, stands[1] * 1e-3}, now_.base.heading},
+                                   memory_.goes_to));
   return std::move(plan.follower);
+}
+
+// People have held it up on its way: it goes there round them, or lets them out and comes back.
+Result<void> AisleOracle::make_way() {
+  const Vec3 axle = episodes::axle_of(robot_, world_->world_from_base());
+  MARKETGEN_TRY(motion::WayRound way,
+                motion::plan_way_round(ways(),
+                                       robot_,
+                                       world_->store().driving,
+                                       {{axle.x, axle.y}, now_.base.heading},
+                                       memory_.goes_to,
+                                       skills::people_about(now_),
+                                       memory_.waited));
+  // What was in vain is not tried twice running.
+  memory_.waited = way.wait_s > 0 && !memory_.waited;
+  say(way.aside ? "makes room for somebody" : way.wait_s > 0 ? "waits for somebody" : "goes round");
+  memory_.executor.drive(std::move(way));
+  return memory_.phase == Phase::arrived ? rise_and_open() : Result<void>{};
+}
+
+Result<void> AisleOracle::rise_and_open() {
+  MARKETGEN_CHECK(memory_.executor.raise(lift_height(), agent::Subtask::reach));
+  memory_.executor.open(memory_.plan.tool, opened());
+  return {};
 }
 
 void AisleOracle::note_plan(std::uint32_t product, const Error& error) {
@@ -198,12 +210,10 @@ bool AisleOracle::go_to(std::uint32_t product) {
   }
   memory_.executor.drive(std::move(*drive));
   memory_.plan = std::move(*plan);
-  if (const auto raised = memory_.executor.raise(lift_height(), agent::Subtask::reach);
-      !raised.ok()) {
+  if (const auto raised = rise_and_open(); !raised.ok()) {
     note_plan(product, raised.error());
     return false;
   }
-  memory_.executor.open(memory_.plan.tool, opened());
   memory_.phase = Phase::arrived;
   return true;
 }
@@ -294,6 +304,7 @@ int AisleOracle::harm() const {
   episodes::SideEffects effects = world_->watch().effects();
   effects.strayed = world_->strayed();
   effects.protective_stops = world_->controller().stops();
+  effects.person_contacts = world_->watch().person_contacts();
   return harm_in(effects);
 }
 

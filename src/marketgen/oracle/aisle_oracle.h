@@ -57,6 +57,8 @@ class AisleOracle : public agent::Policy {
     skills::AisleExecutor executor;
     Phase phase = Phase::choose;
     collect::CollectPlan plan = {};
+    motion::FloorPlace goes_to = {};  // the last way of its base
+    bool waited = false;              // for people on that way
     double force_n = 0;
     std::size_t drop_lift = 0;
     std::map<std::string, int> tries = {};                   // by SKU
@@ -100,6 +102,7 @@ class AisleOracle : public agent::Policy {
   Result<collect::CollectOptions> collect_options(std::uint32_t product);
   Result<collect::CollectOptions> options_from_afar(std::uint32_t product);
   bool go_to(std::uint32_t product);
+  Result<void> rise_and_open();
   Result<void> reach();
   Result<void> begin_taking();
   Result<int> rehearse();
@@ -120,7 +123,9 @@ class AisleOracle : public agent::Policy {
   double time_for_doors_s() const;
   bool is_behind_open_door(std::uint32_t product) const;
   Result<OpenedDoor> opened_at(std::uint32_t joint, double position_rad) const;
-  Result<motion::BaseFollower> way_of(const Pose& world_from_base) const;
+  motion::FloorPlace axle_place(const Pose& world_from_base) const;
+  Result<motion::BaseFollower> way_of(const Pose& world_from_base);
+  Result<void> make_way();
   using DoorPlanning = Result<skills::DoorPlan> (*)(const robots::Robot&,
                                                     const skills::DoorQuestion&,
                                                     Seed);

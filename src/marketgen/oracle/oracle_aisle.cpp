@@ -97,6 +97,7 @@ Result<void> AisleOracle::recover() {
 
 Result<void> AisleOracle::decide() {
   if (memory_.executor.take_stop()) return recover();
+  if (memory_.executor.take_held_up()) return make_way();
   switch (memory_.phase) {
     case Phase::choose:
       return choose();

@@ -14,7 +14,7 @@ Result<void> rehearse_in(episodes::TrackWorld& twin, agent::Policy& actor) {
 
 int harm_in(const episodes::SideEffects& effects) {
   return effects.hard_contacts + effects.toppled + effects.dropped + effects.strayed +
-         effects.base_collisions + effects.protective_stops;
+         effects.base_collisions + effects.protective_stops + effects.person_contacts.value_or(0);
 }
 
 }  // namespace marketgen::oracle

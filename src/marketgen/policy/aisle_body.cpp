@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "skills/people_about.h"
+
 namespace marketgen::policy {
 namespace {
 
@@ -127,7 +129,23 @@ std::vector<motion::GraspObstacle> AisleBody::walls_about(const Pose& store_from
 Result<void> AisleBody::drive_to(const robots::BasePlace& place) {
   MARKETGEN_TRY(motion::BaseFollower way, setup_.map->way(now_.base, place));
   executor_.drive(std::move(way));
+  goes_to_ = place;
+  waited_ = false;
+  looks_there_.reset();
   return {};
+}
+
+Result<void> AisleBody::make_way() {
+  MARKETGEN_TRY(motion::WayRound way,
+                setup_.map->way_round(now_.base, goes_to_, skills::people_about(now_), waited_));
+  waited_ = way.wait_s > 0 && !waited_;  // what was in vain is not tried twice running
+  executor_.drive(std::move(way));
+  return looks_there_ ? executor_.look(looks_there_->first, looks_there_->second) : Result<void>{};
+}
+
+Result<void> AisleBody::look(double pan, double tilt) {
+  looks_there_ = {pan, tilt};
+  return executor_.look(pan, tilt);
 }
 
 Result<void> AisleBody::may_stand(const robots::BasePlace& place) const {

@@ -5,6 +5,7 @@
 // Store frame where nothing else is said; SI units.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "agent/aisle_map.h"
@@ -31,7 +32,8 @@ class AisleBody {
   void start(const agent::Observation& now);
   void sense(const agent::Observation& now) { now_ = now; }
   bool idle() const { return executor_.idle(); }
-  bool take_stop() { return executor_.take_stop(); }  // as BodyExecutor
+  bool take_stop() { return executor_.take_stop(); }        // as BodyExecutor
+  bool take_held_up() { return executor_.take_held_up(); }  // likewise
   agent::Action next() { return executor_.next(now_); }
   agent::Subtask subtask() const { return executor_.subtask(); }  // as BodyExecutor
 
@@ -44,8 +46,10 @@ class AisleBody {
 
   // ---- Each queues motions, or returns an error and queues nothing. ----
   Result<void> drive_to(const robots::BasePlace& place);
+  // On to where it drove when people held it up, round them or later; then it looks as it was to.
+  Result<void> make_way();
   // The head: to the left and down, rad.
-  Result<void> look(double pan, double tilt) { return executor_.look(pan, tilt); }
+  Result<void> look(double pan, double tilt);
   void wait(double seconds) { executor_.wait(seconds); }
   // A place to stand and the arm's ways. `points`: measured. Queues nothing.
   Result<skills::ShelfPick> plan_pick(const PickTarget& item,
@@ -84,6 +88,9 @@ class AisleBody {
   Seed next_seed();
 
   AisleBodySetup setup_;
+  robots::BasePlace goes_to_;  // the last way of its base
+  bool waited_ = false;        // for people on that way
+  std::optional<std::pair<double, double>> looks_there_ = {};
   Seed seed_;
   skills::AisleExecutor executor_;
   agent::Observation now_;

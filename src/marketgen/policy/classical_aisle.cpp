@@ -137,6 +137,7 @@ class ClassicalAisle : public agent::Policy {
 
   Result<void> decide() {
     if (body_.take_stop()) return recover();
+    if (body_.take_held_up()) return body_.make_way();
     switch (step_) {
       case AisleStep::choose:
         return choose();

@@ -56,21 +56,21 @@ struct EpisodeLine {
   double partial = 0;
   bool strict = false, clean = false, is_void = false, recorded = false;
   double simulated_s = 0;
-  static constexpr auto fields =
-      field_list(field("episode", &EpisodeLine::episode, "its number in addresses of the run"),
-                 field("id", &EpisodeLine::id, "of the episode"),
-                 field("track", &EpisodeLine::track, "what kind of task"),
-                 field("failure", &EpisodeLine::failure, "what kept the agent from its goals"),
-                 field("error", &EpisodeLine::error, "for which it could not be run"),
-                 field("detail", &EpisodeLine::detail, "of that, or of what broke it off"),
-                 field("hits", &EpisodeLine::hits, "goals that count"),
-                 field("asked", &EpisodeLine::asked, "goals that there are"),
-                 field("partial", &EpisodeLine::partial, "hits of asked"),
-                 field("strict", &EpisodeLine::strict, "all goals"),
-                 field("clean", &EpisodeLine::clean, "strict, and within the limits"),
-                 field("void", &EpisodeLine::is_void, "the basket was tilted too far"),
-                 field("recorded", &EpisodeLine::recorded, "there is a motion to be watched"),
-                 field("simulated_s", &EpisodeLine::simulated_s, "until it was judged"));
+  static constexpr auto fields = field_list(
+      field("episode", &EpisodeLine::episode, "its number in addresses of the run"),
+      field("id", &EpisodeLine::id, "of the episode"),
+      field("track", &EpisodeLine::track, "what kind of task"),
+      field("failure", &EpisodeLine::failure, "what kept the agent from its goals"),
+      field("error", &EpisodeLine::error, "for which it could not be run"),
+      field("detail", &EpisodeLine::detail, "of that, or of what broke it off"),
+      field("hits", &EpisodeLine::hits, "goals that count"),
+      field("asked", &EpisodeLine::asked, "goals that there are"),
+      field("partial", &EpisodeLine::partial, "hits of asked"),
+      field("strict", &EpisodeLine::strict, "all goals"),
+      field("clean", &EpisodeLine::clean, "strict, and within the limits"),
+      field("void", &EpisodeLine::is_void, "the basket was tilted too far, or somebody was hurt"),
+      field("recorded", &EpisodeLine::recorded, "there is a motion to be watched"),
+      field("simulated_s", &EpisodeLine::simulated_s, "until it was judged"));
 };
 
 struct RunEpisodes {

@@ -26,6 +26,13 @@ void AisleExecutor::drive(motion::BaseFollower way) {
   body_.wait(calm_s);
 }
 
+void AisleExecutor::drive(motion::WayRound way) {
+  body_.set_subtask(agent::Subtask::drive);
+  if (way.aside) body_.follow(std::move(*way.aside));
+  if (way.wait_s > 0) body_.wait(way.wait_s);
+  drive(std::move(way.on));
+}
+
 Result<void> AisleExecutor::look(double pan, double tilt) {
   body_.set_subtask(agent::Subtask::look);
   MARKETGEN_CHECK(body_.move_joint(robot_->find_dof("head_pan"), pan, head_speed_share));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "agent/policy.h"
+#include "motion/way_round.h"
 #include "skills/body_executor.h"
 #include "skills/door_ways.h"
 #include "skills/drop_plan.h"
@@ -31,7 +32,8 @@ class AisleExecutor {
 
   void start(const agent::Observation& now);  // forgets what is queued
   bool idle() const { return body_.idle(); }
-  bool take_stop() { return body_.take_stop(); }  // as BodyExecutor
+  bool take_stop() { return body_.take_stop(); }        // as BodyExecutor
+  bool take_held_up() { return body_.take_held_up(); }  // likewise
   bool presses(int tool) const { return body_.told(tool).opening_m <= 0; }
   agent::Action next(const agent::Observation& now) { return body_.next(now); }
   agent::Subtask subtask() const { return body_.subtask(); }  // as BodyExecutor
@@ -39,6 +41,7 @@ class AisleExecutor {
   // ---- Each queues motions, and says what they are for. Errors: motion.bad_limits; those of
   // way_back. ----
   void drive(motion::BaseFollower way);
+  void drive(motion::WayRound way);
   Result<void> look(double pan, double tilt);  // the head, to the left and down, rad
   void wait(double seconds) { body_.wait(seconds); }
   Result<void> raise(double lift_m, agent::Subtask of);

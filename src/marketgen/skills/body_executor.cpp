@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skills/people_about.h"
+
 namespace marketgen::skills {
 namespace {
 
@@ -17,6 +19,9 @@ constexpr double jerk_time_s = 0.05;
 // A drive is over when the base stands where it was to go, or no nearer after a while: across its
 // heading it cannot be moved without going to and fro.
 constexpr double near_m = 0.002, near_rad = 0.002, max_settling_s = 1.0;
+
+// So long it waits for people in its way.
+constexpr double patience_with_people_s = 3;
 
 double wrapped(double angle) {
   return std::remainder(angle, 2 * M_PI);
@@ -40,7 +45,8 @@ BodyExecutor::BodyExecutor(const robots::Robot& robot, std::vector<int> commande
 void BodyExecutor::start(const agent::Observation& now) {
   queue_.clear();
   retrace_.start();
-  was_stopped_ = false;
+  was_stopped_ = was_held_up_ = false;
+  held_up_s_ = 0;
   felt_share_ = 0;
   played_s_ = 0;
   position_ = queued_position_ = now.position;
@@ -55,7 +61,7 @@ std::size_t BodyExecutor::column_of(int dof) const {
 }
 
 void BodyExecutor::push(Motion motion) {
-  was_stopped_ = false;
+  was_stopped_ = was_held_up_ = false;
   motion.subtask = subtask_;
   queue_.push_back(std::move(motion));
 }
@@ -155,8 +161,10 @@ bool BodyExecutor::is_over(Motion& motion, const agent::Observation& now) const 
 void BodyExecutor::play_step(Motion& motion, const agent::Observation& now, agent::Action& action) {
   played_s_ += body_step_s;
   if (motion.base) {
-    motion.base->step(body_step_s);
+    motion.base->step(body_step_s, people_about(now));
     steer(*motion.base, now, action);
+  } else if (motion.straight && held_up_s_ > 0) {
+    played_s_ -= body_step_s;  // stands until they have gone
   } else if (motion.straight) {
     action.drive_m_s = motion.trajectory.at(std::min(played_s_, motion.duration_s)).velocity[0];
     if (played_s_ >= motion.duration_s) action.drive_m_s = 0;
@@ -187,6 +195,26 @@ void BodyExecutor::go_back(agent::Action& action) {
   queued_position_ = position_;
 }
 
+// Of the base's ways. A straight one to or from a shelf ends where it is then; what is queued
+// behind it goes on.
+bool BodyExecutor::waits_too_long(const Motion& motion, const agent::Observation& now) {
+  const bool back = motion.straight && motion.trajectory.at(motion.duration_s).position[0] < 0;
+  const bool waits = motion.base ? motion.base->waits() : motion.straight && is_in_way(now, back);
+  held_up_s_ = waits ? held_up_s_ + body_step_s : 0;
+  return held_up_s_ > patience_with_people_s;
+}
+
+void BodyExecutor::end_motion() {
+  if (queue_.front().arm) felt_share_ = 1;
+  if (was_held_up_) {
+    queue_.clear();
+    queued_position_ = position_;
+  } else {
+    queue_.pop_front();
+  }
+  played_s_ = held_up_s_ = 0;
+}
+
 agent::Action BodyExecutor::next(const agent::Observation& now) {
   agent::Action action;
   if (retrace_.begins(now)) {
@@ -205,14 +233,12 @@ agent::Action BodyExecutor::next(const agent::Observation& now) {
   played_for_ = now.stopped || goes_back ? agent::Subtask::recover : subtask_of_first();
   if (!queue_.empty() && !now.stopped) {
     Motion& motion = queue_.front();
-    play_step(motion, now, action);
+    const bool gives_up = waits_too_long(motion, now);
+    was_held_up_ = gives_up && motion.base;
+    if (!gives_up) play_step(motion, now, action);
     if (motion.base || motion.trajectory.joints() > 0)
       retrace_.tell({position_, action.drive_m_s, action.turn_rad_s});
-    if (is_over(motion, now)) {
-      if (motion.arm) felt_share_ = 1;
-      queue_.pop_front();
-      played_s_ = 0;
-    }
+    if (gives_up || is_over(motion, now)) end_motion();
   }
   action.position = position_;
   action.tools = tools_;

@@ -47,6 +47,9 @@ class BodyExecutor {
   agent::Action next(const agent::Observation& now);
   // Whether what was queued last was broken off so. Says it once.
   bool take_stop() { return std::exchange(was_stopped_, false); }
+  // Whether people kept the base from its way for some seconds: what was queued is broken off, and
+  // the base stands. Says it once.
+  bool take_held_up() { return std::exchange(was_held_up_, false); }
   // Of the way that was felt last, the share of its time that was gone: 1 at its end.
   double felt_share() const { return felt_share_; }
   // As its tool is told to be.
@@ -69,12 +72,14 @@ class BodyExecutor {
     double along = 0, across = 0, turn = 0;
   };
   void play_step(Motion& motion, const agent::Observation& now, agent::Action& action);
+  bool waits_too_long(const Motion& motion, const agent::Observation& now);
   BaseError error_of(const motion::BaseFollower& wanted, const agent::Observation& now) const;
   void steer(const motion::BaseFollower& wanted,
              const agent::Observation& now,
              agent::Action& action) const;
   bool is_over(Motion& motion, const agent::Observation& now) const;
   void end_touch(const agent::Observation& now);
+  void end_motion();
   agent::Subtask subtask_of_first() const {
     return queue_.empty() ? agent::Subtask::none : queue_.front().subtask;
   }
@@ -92,7 +97,8 @@ class BodyExecutor {
   agent::Subtask subtask_ = agent::Subtask::none;  // of what is queued
   agent::Subtask played_for_ = agent::Subtask::none;
   Retrace retrace_;
-  bool was_stopped_ = false;
+  bool was_stopped_ = false, was_held_up_ = false;
+  double held_up_s_ = 0;
   double felt_share_ = 0;
 };
 

@@ -315,5 +315,75 @@ TEST(VisibilityGraph, ABigStoreIsPreparedAndAskedQuickly) {
   EXPECT_LT(sum_s / queries, 0.05);
 }
 
+// ---- Past what stands there for now. ----
+
+double distance_to_way_mm(PointMm p, PointMm a, PointMm b) {
+  double least = 1e9;
+  for (int i = 0; i <= 200; ++i)
+    least = std::min(least,
+                     std::hypot(a[0] + (b[0] - a[0]) * i / 200.0 - p[0],
+                                a[1] + (b[1] - a[1]) * i / 200.0 - p[1]));
+  return least;
+}
+
+TEST(PathPast, KeepsClearOfDiscsAndIsLittleLonger) {
+  const auto graph = navigation::VisibilityGraph::make(hall, {}, radius_mm).value();
+  const std::vector<navigation::DiscMm> discs{{{6000, 4500}, 1000}, {{4200, 4300}, 600}};
+  const PointMm from{1000, 4500}, to{11000, 4500};
+  const navigation::FloorPath path = graph.shortest_path_past(from, to, discs).value();
+  EXPECT_GT(path.length_m, 10.0);
+  EXPECT_LT(path.length_m, 10.4);
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    for (const navigation::DiscMm& disc : discs)
+      EXPECT_GE(distance_to_way_mm(disc.at, path.points[i], path.points[i + 1]), disc.radius_mm);
+  EXPECT_EQ(graph.shortest_path(from, to)->length_m, 10.0);
+}
+
+TEST(PathPast, ShutPassagesAndStandingInTheGoalAreUnreachable) {
+  // Two halves of a hall, joined by a passage of 2 m.
+  const std::vector<RectMm> wall{{5500, 0, 6500, 3500}, {5500, 5500, 6500, 9000}};
+  const auto graph = navigation::VisibilityGraph::make(hall, wall, radius_mm).value();
+  const PointMm from{1000, 4500}, to{11000, 4500};
+  const std::vector<navigation::DiscMm> in_passage{{{6000, 4500}, 700}};
+  const std::vector<navigation::DiscMm> beside{{{6000, 3800}, 900}}, at_goal{{{11000, 4600}, 200}};
+  EXPECT_EQ(code_of(graph.shortest_path_past(from, to, in_passage)), "motion.unreachable");
+  EXPECT_EQ(code_of(graph.shortest_path_past(from, to, beside)), "ok");
+  EXPECT_EQ(code_of(graph.shortest_path_past(from, to, at_goal)), "motion.unreachable");
+}
+
+TEST(PathPast, WhoIsNearerThanTheRadiusGetsAway) {
+  const auto graph = navigation::VisibilityGraph::make(hall, {}, radius_mm).value();
+  const std::vector<navigation::DiscMm> disc{{{6000, 4500}, 1200}};
+  const PointMm from{5200, 4500};
+  EXPECT_EQ(code_of(graph.shortest_path_past(from, {2000, 4500}, disc)), "ok");
+  const navigation::FloorPath path = graph.shortest_path_past(from, {10000, 4500}, disc).value();
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    EXPECT_GE(distance_to_way_mm(disc[0].at, path.points[i], path.points[i + 1]), 798);
+}
+
+TEST(PathPast, WaysThatNobodyIsOnStayAsTheyAre) {
+  Stream draw = Seed(5).child("past").stream();
+  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    const std::vector<RectMm> rects = clutter(seed, 8);
+    const auto graph = navigation::VisibilityGraph::make(hall, rects, radius_mm).value();
+    const PointMm from = free_place(graph.space(), draw), to = free_place(graph.space(), draw),
+                  at = free_place(graph.space(), draw);
+    constexpr int radius = 500;
+    if (distance_mm(at, from) < radius + 50 || distance_mm(at, to) < radius + 50) continue;
+    const std::vector<navigation::DiscMm> disc{{at, radius}};
+    const auto past = graph.shortest_path_past(from, to, disc);
+    const auto plain = graph.shortest_path(from, to);
+    if (!plain.ok()) continue;
+    EXPECT_GE(past.ok() ? past->length_m : 1e9, plain->length_m - 1e-6);
+    bool is_clear = true;
+    for (std::size_t i = 0; i + 1 < plain->points.size(); ++i)
+      is_clear =
+          is_clear && distance_to_way_mm(at, plain->points[i], plain->points[i + 1]) > radius + 5;
+    if (!is_clear) continue;
+    ASSERT_TRUE(past.ok()) << seed;
+    EXPECT_NEAR(past->length_m, plain->length_m, 1e-6) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace marketgen

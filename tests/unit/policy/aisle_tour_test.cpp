@@ -23,6 +23,12 @@ class PlainMap : public agent::AisleMap {
                                    const robots::BasePlace&) const override {
     return Error{"motion.unreachable", "map", "nobody drives here"};
   }
+  Result<motion::WayRound> way_round(const robots::BasePlace&,
+                                     const robots::BasePlace&,
+                                     std::span<const motion::MovingDisc>,
+                                     bool) const override {
+    return Error{"motion.unreachable", "base path", "nobody is about"};
+  }
   std::optional<double> way_m(const robots::BasePlace& from,
                               const robots::BasePlace& to) const override {
     if (to.x_m > 8) return std::nullopt;  // behind a wall

@@ -93,8 +93,9 @@ struct PersonPart {
   float scatter_m = 0;  // how far light wanders below the surface
 };
 
-// near: for eyes a metre away; far: a quarter of the triangles.
-enum class PersonDetail { near, far };
+// near: for eyes a metre away; far: a quarter of the triangles; coarse: a twentieth, for pictures
+// of a robot's camera while people walk.
+enum class PersonDetail { near, far, coarse };
 
 // The whole person, about 200,000 triangles (near) in about a second of one core. Deterministic.
 std::vector<PersonPart> person_parts(const PersonLook& look,

@@ -4,7 +4,18 @@
 namespace marketgen::assets {
 namespace {
 
-constexpr float far_cells = 2;  // times the cells for eyes a metre away
+// Times the cells for eyes a metre away.
+float cells_of(PersonDetail detail) {
+  constexpr float far_cells = 2, coarse_cells = 4.5F;
+  switch (detail) {
+    case PersonDetail::far:
+      return far_cells;
+    case PersonDetail::coarse:
+      return coarse_cells;
+    default:
+      return 1;
+  }
+}
 
 void add_all(std::vector<PartField>& to, std::vector<PartField> more) {
   for (PartField& part : more)
@@ -21,7 +32,7 @@ std::vector<PersonPart> person_parts(const PersonLook& look,
   add_all(fields, limb_fields(look, pose, frame));
   add_all(fields, clothes_fields(look, frame));
   add_all(fields, carried_fields(look, pose, frame));
-  const float cells = detail == PersonDetail::far ? far_cells : 1;
+  const float cells = cells_of(detail);
   return parallel_map(fields.size(), [&](std::size_t i) {
     const PartField& part = fields[i];
     return PersonPart{part.name,

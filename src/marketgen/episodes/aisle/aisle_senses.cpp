@@ -52,12 +52,26 @@ bool StoreMap::has_room(const robots::BasePlace& place) const {
   return store_.ways.space().free(axle_mm(place));
 }
 
+motion::FloorPlace StoreMap::floor_place(const robots::BasePlace& place) const {
+  const Vec3 axle = axle_of(store_.robot, agent::store_from_base(place));
+  return {{axle.x, axle.y}, place.heading};
+}
+
+Result<motion::WayRound> StoreMap::way_round(const robots::BasePlace& from,
+                                             const robots::BasePlace& to,
+                                             std::span<const motion::MovingDisc> people,
+                                             bool waited) const {
+  return motion::plan_way_round(store_.ways,
+                                store_.robot,
+                                store_.driving,
+                                floor_place(from),
+                                floor_place(to),
+                                people,
+                                waited);
+}
+
 Result<motion::BaseFollower> StoreMap::way(const robots::BasePlace& from,
                                            const robots::BasePlace& to) const {
-  const auto floor_place = [&](const robots::BasePlace& place) {
-    const Vec3 axle = axle_of(store_.robot, agent::store_from_base(place));
-    return motion::FloorPlace{{axle.x, axle.y}, place.heading};
-  };
   MARKETGEN_TRY(motion::DrivePlan plan,
                 motion::plan_drive(
                     store_.ways, store_.robot, store_.driving, floor_place(from), floor_place(to)));

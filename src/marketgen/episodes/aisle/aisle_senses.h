@@ -31,12 +31,17 @@ class StoreMap : public agent::AisleMap {
   bool has_room(const robots::BasePlace& place) const override;
   Result<motion::BaseFollower> way(const robots::BasePlace& from,
                                    const robots::BasePlace& to) const override;
+  Result<motion::WayRound> way_round(const robots::BasePlace& from,
+                                     const robots::BasePlace& to,
+                                     std::span<const motion::MovingDisc> people,
+                                     bool waited) const override;
   std::optional<double> way_m(const robots::BasePlace& from,
                               const robots::BasePlace& to) const override;
   motion::Obstacles fixtures(Vec3 middle, double within_m) const override;
 
  private:
   PointMm axle_mm(const robots::BasePlace& place) const;
+  motion::FloorPlace floor_place(const robots::BasePlace& place) const;
 
   const AisleStore& store_;
   std::vector<agent::ShelfBoard> boards_;

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/parallel.h"
 #include "episodes/field_of_view.h"
 #include "render/picture_objects.h"
+#include "render/stage/person_actor.h"
 #include "render/stage/robot_actor.h"
 
 namespace marketgen::episodes {
@@ -33,6 +35,8 @@ std::vector<FilmPlace> film_places(const StationCameraRow& row) {
   return places;
 }
 
+constexpr double posed_within_m = 6;  // of the robot
+
 constexpr double seen_from = 1e-3;  // rad or m: what rests within that is seen at rest
 
 std::vector<render::MovedJoint> moved_joints(const AisleWorld& world) {
@@ -57,8 +61,8 @@ Result<std::unique_ptr<AisleView>> AisleView::create(const AisleStation& station
   std::unique_ptr<AisleView> view(new AisleView);
   view->station_ = station;
   MARKETGEN_TRY(view->renderer_, render::Renderer::create(scene, silent_progress(), options));
-  MARKETGEN_TRY(render::Actor actor, render::robot_actor(robot, robots::neutral_state(robot), {}));
-  MARKETGEN_CHECK(view->renderer_->set_actors({std::move(actor)}));
+  MARKETGEN_TRY(view->robot_, render::robot_actor(robot, robots::neutral_state(robot), {}));
+  MARKETGEN_CHECK(view->renderer_->set_actors({view->robot_}));
   view->robot_object_ = render::first_actor_object(scene);
   return view;
 }
@@ -75,7 +79,41 @@ Result<std::unique_ptr<TrackView>> AisleWorld::open_view() const {
 }
 
 Result<void> AisleView::follow(const AisleWorld& world, const Scenery& then) {
+  if (!then.people.empty())
+    MARKETGEN_CHECK(follow_people(world.people(), then.people, base_of(world.robot(), then.robot)));
   return follow(world.robot(), then, moved_joints(world));
+}
+
+// Meshes anew of those that are near and have moved; the others are where they are by now.
+Result<void> AisleView::follow_people(const PeopleAround& people,
+                                      const std::vector<PersonMoment>& moments,
+                                      const Pose& world_from_base) {
+  const bool first = people_.size() != moments.size();
+  people_.resize(moments.size());
+  std::vector<std::size_t> anew;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const Vec3 at = people.at(i, moments[i]).world_from_person.position;
+    const bool near = length(at - world_from_base.position) < posed_within_m;
+    if (first || (near && people_[i].moment != moments[i])) anew.push_back(i);
+  }
+  const std::vector<SeenPerson> made = parallel_map(anew.size(), [&](std::size_t k) {
+    const PersonMoment& moment = moments[anew[k]];
+    return SeenPerson{
+        moment, render::person_actor(people.at(anew[k], moment), assets::PersonDetail::coarse)};
+  });
+  for (std::size_t k = 0; k < anew.size(); ++k)
+    people_[anew[k]] = made[k];
+  if (!anew.empty()) {
+    std::vector<render::Actor> actors{robot_};
+    for (const SeenPerson& person : people_)
+      actors.push_back(person.actor);
+    MARKETGEN_CHECK(renderer_->set_actors(actors));
+  }
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const Pose now = people.at(i, moments[i]).world_from_person;
+    MARKETGEN_CHECK(renderer_->move_actor(1 + i, std::span(&now, 1)));
+  }
+  return {};
 }
 
 Result<void> AisleView::follow(const robots::Robot& robot,

@@ -26,7 +26,8 @@ class AisleView {
 
   // From now on everything is seen where it stands in `world`. Errors: render.bad_move.
   Result<void> follow(const AisleWorld& world) { return follow(world, world.scenery()); }
-  // The same, where it stood in `then` of that world; doors are seen as they stand now.
+  // The same, where it stood in `then` of that world; doors are seen as they stand now. People near
+  // the robot are posed anew, a twentieth of a second each; farther ones glide as they stood.
   Result<void> follow(const AisleWorld& world, const Scenery& then);
   Result<void> follow(const robots::Robot& robot,
                       const Scenery& then,
@@ -42,9 +43,19 @@ class AisleView {
 
  private:
   AisleView() = default;
+  // Somebody as pictures have them now.
+  struct SeenPerson {
+    PersonMoment moment;  // of which their mesh is
+    render::Actor actor;
+  };
+  Result<void> follow_people(const PeopleAround& people,
+                             const std::vector<PersonMoment>& moments,
+                             const Pose& world_from_base);
   Result<void> place_film_camera(render::Camera& camera) const;
   AisleStation station_;
   std::unique_ptr<render::Renderer> renderer_;
+  render::Actor robot_;
+  std::vector<SeenPerson> people_;
   std::uint32_t robot_object_ = 0;  // its number in pictures
   Pose world_from_base_;
   std::array<Pose, aisle_cameras.size()> world_from_camera_{};

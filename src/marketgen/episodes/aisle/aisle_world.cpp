@@ -130,9 +130,12 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
   options.keep_commands = false;
   options.actor_materials = materials_of(station, robot);
   options.cups = physics::robot_cups(robot, place);
+  MARKETGEN_CHECK(begin_people(spec));
+  options.bystanders = people_.bodies();
   options.add_actors = [&](mjSpec_& made) -> Result<void> {
     MARKETGEN_CHECK(physics::add_robot(made, robot, place));
     add_basket(made, station, robot);
+    people_.add_to(made);
     return {};
   };
   MARKETGEN_TRY(physics::World world, physics::World::create(store_->scene, std::move(options)));
@@ -142,12 +145,26 @@ Result<void> AisleWorld::begin(const EpisodeSpec& spec) {
   spec_ = spec;
   commanded_ = commanded_dofs(robot);
   path_m_ = 0;
+  people_.start(*world_, robot);
   watch_ = EpisodeWatch(*world_, robot);
   if (store_->doors != Doors::none) watch_.know_joints(joints_of_parts(store_->scene));
   axle_ = axle_of(robot, world_from_base());
   start_senses(agent::base_place(world_from_base()), controller_.wheels().reckoned());
   steps_ = 0;
   done_ = false;
+  return {};
+}
+
+// The same at each beginning of the episode, also in a twin.
+Result<void> AisleWorld::begin_people(const EpisodeSpec& spec) {
+  people_ = {};
+  if (!realism_.people) return {};
+  MARKETGEN_TRY(PeopleAround around,
+                PeopleAround::make(store_->scene,
+                                   realism_.people->per_m2,
+                                   realism_seed(spec.seed).child("people"),
+                                   {spec.start.x_m, spec.start.y_m}));
+  people_ = PeopleInWorld(std::move(around));
   return {};
 }
 
@@ -179,6 +196,7 @@ Pose AisleWorld::world_from_base() const {
 
 Scenery AisleWorld::scenery() const {
   Scenery now{time_s(), robot_state()};
+  now.people = people().moments();
   for (const std::uint32_t row : world_->moved_products())
     now.products.emplace_back(row, world_->product_pose(row));
   return now;
@@ -201,6 +219,7 @@ agent::Observation AisleWorld::as_it_is() const {
   seen.base = controller_.wheels().reckoned();
   seen.external_force_n = controller_.external_force_n();
   seen.stopped = controller_.stopped(time_s());
+  seen.people = people_.scanned(world_from_base(), axle_of(robot(), world_from_base()));
   return seen;
 }
 
@@ -210,7 +229,9 @@ SealedProducts AisleWorld::sealed_products() const {
 
 Result<void> AisleWorld::move(const agent::Action& action) {
   link_.give(action);
+  people_.pass(*world_, control_step_s);
   for (int i = 0; i < ControlStep::count(); ++i) {
+    MARKETGEN_CHECK(people_.move(*world_, static_cast<double>(i + 1) / ControlStep::count()));
     MARKETGEN_CHECK(controller_.command(*world_, link_.next(controller_)));
     MARKETGEN_CHECK(use_cups(cups_, *world_, robot(), link_.in_force()));
     MARKETGEN_CHECK(world_->step());
@@ -225,6 +246,7 @@ Result<void> AisleWorld::move(const agent::Action& action) {
     axle_ = now;
     if (physics_watch_) physics_watch_(world_->model(), world_->data());
   }
+  MARKETGEN_CHECK(people_.measure(*world_, control_step_s));
   return {};
 }
 
@@ -302,14 +324,22 @@ Result<bool> AisleWorld::goals_met() {
   }
   if (there < asked) return false;  // most of the time: judging costs more
   MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
-  const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  const EpisodeOutcome outcome = judged(states);
   return outcome.hits >= outcome.asked;
+}
+
+// Void where somebody was hurt, whatever lies in the basket.
+EpisodeOutcome AisleWorld::judged(const std::vector<ItemState>& states) const {
+  EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  outcome.is_void = watch_.person_hardest_n() > max_person_n;
+  if (outcome.is_void) outcome.hits = 0;
+  return outcome;
 }
 
 std::string AisleWorld::save() const {
   ByteWriter writer;
   writer(world_->snapshot().bytes(), controller_, watch_, axle_, path_m_);
-  writer(senses_, late_, link_, steps_, done_);
+  writer(senses_, late_, link_, steps_, done_, people_);
   return writer.take();
 }
 
@@ -324,8 +354,9 @@ Result<void> AisleWorld::restore(std::string_view moment) {
   CommandLink link = link_;
   int steps = 0;
   bool done = false;
+  PeopleInWorld people = people_;
   ByteReader reader(moment);
-  reader(physics, controller, watch, axle, path, senses, late, link, steps, done);
+  reader(physics, controller, watch, axle, path, senses, late, link, steps, done, people);
   if (!reader.ok() || controller.setpoints().size() != robot().dof_count())
     return Error{"physics.bad_command", spec_.id, "the moment is of another episode"};
   MARKETGEN_TRY(const physics::WorldSnapshot snapshot, physics::WorldSnapshot::of_bytes(physics));
@@ -339,6 +370,7 @@ Result<void> AisleWorld::restore(std::string_view moment) {
   link_ = std::move(link);
   steps_ = steps;
   done_ = done;
+  people_ = std::move(people);
   return {};
 }
 
@@ -385,6 +417,12 @@ SideEffects AisleWorld::side_effects() const {
   SideEffects effects = watch_.effects();
   effects.strayed = strayed();
   effects.protective_stops = controller_.stops();
+  if (realism_.people) {
+    effects.person_contacts = watch_.person_contacts();
+    effects.person_hardest_n = watch_.person_hardest_n();
+    effects.person_near_s = people_.near_s();
+    effects.person_distance_m = people_.min_distance_m();
+  }
   return effects;
 }
 
@@ -417,7 +455,7 @@ Result<EpisodeResult> AisleWorld::finish() {
   for (double waited = 0; waited < let_go_s - physics::time_step_s; waited += control_step_s)
     MARKETGEN_CHECK(move(hold));
   MARKETGEN_TRY(const std::vector<ItemState> states, item_states());
-  const EpisodeOutcome outcome = judge(region(), spec_.goals, states);
+  const EpisodeOutcome outcome = judged(states);
   EpisodeResult result;
   result.episode = spec_.id;
   result.store = spec_.store;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "episodes/aisle/aisle_store.h"
+#include "episodes/aisle/people_in_world.h"
 #include "episodes/aisle/studied_grasps.h"
 #include "episodes/cup_commands.h"
 #include "episodes/episode_goods.h"
@@ -54,6 +55,7 @@ class AisleWorld : public TrackWorld {
   // The store as it was stocked, of which store() is a perturbed one, or the same.
   const AisleStore& stocked() const { return *stocked_; }
   const physics::World& world() const { return *world_; }
+  const PeopleAround& people() const { return people_.around(); }
   Scenery scenery() const override;
   const physics::RobotController& controller() const override { return controller_; }
   const mjModel_& model() const override { return world_->model(); }
@@ -91,10 +93,12 @@ class AisleWorld : public TrackWorld {
 
  private:
   Result<void> begin(const EpisodeSpec& spec);
+  Result<void> begin_people(const EpisodeSpec& spec);
   Result<void> move(const agent::Action& action);
   Result<void> know_goods(std::uint32_t product);
   ItemState item_state(std::uint32_t product, const EpisodeWatch::Item& item) const;
   Result<std::vector<ItemState>> item_states();
+  EpisodeOutcome judged(const std::vector<ItemState>& states) const;
   HoldsPoint region() const;
   void add_lengths(EpisodeResult& result) const;
 
@@ -110,6 +114,7 @@ class AisleWorld : public TrackWorld {
   physics::SuctionActor cups_;
   std::vector<int> commanded_;  // degrees of freedom
   EpisodeWatch watch_;
+  PeopleInWorld people_;
   Vec3 axle_;  // where the middle between the wheels was
   double path_m_ = 0;
   int steps_ = 0;

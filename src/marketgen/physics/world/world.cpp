@@ -380,6 +380,9 @@ Result<int> World::actuator(std::string_view name) const {
   if (id >= 0) return id;
   return bad_command("actuator", fmt::format("no actuator \"{}\"", name));
 }
+Result<double> World::distance_m(int geom, int other, double max_m) const {
+  return state_->distance_m(geom, other, max_m);
+}
 const mjModel_& World::model() const {
   return state_->m();
 }

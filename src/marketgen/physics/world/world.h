@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -67,6 +68,8 @@ struct WorldOptions {
   std::map<std::string, std::string> actor_materials =
       {};                           // geom name -> contact material ("rubber")
   std::vector<WorldCup> cups = {};  // on bodies that add_actors adds
+  // Bodies that add_actors adds and that keep clear of goods by themselves: none is woken for them.
+  std::set<std::string> bystanders = {};
 };
 
 struct Wrench {
@@ -175,6 +178,9 @@ class World {
   // ---- For robots. ----
 
   Result<int> actuator(std::string_view name) const;
+  // Between two of MuJoCo's geoms, by GJK; less than 0 in one another, max_m where it is more.
+  // Precondition: there are such geoms. Error physics.failed.
+  Result<double> distance_m(int geom, int other, double max_m) const;
   Result<std::uint32_t> cup(std::string_view body) const;  // its row in WorldOptions::cups
   bool sucks(std::uint32_t cup) const;                     // it is on, sealed or not
   std::optional<std::uint32_t> sealed_product(std::uint32_t cup) const;

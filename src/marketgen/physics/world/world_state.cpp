@@ -83,7 +83,9 @@ World::State::State(const scene::Scene& scene_in,
       if (named != options.actor_materials.end()) material = frictions.material(named->second);
       const bool collides = m().geom_contype[geom] != 0 || m().geom_conaffinity[geom] != 0;
       const int body = m().geom_bodyid[geom];
-      if (collides && can_move(m(), body)) actor_geoms.push_back(geom);
+      const char* of = mj_id2name(&m(), mjOBJ_BODY, body);
+      const bool keeps_clear = of != nullptr && options.bystanders.contains(of);
+      if (collides && can_move(m(), body) && !keeps_clear) actor_geoms.push_back(geom);
       if (collides && m().body_treeid[body] >= 0) jointed_geoms.push_back(geom);
     }
   }

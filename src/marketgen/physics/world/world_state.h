@@ -151,6 +151,7 @@ struct World::State {
   bool wake_touched();   // after the contacts are known; true when any woke
   Result<void> wake_near_actors();
   Result<void> wake_near_moving_fixtures();
+  Result<double> distance_m(int geom, int other, double max_m);
   Result<void> wake_within(int geom, double reach_m);  // products as near as that to a geom
   void follow(std::size_t body);  // reports what happened to it, rests it when it sleeps
   void release_hooks();

@@ -65,15 +65,20 @@ bool World::State::wake_touched() {
   return any;
 }
 
+Result<double> World::State::distance_m(int geom, int other, double max_m) {
+  double apart = max_m;
+  MARKETGEN_CHECK(guarded(
+      step_where, [&] { apart = mj_geomDistance(&m(), &d(), geom, other, max_m, nullptr); }));
+  return apart;
+}
+
 Result<void> World::State::wake_within(int geom, double reach_m) {
   const Vec3 center = vec3_of(d().geom_xpos + 3 * geom);
   const double radius = m().geom_rbound[geom];
   const Vec3 half{radius, radius, radius};
   for (const std::uint32_t product : grid.near({center - half, center + half}, reach_m)) {
     const int other = store.product_geom[product];
-    double apart = reach_m;
-    MARKETGEN_CHECK(guarded(
-        step_where, [&] { apart = mj_geomDistance(&m(), &d(), geom, other, reach_m, nullptr); }));
+    MARKETGEN_TRY(const double apart, distance_m(geom, other, reach_m));
     if (apart < reach_m) wake(product);
   }
   return {};
