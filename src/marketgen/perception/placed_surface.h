@@ -51,7 +51,8 @@ inline std::optional<ShownPiece> shown_piece(
   if (facing < min_facing) return std::nullopt;
   const auto seen = view.project(point);
   if (!seen || !view.has(seen->pixel)) return std::nullopt;
-  const float slope = std::sqrt(1 - facing * facing) / facing;
+  // Normals are unit within a rounding.
+  const float slope = std::sqrt(std::max(0.0F, 1 - facing * facing)) / facing;
   return ShownPiece{seen->pixel,
                     seen->depth_m - view.view().depth_m[seen->pixel],
                     tolerance_m + view.pixel_m(seen->depth_m) * slope};

@@ -1,6 +1,8 @@
 // Masks, recognition and poses, on boxes whose answer is known.
 #include <gtest/gtest.h>
 
+#include "perception/placed_surface.h"
+
 #include <numbers>
 
 #include "perception/grasp_source.h"
@@ -167,6 +169,16 @@ TEST(ProductLook, ACrateHasItsPiecesFartherApart) {
 }
 
 // A carton hides what is behind it from a camera beside it, and nothing on the camera's side.
+// Right under the eye, with a normal that is a little longer than one, as a look on disk has it.
+TEST(ShownPiece, HasAToleranceWhenItIsSeenSquarely) {
+  const perception::ViewCloud cloud(
+      drawn_view(table_with_goods(), camera_over({0.5, 0.1, 0.6}), width, height, focal_px));
+  const auto shown =
+      perception::shown_piece(cloud, {0.5F, 0.1F, 0}, {0, 0, 1.00004F}, 0.25F, 0.003F);
+  ASSERT_TRUE(shown);
+  EXPECT_EQ(shown->tolerance_m, 0.003F);
+}
+
 TEST(HiddenRoom, IsBehindWhatIsSeen) {
   const std::vector<DrawnBox> goods{{{{0.5, 0, -0.02}, {}}, {1.0, 1.0, 0.02}, plain(grey)},
                                     {{{0.5, 0, 0}, {}}, {0.1, 0.1, 0.2}, plain(red)}};
