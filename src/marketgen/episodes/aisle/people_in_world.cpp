@@ -37,7 +37,7 @@ void PeopleInWorld::add_to(mjSpec_& made) const {
   for (std::size_t i = 0; i < around_.count(); ++i) {
     mjsBody* body = mjs_addBody(world, nullptr);
     mjs_setName(body->element, body_name(i).c_str());
-    body->mocap = 1;
+    body->mocap = true;
     const Pose pose = around_.store_from_person(i);
     physics::set_pose(body->pos, body->quat, pose);
     const double stature = around_.stature_m(i), half = stature * shoulders_share / 2;
