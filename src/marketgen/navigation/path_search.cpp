@@ -68,13 +68,7 @@ class VisibilityGraph::Search {
  public:
   Search(const VisibilityGraph& graph, PointMm from, PointMm to, std::span<const DiscMm> discs)
       : graph_(graph), from_(from), to_(to), discs_(discs_for(from, discs)) {
-    for (const DiscMm& disc : discs_)
-      add_ring(disc);
-    first_end_ = static_cast<std::uint32_t>(graph.corners_.size() + ring_.size());
-    cost_.assign(first_end_ + 2, not_reached_mm);
-    parent_.assign(first_end_ + 2, start());
-    closed_.assign(first_end_ + 2, false);
-    to_goal_.assign(graph.corners_.size(), not_reached_mm);
+    number_nodes();
   }
 
   // Empty when there is none.
@@ -95,6 +89,15 @@ class VisibilityGraph::Search {
   }
 
  private:
+  void number_nodes() {
+    for (const DiscMm& disc : discs_)
+      add_ring(disc);
+    first_end_ = static_cast<std::uint32_t>(graph_.corners_.size() + ring_.size());
+    cost_.assign(first_end_ + 2, not_reached_mm);
+    parent_.assign(first_end_ + 2, start());
+    closed_.assign(first_end_ + 2, false);
+    to_goal_.assign(graph_.corners_.size(), not_reached_mm);
+  }
   // An entry of the search: the lower estimate first, then the lower node.
   struct Open {
     double estimate;
