@@ -12,6 +12,7 @@
 #include "audit/metrics.h"
 #include "audit/straight_runs.h"
 #include "layout/floor.h"
+#include "layout/makes.h"
 
 namespace marketgen::audit {
 namespace {
@@ -31,15 +32,19 @@ bool stands_by(const Facts& facts, const layout::Fixture& fixture, plan::Opening
 bool is_counted(const Facts& facts, const plan::Requirement& r, const layout::Fixture& fixture) {
   const std::string kind = r.subject == "checkout" ? "checkout_lane" : r.subject;
   const bool counter = kind == "checkout_lane" && fixture.kind == "till-counter";  // small shops
-  if (fixture.kind != kind && !counter) return false;
+  if (!layout::counts_as(facts.scene.layout, fixture, kind) && !counter) return false;
   const auto door = value_named<plan::OpeningKind>(r.second_object);
   return door ? stands_by(facts, fixture, *door) : in_zone(facts, fixture, r.second_object);
+}
+
+bool is_gondola(const Facts& facts, const layout::Fixture& fixture) {
+  return layout::counts_as(facts.scene.layout, fixture, "gondola");
 }
 
 // The shelves of a zone, or all gondolas.
 bool levels_count(const Facts& facts, const plan::Requirement& r, std::size_t i) {
   const layout::Fixture& fixture = facts.scene.layout.fixtures[i];
-  const bool meant = r.subject.empty() ? is_shelving(facts, fixture) && fixture.kind == "gondola"
+  const bool meant = r.subject.empty() ? is_shelving(facts, fixture) && is_gondola(facts, fixture)
                                        : facts.scene.fixtures[i].shelf_count > 0;
   return meant && fixture.endcap_of.empty() && holds_for(facts, r, r.subject, fixture);
 }
@@ -185,8 +190,8 @@ Verdict check_height(const Facts& facts, const plan::Requirement& r) {
   for (const layout::Fixture& f : facts.scene.layout.fixtures) {
     const bool counted = r.subject.empty() || r.subject == "shelf" ||
                                  facts.catalog.fixture_kind(r.subject) == nullptr
-                             ? f.kind == "gondola"
-                             : f.kind == r.subject;
+                             ? is_gondola(facts, f)
+                             : layout::counts_as(facts.scene.layout, f, r.subject);
     if (!counted || !holds_for(facts, r, r.object, f)) continue;
     lowest = lowest == 0 ? f.height_mm : std::min<double>(lowest, f.height_mm);
     highest = std::max<double>(highest, f.height_mm);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "audit/traffic.h"
+#include "layout/makes.h"
 #include "scene/price_tags.h"
 
 namespace marketgen::audit {
@@ -106,7 +107,7 @@ double selling_area_m2(const scene::Scene& scene) {
 int shopping_aisles(const scene::Scene& scene) {
   int most = 0;
   for (const layout::Fixture& fixture : scene.layout.fixtures) {
-    if (fixture.sides != 2 && fixture.kind != "gondola") continue;
+    if (fixture.sides != 2 && !layout::counts_as(scene.layout, fixture, "gondola")) continue;
     const bool fronts_face_north = fixture.yaw_deg % 180 == 0;
     const bool across_x = !fronts_face_north;  // the line runs across the aisles
     const int at = across_x ? fixture.y_mm : fixture.x_mm;

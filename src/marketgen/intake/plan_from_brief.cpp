@@ -107,6 +107,7 @@ Result<Planned> plan_from_brief(const Brief& brief,
   MARKETGEN_TRY(Planned planned, planner.plan(drawn.brief, catalog, seed, concessions));
   planned.trace.insert(planned.trace.begin(), drawn.warnings.begin(), drawn.warnings.end());
   if (!planned.plan.shelves) fit_shelves(planned.plan);
+  if (!planned.plan.outfit) planned.plan.outfit = plan::Outfit::full;
   planned.drawn = drawn.brief.zones;
   if (const auto& photos = drawn.brief.photos; !photos.empty()) {
     PhotosFile file;

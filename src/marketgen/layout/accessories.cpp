@@ -40,16 +40,6 @@ bool plan_counts(const plan::Plan& plan, std::string_view kind) {
   return at_doors || std::ranges::any_of(plan.zones, in_zone);
 }
 
-// Somebody said how this zone's shelves are, or how many: then there are no others.
-bool is_described(const plan::Plan& plan, std::size_t zone) {
-  const plan::FixtureSpec& spec = plan.zones[zone].fixture;
-  if (spec.count || spec.runs || plan.zones[zone].also) return true;
-  const std::string path = "/zones/" + std::to_string(zone) + "/fixture/";
-  return std::ranges::any_of(plan.provenance, [&](const plan::Provenance& said) {
-    return said.source != plan::Source::repair && said.path.starts_with(path);
-  });
-}
-
 // Somebody said how wide aisles are: nothing stands in them or where they end.
 bool aisles_are_described(const plan::Plan& plan) {
   return std::ranges::any_of(plan.provenance, [](const plan::Provenance& said) {
@@ -73,7 +63,8 @@ class Accessories {
 
   void place(const AccessoryRow& row) {
     const Design& design = build_.design;
-    const bool suits = row.profiles.empty() || names_it(row.profiles, design.plan.profile);
+    const bool suits = (row.profiles.empty() || names_it(row.profiles, design.plan.profile)) &&
+                       (!row.only_full || design.plan.outfit == plan::Outfit::full);
     if (!suits || area_m2(design.floor.outline) < row.store_m2) return;
     const catalog::FixtureKind* kind = drawn_kind(row);
     if (kind == nullptr || plan_counts(design.plan, kind->kind)) return;
@@ -225,12 +216,24 @@ const std::vector<AccessoryRow>& accessory_rows() {
   { __VA_ARGS__ }
 #define ACCESSORY(id, kinds, places, zones, profiles, ...) \
   {#id, kinds, places, zones, profiles, __VA_ARGS__},
+#define FULL_ACCESSORY(id, kinds, places, zones, profiles, ...) \
+  {#id, kinds, places, zones, profiles, __VA_ARGS__, true},
   static const std::vector<AccessoryRow> rows{
 #include "layout/accessories.inc"
   };
+#undef FULL_ACCESSORY
 #undef ACCESSORY
 #undef LIST
   return rows;
+}
+
+bool is_described(const plan::Plan& plan, std::size_t zone) {
+  const plan::FixtureSpec& spec = plan.zones[zone].fixture;
+  if (spec.count || spec.runs || plan.zones[zone].also) return true;
+  const std::string path = "/zones/" + std::to_string(zone) + "/fixture/";
+  return std::ranges::any_of(plan.provenance, [&](const plan::Provenance& said) {
+    return said.source != plan::Source::repair && said.path.starts_with(path);
+  });
 }
 
 bool is_accessory(const Fixture& fixture) {

@@ -30,6 +30,7 @@ struct AccessoryRow {
   int most;                                // in the whole store
   double chance;                           // that a zone, or the door, has any
   std::string_view source;                 // why so
+  bool only_full = false;                  // plan::Outfit::full has it, and nothing else
 
   bool at_door() const {
     return places.front() == AccessoryPlace::entrance || places.front() == AccessoryPlace::exit ||
@@ -39,6 +40,9 @@ struct AccessoryRow {
 
 // In the order in which they are placed.
 const std::vector<AccessoryRow>& accessory_rows();
+
+// Somebody said how this zone's shelves are, or how many: then there are no others.
+bool is_described(const plan::Plan& plan, std::size_t zone);
 
 // Equipment of doors, and accessories: in a zone, but none of the fixtures that the zone is for.
 bool is_accessory(const Fixture& fixture);

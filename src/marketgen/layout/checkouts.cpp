@@ -112,6 +112,41 @@ int lane_offset(const TillFloor& floor, int depth_mm, int lane_mm, int clear_mm)
   return std::max(0, after - floor.before_wall_mm);
 }
 
+// Whether lanes of the kind leave what CHECKOUT_TIGHT wants before and after them, and how many
+// find room.
+struct LaneRoom {
+  bool deep_enough = false;
+  int lanes = 0;
+};
+
+LaneRoom room_for_lanes(const Build& build,
+                        const GroundBuild& ground,
+                        const catalog::FixtureKind& kind) {
+  constexpr double tight_share = 0.6;
+  const TillFloor floor = till_floor(build, ground.ground);
+  const int clear = build.design.profile.checkout_clear_mm;
+  const plan::Zone& zone = *build.zones[ground.zone].zone;
+  Lane lane = make_lane(build.design, zone, kind, floor.out);
+  const int depth = till_depth(floor, clear);
+  if (!zone.fixture.depth_mm) fit_length(lane, kind, depth, clear);
+  LaneRoom room{depth >= lane.along_mm + static_cast<int>(2 * tight_share * clear), 0};
+  for (const Span& span : till_spans(build, floor))
+    room.lanes = std::max(room.lanes, lanes_in(span, lane.across_mm));
+  return room;
+}
+
+// The store's make of tills, unless fewer of them find room than of the kind that it stands for.
+void settle_lanes(Build& build, const GroundBuild& ground) {
+  ZoneBuild& zone = build.zones[ground.zone];
+  const catalog::FixtureKind* kind = kinds_of(*zone.zone, build.design.catalog).main;
+  if (zone.kinds.main == kind) return;
+  const int wish = lane_wish(build, *zone.zone);
+  const LaneRoom made = room_for_lanes(build, ground, *zone.kinds.main),
+                 usual = room_for_lanes(build, ground, *kind);
+  const bool fits = made.deep_enough || !usual.deep_enough;
+  if (!fits || std::min(wish, made.lanes) < std::min(wish, usual.lanes)) zone.kinds.main = kind;
+}
+
 void place_lanes(Build& build, GroundBuild& ground) {
   ZoneBuild& zone = build.zones[ground.zone];
   const TillFloor floor = till_floor(build, ground.ground);
@@ -190,6 +225,27 @@ int machines_in_row(const Build& build,
   return machines;
 }
 
+int machine_room(const Build& build, const GroundBuild& ground, const catalog::FixtureKind& kind) {
+  const ZoneBuild& zone = build.zones[ground.zone];
+  const TillFloor floor = till_floor(build, ground.ground);
+  const ModuleSpec spec = module_spec(build.design, *zone.zone, kind);
+  const Side back = lies_along_x(floor.out) ? Side::west : Side::south;
+  const int in_row = machines_in_row(build, zone, floor.rect, spec, back);
+  const int wish = machine_wish(build, *zone.zone);
+  const int wide = across(floor.rect, back).length();
+  return in_row * machine_rows(wide, spec.depth_mm, in_row, zone.zone->fixture.count ? wish : 0);
+}
+
+void settle_machines(Build& build, const GroundBuild& ground) {
+  ZoneBuild& zone = build.zones[ground.zone];
+  const catalog::FixtureKind* kind = kinds_of(*zone.zone, build.design.catalog).main;
+  if (zone.kinds.main == kind) return;
+  const int wish = machine_wish(build, *zone.zone);
+  if (std::min(wish, machine_room(build, ground, *zone.kinds.main)) <
+      std::min(wish, machine_room(build, ground, *kind)))
+    zone.kinds.main = kind;
+}
+
 // From the edge behind the first row to the back or front of row `i` of more than two.
 int machine_offset(int i, int depth_mm) {
   return i * depth_mm + (i + 1) / 2 * self_checkout_floor_mm;
@@ -259,8 +315,10 @@ void place_checkouts(Build& build) {
     if (main == nullptr || main->role == catalog::FixtureRole::shelving) continue;
     if (build.zones[ground.zone].stands) continue;
     if (main->generator == "checkout_lane") {
+      settle_lanes(build, ground);
       place_lanes(build, ground);
     } else if (main->generator == "self_checkout") {
+      settle_machines(build, ground);
       place_machines(build, ground);
     } else {
       place_desks(build, ground);

@@ -4,6 +4,7 @@
 
 #include "catalog/catalog.h"
 #include "layout/floor.h"
+#include "layout/makes.h"
 #include "plan/plan.h"
 
 namespace marketgen::layout {
@@ -13,6 +14,7 @@ struct Design {
   const catalog::Catalog& catalog;
   catalog::ProfileRow profile;  // defaults when the plan names none
   Floor floor;
+  Makes makes = {};  // of a store with full outfit, while it is furnished
 
   // The least free floor before a stocked front. A grid cell is added to the wheelchair's width:
   // paths are checked on a 50 mm grid, which sees a passage only when it is that much wider.

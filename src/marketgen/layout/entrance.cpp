@@ -94,6 +94,12 @@ std::vector<const Doorway*> doors_named(const Design& design, const std::string&
   return doors;
 }
 
+bool is_named(const Design& design, std::string_view kind) {
+  return design.plan.equipment &&
+         std::ranges::find(*design.plan.equipment, kind, &plan::EquipmentSpec::kind) !=
+             design.plan.equipment->end();
+}
+
 // As the plan wishes; as usual, one at the first entrance, where it does not name the kind.
 AtDoors doors_of(const Design& design, std::string_view kind, bool usual) {
   AtDoors at;
@@ -219,10 +225,11 @@ void place_entrance(Build& build) {
       const ZoneBuild* owner = nearest_zone(build, door.first->threshold);
       return owner != nullptr && owner->stands;
     });
-    if (kind->generator == "gate")
-      place_all_gates(build, *kind, at);
+    const catalog::FixtureKind& make = is_named(design, name) ? *kind : design.makes.of(*kind);
+    if (make.generator == "gate")
+      place_all_gates(build, make, at);
     else
-      place_all_beside(build, *kind, at, low_side_first);
+      place_all_beside(build, make, at, low_side_first);
   };
   for (const UsualEquipment& usual : usual_equipment)
     place(usual.kind, true, usual.beside_trolleys == low);

@@ -349,9 +349,15 @@ Side front_end(const FloorTask& task, const FloorComb& comb) {
   return exit->threshold[axis] < middle[axis] ? ends[0] : ends[1];
 }
 
+const catalog::FixtureKind* endcap_kind(const FloorTask& task) {
+  const Design& design = task.build.design;
+  const catalog::FixtureKind* kind = design.catalog.fixture_kind("endcap");
+  return kind == nullptr ? nullptr : &design.makes.of(*kind, task.zone.zone->type);
+}
+
 EndcapPlan endcaps_of(const FloorTask& task, const FloorBlock& block) {
   const plan::Endcaps wish = task.zone.zone->fixture.endcaps;
-  const catalog::FixtureKind* kind = task.build.design.catalog.fixture_kind("endcap");
+  const catalog::FixtureKind* kind = endcap_kind(task);
   if (kind == nullptr || block.faces() < 2 || block.between_mm > 0 ||
       block.spec.kind->generator != "gondola")
     return {};

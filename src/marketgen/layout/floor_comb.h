@@ -42,6 +42,8 @@ struct EndcapPlan {
   int depth_mm = 0;
 };
 
+// The store's make of endcap; null where the catalogue has none.
+const catalog::FixtureKind* endcap_kind(const FloorTask& task);
 EndcapPlan endcaps_of(const FloorTask& task, const FloorBlock& block);
 
 // The end of the runs that is nearer to the tills.

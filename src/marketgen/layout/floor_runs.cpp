@@ -13,7 +13,7 @@ void add_endcap(const FloorTask& task,
                 const RectMm& block,
                 Side end,
                 std::string_view name) {
-  const catalog::FixtureKind* kind = task.build.design.catalog.fixture_kind("endcap");
+  const catalog::FixtureKind* kind = endcap_kind(task);
   if (kind == nullptr) return;
   const ModuleSpec spec = module_spec(task.build.design, *task.zone.zone, *kind);
   const int run_depth = comb.block.depth_mm();

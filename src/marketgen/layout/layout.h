@@ -148,6 +148,8 @@ struct Layout {
   std::vector<Fixture> fixtures;  // sorted by id
   std::vector<Aisle> aisles;      // sorted by id
   std::vector<Violation> violations;
+  std::optional<plan::Outfit> outfit;  // of the plan
+  std::optional<std::string> country;  // of the plan, where the outfit is full: of its signs
 
   static constexpr auto fields = field_list(
       field("schema", &Layout::schema, "schema tag", constant("market-layout/1")),
@@ -159,9 +161,14 @@ struct Layout {
       field("fixtures", &Layout::fixtures, "one row per module", required(), at_most_items(100000)),
       field("aisles", &Layout::aisles, "free strips between fixtures"),
       field("violations", &Layout::violations, "broken rules"),
-      field("time",  // the last: scenes of before have no such column
+      field("time",  // it and what follows: scenes of before have no such columns
             &Layout::time,
             "weekday and hour at which its shelves are seen; absent: as staff filled them",
+            at_most_bytes(16)),
+      field("outfit", &Layout::outfit, "whether it has more than the plain rows; absent: plain"),
+      field("country",
+            &Layout::country,
+            "whose words its signs have, where the outfit is full; absent: English",
             at_most_bytes(16)));
 };
 

@@ -6,6 +6,7 @@
 #include "layout/faces.h"
 #include "layout/finish.h"
 #include "layout/floor.h"
+#include "layout/in_line.h"
 #include "layout/kept_layout.h"
 #include "layout/layout.h"
 #include "layout/module_spec.h"
@@ -34,6 +35,46 @@ void add_groups(Build& build, std::size_t index) {
   }
 }
 
+// Whether a run of the make finds the floor that one of the kind has.
+bool has_room(const RectMm& floor,
+              const catalog::FixtureKind& kind,
+              const catalog::FixtureKind& make,
+              const Design& design) {
+  constexpr int modules = 3;  // of a run that is worth it
+  const auto [shorter, longer] = std::minmax(floor.width(), floor.depth());
+  const auto narrowest = [](const catalog::FixtureKind& row) {
+    return *std::ranges::min_element(row.module_widths_mm);
+  };
+  const bool long_enough =
+      narrowest(make) <= narrowest(kind) || longer >= modules * narrowest(make);
+  const int aisle = std::max(design.min_aisle_mm() + static_cast<int>(make.door_swing_mm),
+                             static_cast<int>(make.front_clearance_mm));
+  return long_enough && (make.depth_mm <= kind.depth_mm || shorter >= make.depth_mm + aisle);
+}
+
+// What the store has in the place of the kind in this zone.
+const catalog::FixtureKind* make_in_zone(const Build& build,
+                                         std::size_t zone,
+                                         const catalog::FixtureKind* kind) {
+  if (kind == nullptr) return nullptr;
+  const Design& design = build.design;
+  const catalog::FixtureKind& make = design.makes.of(*kind, design.plan.zones[zone].type);
+  const bool fits = std::ranges::any_of(build.grounds, [&](const GroundBuild& ground) {
+    return ground.zone == zone && has_room(ground.ground.rect, *kind, make, design);
+  });
+  return fits && may_have(design.plan, zone, *kind, make) ? &make : kind;
+}
+
+// Along walls nothing stands that is taken from on both sides.
+void choose_makes(Build& build) {
+  for (std::size_t i = 0; i < build.zones.size(); ++i) {
+    ZoneKinds& kinds = build.zones[i].kinds;
+    const catalog::FixtureKind* wall = make_in_zone(build, i, kinds.wall);
+    kinds.main = make_in_zone(build, i, kinds.main);
+    if (wall == nullptr || !wall->double_sided) kinds.wall = wall;
+  }
+}
+
 Build start_build(const Design& design, Seed seed) {
   Build build{design, Site(design), {}, {}, seed};
   for (const plan::Zone& zone : design.plan.zones) {
@@ -44,6 +85,7 @@ Build start_build(const Design& design, Seed seed) {
     const std::size_t zone = ground.zone;
     build.grounds.push_back({std::move(ground), zone});
   }
+  choose_makes(build);
   return build;
 }
 
@@ -63,6 +105,7 @@ Result<std::vector<Fixture>> with_pins(const Build& build, std::vector<Fixture> 
   for (const GroundBuild& ground : build.grounds)
     floors.push_back({build.zones[ground.zone].zone->id, ground.ground.rect});
   MARKETGEN_CHECK(move_runs(fixtures, build.design.plan, floors));
+  put_in_line(fixtures, build);
   return with_accessories(build, std::move(fixtures));
 }
 
@@ -113,6 +156,10 @@ Result<Layout> with_fixtures(const Design& design, std::vector<Fixture> fixtures
   layout.shell.outline_mm = design.floor.outline;
   layout.look = plan.look;
   layout.time = plan.time;
+  if (plan.outfit == plan::Outfit::full) {
+    layout.outfit = plan.outfit;
+    layout.country = plan.country;
+  }
   layout.fixtures = std::move(fixtures);
   if (layout.fixtures.empty()) {
     return Error{"layout.impossible",
@@ -122,6 +169,7 @@ Result<Layout> with_fixtures(const Design& design, std::vector<Fixture> fixtures
   }
   MARKETGEN_CHECK(apply_overrides(layout.fixtures, plan, design.catalog));
   mark_run_ends(layout.fixtures);
+  if (layout.outfit) close_joints_of_kinds(layout.fixtures);
   std::ranges::sort(layout.fixtures, {}, &Fixture::id);
   layout.zones = layout_zones(design);
   layout.aisles = find_aisles(design, layout.fixtures);
@@ -129,13 +177,20 @@ Result<Layout> with_fixtures(const Design& design, std::vector<Fixture> fixtures
   return layout;
 }
 
-constexpr std::string_view fixtures_stream = "layout";
+constexpr std::string_view fixtures_stream = "layout", makes_stream = "makes";
+
+Design design_with_makes(const plan::Plan& plan, const catalog::Catalog& catalog, Seed seed) {
+  Design design = make_design(plan, catalog);
+  if (plan.outfit == plan::Outfit::full)
+    design.makes = Makes(plan, catalog, seed.child(makes_stream));
+  return design;
+}
 
 }  // namespace
 
 Result<Layout> make_layout(const plan::Plan& plan, const catalog::Catalog& catalog, Seed seed) {
   MARKETGEN_CHECK(check_floor(plan.shell));
-  const Design design = make_design(plan, catalog);
+  const Design design = design_with_makes(plan, catalog, seed);
   MARKETGEN_CHECK(check_modules(design));
   MARKETGEN_TRY(std::vector<Fixture> fixtures, furnish(design, seed.child(fixtures_stream)));
   return with_fixtures(design, std::move(fixtures));
@@ -147,7 +202,7 @@ Result<Layout> make_layout_keeping(const plan::Plan& plan,
                                    const Layout& before,
                                    const std::set<std::string>& furnish) {
   MARKETGEN_CHECK(check_floor(plan.shell));
-  const Design design = make_design(plan, catalog);
+  const Design design = design_with_makes(plan, catalog, seed);
   MARKETGEN_CHECK(check_modules(design));
   MARKETGEN_TRY(std::vector<Fixture> fixtures,
                 furnish_round(design, seed.child(fixtures_stream), before, furnish));

@@ -116,7 +116,10 @@ void choose_widths(ModuleSpec& spec, const Design& design, const plan::FixtureSp
     spec.widths_mm.insert(spec.widths_mm.begin(), width);
   };
   const std::string& generator = spec.kind->generator;
-  if (generator == "gondola" || generator == "wall_unit") prefer(design.profile.module_mm);
+  // A make that a full store has is built in its row's widths.
+  const bool any_width = design.plan.outfit != plan::Outfit::full || spec.kind->kind == generator;
+  if ((generator == "gondola" || generator == "wall_unit") && any_width)
+    prefer(design.profile.module_mm);
   if (wish.module_mm) spec.widths_mm = {*wish.module_mm};
 }
 
@@ -140,12 +143,23 @@ int sum(const std::vector<int>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0);
 }
 
+// Whether the kind is the one that was asked for, or what this store has in its place.
+bool is_or_is_made_as(const Design& design,
+                      const plan::Zone& zone,
+                      const catalog::FixtureKind& kind,
+                      const catalog::FixtureKind* asked) {
+  return asked != nullptr && (&kind == asked || &kind == &design.makes.of(*asked, zone.type));
+}
+
 // What `also` says of the kind that lines the walls. Else a zone that says how far its boards are
 // apart has all its shelves alike: wall units, too, take levels, distance and height.
-plan::FixtureSpec wish_along_walls(const plan::Zone& zone, const catalog::FixtureKind& kind) {
+plan::FixtureSpec wish_along_walls(const Design& design,
+                                   const plan::Zone& zone,
+                                   const catalog::FixtureKind& kind) {
   plan::FixtureSpec wish;
   for (std::size_t k = 0; zone.also && k < zone.also->size(); ++k)
-    if ((*zone.also)[k].kind == kind.kind) return (*zone.also)[k];
+    if (is_or_is_made_as(design, zone, kind, design.catalog.fixture_kind((*zone.also)[k].kind)))
+      return (*zone.also)[k];
   if (kind.generator != "wall_unit" || !zone.fixture.spacing_mm) return wish;
   wish.height_mm = zone.fixture.height_mm;
   wish.levels = zone.fixture.levels;
@@ -268,8 +282,9 @@ ZoneKinds kinds_beside(const plan::FixtureSpec& also, const catalog::Catalog& ca
 ModuleSpec module_spec(const Design& design,
                        const plan::Zone& zone,
                        const catalog::FixtureKind& kind) {
-  const bool own = kind.kind == zone.fixture.kind || &kind == kinds_of(zone, design.catalog).main;
-  const plan::FixtureSpec wish = own ? zone.fixture : wish_along_walls(zone, kind);
+  const bool own = kind.kind == zone.fixture.kind ||
+                   is_or_is_made_as(design, zone, kind, kinds_of(zone, design.catalog).main);
+  const plan::FixtureSpec wish = own ? zone.fixture : wish_along_walls(design, zone, kind);
   ModuleSpec spec;
   spec.kind = &kind;
   spec.sides = wish.double_sided.value_or(kind.double_sided) && kind.double_sided ? 2 : 1;

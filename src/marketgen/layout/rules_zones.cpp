@@ -5,6 +5,7 @@
 #include <set>
 
 #include "layout/accessories.h"
+#include "layout/makes.h"
 #include "layout/module_spec.h"
 #include "layout/neighbours.h"
 #include "layout/relations.h"
@@ -130,7 +131,7 @@ void add_shortage(Findings& found,
   int standing = 0;
   std::set<std::string> runs;
   for (const Fixture& fixture : facts.layout.fixtures) {
-    if (fixture.zone != zone.id || fixture.kind != counted.kind->kind) continue;
+    if (fixture.zone != zone.id || !counts_as(facts.layout, fixture, counted.kind->kind)) continue;
     ++standing;
     runs.insert(fixture.run);
   }

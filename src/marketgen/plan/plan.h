@@ -437,6 +437,15 @@ constexpr std::array<std::string_view, 2> names_of(ShelfPitch) {
   return {"even", "fitted"};
 }
 
+// What the catalogue has for the store besides the plain rows.
+enum class Outfit {
+  plain,  // the kinds that the plan names, and those that its zones usually have
+  full    // one make for each role, special units in line with others, more accessories
+};
+constexpr std::array<std::string_view, 2> names_of(Outfit) {
+  return {"plain", "full"};
+}
+
 struct Plan {
   std::string schema = "market-plan/1";
   std::string name = "Market";
@@ -445,6 +454,7 @@ struct Plan {
   std::optional<std::string> time;  // plan/store_time.h
   std::optional<Vary> vary;
   std::optional<ShelfPitch> shelves;  // none: even
+  std::optional<Outfit> outfit;       // none: plain
   Shell shell;
   Look look;
   std::vector<Node> nodes;
@@ -476,6 +486,12 @@ struct Plan {
           "how far boards are apart. fitted: as high as the goods on them, and each kind of goods "
           "has the room that shops give it; even: all over a fixture alike, and goods come in the "
           "order of the assortment; absent: even"),
+      field(
+          "outfit",
+          &Plan::outfit,
+          "what the catalogue has besides the plain rows. full: one make of each kind of fixture, "
+          "drawn for the store, special units in line with others, more accessories, numbers over "
+          "lanes and boards over exits; plain: none of that; absent: plain"),
       field("shell", &Plan::shell, "the room", required()),
       field("look", &Plan::look, "materials and light"),
       field("nodes",

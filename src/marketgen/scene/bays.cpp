@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "layout/makes.h"
 #include "scene/assortment.h"
 #include "scene/board_goods.h"
 #include "scene/brand_blocks.h"
@@ -26,8 +27,9 @@ int place_along(const layout::Fixture& fixture, int side) {
   }
 }
 
-bool shows_promotions(const layout::Fixture& fixture) {
-  return !fixture.endcap_of.empty() || fixture.kind == "bin" || fixture.kind == "pallet";
+bool shows_promotions(const layout::Layout& layout, const layout::Fixture& fixture) {
+  return !fixture.endcap_of.empty() || fixture.kind == "bin" ||
+         layout::counts_as(layout, fixture, "pallet");
 }
 
 // In the zone's pattern.
@@ -56,7 +58,7 @@ std::vector<BayRef> bays_of(const Scene& scene) {
     const SceneFixture& row = scene.fixtures[f];
     for (int side = 0; side < 2; ++side) {
       BayRef ref{fixture.zone, fixture.run, side, place_along(fixture, side), f, {}, {}, {}, {}};
-      ref.bay.promotion = shows_promotions(fixture);
+      ref.bay.promotion = shows_promotions(scene.layout, fixture);
       for (std::uint32_t s = row.first_shelf; s < row.first_shelf + row.shelf_count; ++s) {
         const SceneShelf& shelf = scene.shelves[s];
         if (shelf.side != side) continue;

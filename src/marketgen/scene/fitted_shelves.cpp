@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/json.h"
+#include "layout/makes.h"
 #include "scene/assortment.h"
 #include "scene/brand_blocks.h"
 #include "scene/fitted_boards.h"
@@ -32,7 +33,9 @@ struct BoardWish {
   bool spacing = false, levels = false;
 };
 
-BoardWish wish_of(const plan::Plan& plan, const layout::Fixture& fixture) {
+BoardWish wish_of(const plan::Plan& plan,
+                  const layout::Layout& layout,
+                  const layout::Fixture& fixture) {
   BoardWish wish;
   const auto hear = [&](const plan::FixtureSpec& spec) {
     wish.spacing |= spec.spacing_mm.has_value();
@@ -42,7 +45,7 @@ BoardWish wish_of(const plan::Plan& plan, const layout::Fixture& fixture) {
   hear(zone.fixture);
   if (zone.also)
     for (const plan::FixtureSpec& also : *zone.also)
-      if (also.kind == fixture.kind) hear(also);
+      if (layout::counts_as(layout, fixture, also.kind)) hear(also);
   wish.levels |= std::ranges::any_of(plan.overrides, [&](const plan::Override& change) {
     return change.fixture == fixture.id && change.field_name == "levels";
   });
@@ -58,7 +61,7 @@ std::optional<BayOpening> opening_of(const BayRef& bay,
   const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
   const std::vector<ShelfRoom>& shelves = bay.bay.shelves;
   if (kind == nullptr || kind->slot_mm == 0 || shelves.size() < 2) return std::nullopt;
-  const BoardWish wish = wish_of(plan, fixture);
+  const BoardWish wish = wish_of(plan, bare.layout, fixture);
   if (wish.spacing) return std::nullopt;
   const ShelfRoom &lowest = shelves.front(), &highest = shelves.back();
   BayOpening opening;
@@ -204,7 +207,7 @@ layout::Layout before_fitting(layout::Layout layout,
                               const catalog::Catalog& catalog) {
   for (layout::Fixture& fixture : layout.fixtures) {
     const catalog::FixtureKind* kind = catalog.fixture_kind(fixture.kind);
-    if (fixture.spacings_mm && kind != nullptr && !wish_of(plan, fixture).levels)
+    if (fixture.spacings_mm && kind != nullptr && !wish_of(plan, layout, fixture).levels)
       fixture.levels = kind->levels;
   }
   return with_even_boards(std::move(layout));

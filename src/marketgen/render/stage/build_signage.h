@@ -1,7 +1,8 @@
 // What is written in the shop: price labels on shelf edges, cards under those of offers, hanging
-// signs over zones, bands with zone names along the walls.
+// signs over zones, bands with zone names along the walls, numbers over lanes, boards over exits.
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "render/stage/draft.h"
@@ -20,6 +21,29 @@ class PriceLabelBuilder {
     std::optional<std::uint16_t> card;  // of an offer
   };
   std::vector<Looks> looks_of_label_;  // by scene.price_labels
+};
+
+// What is printed on a sign of that size: white letters on `ground`.
+std::uint16_t sign_material(Draft& draft,
+                            const std::string& text,
+                            const std::string& ground,
+                            float width,
+                            float height,
+                            int height_px);
+
+// Letters on boards of fixtures that would be blank: over the ends of runs the name of the zone,
+// on tasting tables an invitation. Of stores with full outfit.
+class BoardLetters {
+ public:
+  explicit BoardLetters(Draft& draft);
+  void build(Draft& draft) const;
+
+ private:
+  struct Board {
+    std::uint32_t fixture = 0, part = 0;  // rows of the scene
+    std::uint16_t material = 0;
+  };
+  std::vector<Board> boards_;
 };
 
 class SignBuilder {
@@ -41,16 +65,25 @@ class SignBuilder {
     float middle = 0, width = 0;
     std::uint16_t material = 0;
   };
+  // Over a door that leads out.
+  struct ExitBoard {
+    std::size_t wall = 0;
+    float middle = 0, low = 0;
+  };
   void hang_boards(Draft& draft);
   void write_names(Draft& draft);
+  void number_lanes(Draft& draft);
+  void mark_exits(Draft& draft);
   void add_board(Mesh& mesh, const Board& board) const;
+  void add_exit(Mesh& mesh, const ExitBoard& board) const;
   // A strip along the wall between two heights, broken where openings are as high.
   void add_band(Mesh& mesh, const WallEdge& edge, float low, float high, float depth) const;
 
   const Room& room_;
   std::vector<Board> boards_;
   std::vector<WallName> names_;
-  std::uint16_t band_ = 0, metal_ = 0;
+  std::vector<ExitBoard> exits_;
+  std::uint16_t band_ = 0, metal_ = 0, exit_ = 0;
   std::optional<std::uint16_t> neon_;  // of looks that have it
   float band_low_ = 2.55F, board_low_ = 2.35F;
 };

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "assets/print/color.h"
 #include "assets/print/label.h"
+#include "layout/makes.h"
 #include "render/stage/build_signage.h"
 
 namespace marketgen::render::raytrace {
@@ -22,17 +24,23 @@ constexpr int name_px = 128, board_px = 192;
 constexpr float neon_m = 0.022F, neon_below_m = 0.05F;  // the tube, and how far below a band
 constexpr float neon_over_white = 3;
 constexpr std::string_view white_text = "#ffffff";
+constexpr float number_width_m = 0.5F;  // of the board over a lane
+constexpr float exit_width_m = 0.6F, exit_height_m = 0.2F, exit_depth_m = 0.04F;
+constexpr float over_door_m = 0.06F;                  // from a door's head to its board
+constexpr std::string_view safety_green = "#00794a";  // ISO 3864-4
+constexpr std::string_view usual_exit_word = "EXIT";
 
-std::uint16_t sign_material(
-    Draft& draft, const std::string& text, float width, float height, int height_px) {
-  const std::string accent = draft.scene().layout.look.accent;
-  const int width_px =
-      static_cast<int>(std::lround(static_cast<float>(height_px) * width / height));
-  const std::string content = "sign " + std::to_string(width_px) + "x" + std::to_string(height_px) +
-                              " " + accent + " " + text;
-  const std::int32_t texture = draft.texture(
-      content, [=] { return assets::draw_sign(text, accent, white_text, width_px, height_px); });
-  return draft.material({.color = {1, 1, 1}, .roughness = 0.6F, .texture = texture});
+// What stands over exits. Countries that are not here have the English word: so have China and
+// Japan, whose letters the fonts of signs lack.
+struct ExitWord {
+  std::string_view country, word;
+};
+constexpr std::array<ExitWord, 3> exit_words{
+    {{"ch", "AUSGANG"}, {"se", "UTG\u00c5NG"}, {"pl", "WYJ\u015aCIE"}}};
+
+std::string exit_word(const std::optional<std::string>& country) {
+  const auto found = std::ranges::find(exit_words, country.value_or(""), &ExitWord::country);
+  return std::string(found == exit_words.end() ? usual_exit_word : found->word);
 }
 
 // Where the free-standing fixtures of a zone are, and along which axis their runs go.
@@ -73,6 +81,21 @@ Interval covered(const WallEdge& edge, const layout::Fixture& fixture) {
 
 }  // namespace
 
+std::uint16_t sign_material(Draft& draft,
+                            const std::string& text,
+                            const std::string& ground,
+                            float width,
+                            float height,
+                            int height_px) {
+  const int width_px =
+      static_cast<int>(std::lround(static_cast<float>(height_px) * width / height));
+  const std::string content = "sign " + std::to_string(width_px) + "x" + std::to_string(height_px) +
+                              " " + ground + " " + text;
+  const std::int32_t texture = draft.texture(
+      content, [=] { return assets::draw_sign(text, ground, white_text, width_px, height_px); });
+  return draft.material({.color = {1, 1, 1}, .roughness = 0.6F, .texture = texture});
+}
+
 SignBuilder::SignBuilder(Draft& draft, const Room& room) : room_(room) {
   band_low_ = std::min(band_clear_m, room.ceiling - band_height_m - 0.1F);
   board_low_ = std::min(board_clear_m, room.ceiling - board_height_m - 0.15F);
@@ -86,6 +109,9 @@ SignBuilder::SignBuilder(Draft& draft, const Room& room) : room_(room) {
   metal_ = draft.material({.color = {0.5F, 0.5F, 0.5F}, .roughness = 0.4F});
   hang_boards(draft);
   write_names(draft);
+  if (draft.scene().layout.outfit != plan::Outfit::full) return;
+  number_lanes(draft);
+  mark_exits(draft);
 }
 
 void SignBuilder::hang_boards(Draft& draft) {
@@ -109,8 +135,8 @@ void SignBuilder::hang_boards(Draft& draft) {
                          2;
     std::vector<float> places{(low + high) / 2};
     if (high - low > two_boards_from_m) places = {low + board_from_end_m, high - board_from_end_m};
-    const std::uint16_t material =
-        sign_material(draft, zone.label, board_width_m, board_height_m, board_px);
+    const std::uint16_t material = sign_material(
+        draft, zone.label, layout.look.accent, board_width_m, board_height_m, board_px);
     for (const float place : places) {
       const float z = board_low_ + board_height_m / 2;
       boards_.push_back({along_x ? Vec3f{place, across, z} : Vec3f{across, place, z},
@@ -139,7 +165,7 @@ void SignBuilder::write_names(Draft& draft) {
       const int count = std::max(1, static_cast<int>(span / name_pitch_m));
       const float width = std::min(name_width_m, span - 0.2F);
       const std::uint16_t material =
-          sign_material(draft, zone.label, width, band_height_m, name_px);
+          sign_material(draft, zone.label, layout.look.accent, width, band_height_m, name_px);
       for (int i = 0; i < count; ++i) {
         const float middle =
             found->second.low + span * (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
@@ -147,6 +173,64 @@ void SignBuilder::write_names(Draft& draft) {
       }
     }
   }
+}
+
+// From one end of the line of tills to the other, towards whoever comes along a lane.
+void SignBuilder::number_lanes(Draft& draft) {
+  const layout::Layout& layout = draft.scene().layout;
+  std::vector<RectMm> lanes;
+  for (const layout::Fixture& fixture : layout.fixtures)
+    if (layout::counts_as(layout, fixture, "checkout_lane"))
+      lanes.push_back(layout::footprint_of(fixture));
+  std::ranges::sort(lanes, {}, [](const RectMm& lane) { return std::pair{lane.x0, lane.y0}; });
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    const RectMm& lane = lanes[i];
+    const PointMm middle = lane.center();
+    const float z = board_low_ + board_height_m / 2;
+    boards_.push_back({{metres(middle[0]), metres(middle[1]), z},
+                       lane.width() > lane.depth(),
+                       number_width_m,
+                       sign_material(draft,
+                                     std::to_string(i + 1),
+                                     layout.look.accent,
+                                     number_width_m,
+                                     board_height_m,
+                                     board_px)});
+  }
+}
+
+// Over exits and emergency exits; over the entrance of a shop whose only door that is.
+void SignBuilder::mark_exits(Draft& draft) {
+  const layout::Layout& layout = draft.scene().layout;
+  const bool has_exit =
+      std::ranges::find(layout.shell.openings, plan::OpeningKind::exit, &plan::Opening::kind) !=
+      layout.shell.openings.end();
+  const auto is_way_out = [&](plan::OpeningKind kind) {
+    return kind == plan::OpeningKind::exit || kind == plan::OpeningKind::emergency ||
+           (kind == plan::OpeningKind::entrance && !has_exit);
+  };
+  for (std::size_t w = 0; w < room_.walls.size(); ++w) {
+    for (const WallOpening& opening : room_.walls[w].openings) {
+      const float low = opening.head + over_door_m;
+      if (!is_way_out(opening.kind) || low + exit_height_m > room_.ceiling) continue;
+      exits_.push_back({w, (opening.low + opening.high) / 2, low});
+    }
+  }
+  if (!exits_.empty())
+    exit_ = sign_material(draft,
+                          exit_word(layout.country),
+                          std::string(safety_green),
+                          exit_width_m,
+                          exit_height_m,
+                          name_px);
+}
+
+void SignBuilder::add_exit(Mesh& mesh, const ExitBoard& board) const {
+  const Placement& wall = room_.walls[board.wall].world_from_wall;
+  const float low = board.middle - exit_width_m / 2, high = board.middle + exit_width_m / 2;
+  const float top = board.low + exit_height_m;
+  add_framed_box(mesh, wall, {low, 0, board.low}, {high, exit_depth_m, top}, 0, 0);
+  add_wall_picture(mesh, wall, low, high, exit_depth_m + 1e-3F, board.low, top, 1);
 }
 
 void SignBuilder::add_board(Mesh& mesh, const Board& board) const {
@@ -186,6 +270,11 @@ void SignBuilder::build(Draft& draft) const {
     Mesh mesh;
     add_board(mesh, board);
     append(world.ceiling, world.shell_glass, mesh, {metal_, board.material}, world, {1, -1});
+  }
+  for (const ExitBoard& board : exits_) {
+    Mesh mesh;
+    add_exit(mesh, board);
+    append(world.shell, world.shell_glass, mesh, {metal_, exit_}, world, {1, -1});
   }
   Mesh bands, neon;
   for (const WallEdge& edge : room_.walls) {

@@ -42,6 +42,7 @@ Result<void> furnish(World& world,
   const LightBuilder light(draft);
   const PriceLabelBuilder price_labels(draft);
   const SignBuilder signs(draft, room);
+  const BoardLetters letters(draft);
   const CeilingBuilder services(draft, room);
   const DecorBuilder decor(draft, room);
   std::vector<std::uint16_t> exhibited;
@@ -57,6 +58,7 @@ Result<void> furnish(World& world,
   services.build(draft);
   decor.build(draft);
   fixtures.build(draft);
+  letters.build(draft);
   products.build(draft);
   add_exhibits(world, exhibits, exhibited);
   return {};
