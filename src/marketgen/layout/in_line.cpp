@@ -58,19 +58,22 @@ class InLine {
     std::vector<Modules> places;
     for (const auto& [run, line] : lines_[zone.id]) {
       if (line.size() < min_run) continue;
-      const std::size_t wanted = std::min<std::size_t>(row.modules, line.size() - 2);
+      const std::size_t wanted = std::min(static_cast<std::size_t>(row.modules), line.size() - 2);
       for (std::size_t first = 1; first + wanted < line.size(); ++first) {
         Modules place(line.begin() + static_cast<std::ptrdiff_t>(first),
                       line.begin() + static_cast<std::ptrdiff_t>(first + wanted));
-        if (std::ranges::all_of(place,
-                                [&](const Fixture* module) { return fits(row, kind, *module); }))
+        if (std::ranges::all_of(
+                place, [&](const Fixture* module) { return fits(row, kind, zone, *module); }))
           places.push_back(std::move(place));
       }
     }
     return places;
   }
 
-  bool fits(const InLineRow& row, const catalog::FixtureKind& kind, const Fixture& module) const {
+  bool fits(const InLineRow& row,
+            const catalog::FixtureKind& kind,
+            const plan::Zone& zone,
+            const Fixture& module) const {
     const catalog::FixtureKind* now = build_.design.catalog.fixture_kind(module.kind);
     if (now == nullptr || now->generator != row.among || now->kind == kind.kind ||
         now->temperature != kind.temperature)
@@ -78,8 +81,9 @@ class InLine {
     const auto [narrowest, widest] = std::ranges::minmax(kind.module_widths_mm);
     if (module.width_mm < narrowest || module.width_mm > widest) return false;
     if ((module.sides == 2) != kind.double_sided) return false;
+    const double aisle_mm = wanted_aisle_mm(build_.design, zone);
     if (kind.door_swing_mm > now->door_swing_mm ||
-        kind.front_clearance_mm > now->front_clearance_mm)
+        kind.front_clearance_mm > std::max(now->front_clearance_mm, aisle_mm))
       return false;
     const int less = module.depth_mm - depth_of(kind, module);
     return less >= 0 && less <= (module.sides == 2 ? max_waist_mm : max_recess_mm) &&

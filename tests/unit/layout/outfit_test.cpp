@@ -18,7 +18,7 @@ namespace marketgen {
 namespace {
 
 // 24 x 18 m of the committed kinds: tills in front, dry goods and dairy behind them.
-plan::Plan shop(std::string profile = "supermarket-eu") {
+plan::Plan full_shop(std::string profile = "supermarket-eu") {
   plan::Plan plan = sample::small_shop();
   plan.profile = std::move(profile);
   plan.outfit = plan::Outfit::full;
@@ -73,7 +73,7 @@ TEST(Makes, RowsNameWhatTheCatalogueHas) {
 TEST(Makes, AStoreHasOneOfEachAndSeedsHaveOthers) {
   std::map<std::string, std::set<std::string>> seen;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const layout::Layout layout = laid_out(shop(), seed);
+    const layout::Layout layout = laid_out(full_shop(), seed);
     for (const std::string of : {"checkout_lane", "endcap", "multideck", "trolley_bay"}) {
       const std::set<std::string> kinds = kinds_in(layout, of);
       EXPECT_LE(kinds.size(), 1U) << of << ", seed " << seed;
@@ -85,7 +85,7 @@ TEST(Makes, AStoreHasOneOfEachAndSeedsHaveOthers) {
 }
 
 TEST(Makes, APlainPlanHasTheRowsItNames) {
-  plan::Plan plan = shop();
+  plan::Plan plan = full_shop();
   plan.outfit.reset();
   const layout::Layout unsaid = laid_out(plan, 3);
   plan.outfit = plan::Outfit::plain;
@@ -98,7 +98,7 @@ TEST(Makes, APlainPlanHasTheRowsItNames) {
 
 TEST(Makes, WhatIsNamedStaysAlike) {
   const catalog::Catalog& catalog = committed_catalog();
-  plan::Plan plan = shop("forecourt");
+  plan::Plan plan = full_shop("forecourt");
   const catalog::FixtureKind& open = *catalog.fixture_kind("multideck");
   const catalog::FixtureKind& doored = *catalog.fixture_kind("cooler-two-door");
   EXPECT_TRUE(layout::may_have(plan, 2, open, doored));
@@ -109,7 +109,7 @@ TEST(Makes, WhatIsNamedStaysAlike) {
 
 TEST(Makes, MeasuresThatWereSaidHold) {
   const catalog::Catalog& catalog = committed_catalog();
-  plan::Plan plan = shop();
+  plan::Plan plan = full_shop();
   plan.zones[1].fixture.height_mm = 2200;
   const catalog::FixtureKind &gondola = *catalog.fixture_kind("gondola"),
                              &low = *catalog.fixture_kind("gondola-1000-low");
@@ -119,7 +119,7 @@ TEST(Makes, MeasuresThatWereSaidHold) {
 }
 
 TEST(Makes, CountsAreKept) {
-  plan::Plan plan = shop();
+  plan::Plan plan = full_shop();
   plan.zones[1].fixture.count = 12;
   plan.zones[2].fixture.count = 3;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -138,10 +138,12 @@ TEST(InLine, RowsNameWhatTheCatalogueHas) {
   for (const layout::InLineRow& row : layout::in_line_rows()) {
     const catalog::FixtureKind* kind = catalog.fixture_kind(row.kind);
     ASSERT_NE(kind, nullptr) << row.kind;
-    EXPECT_TRUE(std::ranges::any_of(catalog.fixture_kinds, [&](const auto& other) {
-      return other.generator == row.among && other.temperature == kind->temperature;
-    })) << row.kind
-        << ": " << row.among;
+    EXPECT_TRUE(std::ranges::any_of(catalog.fixture_kinds,
+                                    [&](const auto& other) {
+                                      return other.generator == row.among &&
+                                             other.temperature == kind->temperature;
+                                    }))
+        << row.kind << ": " << row.among;
     for (const std::string_view zone : row.zones)
       EXPECT_NE(catalog.zone_type(zone), nullptr) << row.kind << ": " << zone;
     for (const std::string_view profile : row.profiles)
@@ -154,7 +156,7 @@ TEST(InLine, RowsNameWhatTheCatalogueHas) {
 TEST(InLine, UnitsTakeThePlaceOfModulesWithinARun) {
   int units = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    const layout::Layout layout = laid_out(shop(), seed);
+    const layout::Layout layout = laid_out(full_shop(), seed);
     for (const layout::Fixture& fixture : layout.fixtures) {
       if (fixture.kind != "wall-unit-spice") continue;
       ++units;
@@ -188,7 +190,7 @@ TEST(InLine, JointsOfKindsAreClosed) {
 }
 
 TEST(Outfit, AnEditOfOneZoneLeavesTheOthersAsTheyAre) {
-  const plan::Plan before = shop();
+  const plan::Plan before = full_shop();
   const layout::Layout stood = laid_out(before, 5);
   plan::Plan after = before;
   after.zones[2].fixture.levels = 4;
@@ -209,7 +211,7 @@ TEST(Outfit, AnEditOfOneZoneLeavesTheOthersAsTheyAre) {
 }
 
 TEST(Outfit, ALayoutKeepsWhatItsSignsNeed) {
-  plan::Plan plan = shop("supermarket-us");
+  plan::Plan plan = full_shop("supermarket-us");
   plan.country = "us";
   const layout::Layout full = laid_out(plan, 1);
   EXPECT_EQ(full.outfit, plan::Outfit::full);
