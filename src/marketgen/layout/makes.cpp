@@ -82,7 +82,7 @@ bool may_have(const plan::Plan& plan,
   const bool larger = make.module_widths_mm.front() > kind.module_widths_mm.front() ||
                       make.depth_mm > kind.depth_mm || make.double_sided != kind.double_sided;
   if (counted && larger && kind.role == catalog::FixtureRole::shelving) return false;
-  return !wish.module_mm && holds(make.depth_range_mm, wish.depth_mm) &&
+  return !wish.module_mm && bears("/depth_mm", wish.depth_mm, make.depth_range_mm) &&
          bears("/height_mm", wish.height_mm, make.height_range_mm) &&
          bears("/levels", wish.levels, make.level_range);
 }

@@ -62,7 +62,11 @@ const std::vector<std::string> varied_stores{
     "a 1000 m2 supermarket with a large produce area, deli, bakery, drinks and household",
     "European hypermarket 50 x 40 m with cafe, customer service and a backroom",
     "supermarket 18 x 12 m with wide aisles",
-    "a supermarket 20 x 30 m with offers, self-checkouts and customer service"};
+    "a supermarket 20 x 30 m with offers, self-checkouts and customer service",
+    "a kiosk of 60 m2",
+    "Chinese convenience store 14 x 10 m with frozen food and chilled drinks",
+    "US convenience store 16 x 12 m with frozen food and chilled drinks",
+    "a shop without tills of 20 x 14 m with a deli"};
 
 struct MadeStores {
   std::vector<plan::Plan> plans;

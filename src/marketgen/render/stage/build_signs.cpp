@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "assets/print/color.h"
 #include "assets/print/label.h"
@@ -77,6 +78,17 @@ Interval covered(const WallEdge& edge, const layout::Fixture& fixture) {
   const bool against = off.low > -0.05F && off.low < near_wall_m && along.low > -0.1F &&
                        along.high < edge.length + 0.1F;
   return against ? along : Interval{};
+}
+
+// Where the belt begins: assets/fixtures/checkout_lane.cpp says at which end of the module.
+PointMm belt_head(const layout::Fixture& lane) {
+  constexpr double from_middle = 0.38;  // of the lane's length
+  const bool lengthwise = lane.width_mm > lane.depth_mm;
+  const int yaw_deg = lane.yaw_deg + (lengthwise ? 0 : 90);
+  const double turn = yaw_deg * std::numbers::pi / 180;
+  const double off = from_middle * std::max(lane.width_mm, lane.depth_mm);
+  return {lane.x_mm + static_cast<int>(std::lround(off * std::cos(turn))),
+          lane.y_mm + static_cast<int>(std::lround(off * std::sin(turn)))};
 }
 
 }  // namespace
@@ -178,17 +190,18 @@ void SignBuilder::write_names(Draft& draft) {
 // From one end of the line of tills to the other, towards whoever comes along a lane.
 void SignBuilder::number_lanes(Draft& draft) {
   const layout::Layout& layout = draft.scene().layout;
-  std::vector<RectMm> lanes;
+  std::vector<const layout::Fixture*> lanes;
   for (const layout::Fixture& fixture : layout.fixtures)
-    if (layout::counts_as(layout, fixture, "checkout_lane"))
-      lanes.push_back(layout::footprint_of(fixture));
-  std::ranges::sort(lanes, {}, [](const RectMm& lane) { return std::pair{lane.x0, lane.y0}; });
+    if (layout::counts_as(layout, fixture, "checkout_lane")) lanes.push_back(&fixture);
+  std::ranges::sort(lanes, {}, [](const layout::Fixture* lane) {
+    return std::pair{lane->x_mm, lane->y_mm};
+  });
   for (std::size_t i = 0; i < lanes.size(); ++i) {
-    const RectMm& lane = lanes[i];
-    const PointMm middle = lane.center();
+    const RectMm floor = layout::footprint_of(*lanes[i]);
+    const PointMm head = belt_head(*lanes[i]);
     const float z = board_low_ + board_height_m / 2;
-    boards_.push_back({{metres(middle[0]), metres(middle[1]), z},
-                       lane.width() > lane.depth(),
+    boards_.push_back({{metres(head[0]), metres(head[1]), z},
+                       floor.width() > floor.depth(),
                        number_width_m,
                        sign_material(draft,
                                      std::to_string(i + 1),
