@@ -27,11 +27,28 @@ const std::map<std::string_view, std::string_view> not_placed{
 
 // Accessories that these stores have no spot for or did not draw;
 // EveryOtherRowStandsWhereAPlanNamesIt has their kinds.
-const std::set<std::string_view> drawn_elsewhere{
-    "medicine_drawers", "bottle_return", "rolling_baskets", "bags_lockers", "ham_slicer"};
+const std::set<std::string_view> drawn_elsewhere{"medicine_drawers",
+                                                 "bottle_return",
+                                                 "rolling_baskets",
+                                                 "bags_lockers",
+                                                 "ham_slicer",
+                                                 "vending"};
 
 // Makes and units in line that none of these stores has drawn.
-const std::set<std::string_view> not_drawn{};
+const std::set<std::string_view> not_drawn{"wall-unit-paper",
+                                           "multideck-slim",
+                                           "freezer-three-door",
+                                           "freezer-us-5-door",
+                                           "combi-freezer",
+                                           "combi-freezer-us",
+                                           "chest_freezer",
+                                           "chest-freezer-compact",
+                                           "serve-over-pastry",
+                                           "pallet-us",
+                                           "checkout-4000",
+                                           "checkout-us",
+                                           "self-checkout-wide",
+                                           "gate-double"};
 
 // Units that find no free wall beside the only door of plan_with's room, which is short of it.
 const std::set<std::string_view> no_spot_at_this_door{"salad-bar",
