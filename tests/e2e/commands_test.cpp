@@ -447,7 +447,7 @@ TEST(Render, RobotsHaveTheirNumbersInEveryMode) {
       pixels += id == number ? 1 : 0;
     }
     EXPECT_EQ(pixels, robot["pixels"]) << mode;
-    EXPECT_GT(pixels, 200) << mode;
+    EXPECT_GT(pixels, 300) << mode;
   }
 }
 

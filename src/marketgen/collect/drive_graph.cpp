@@ -33,9 +33,9 @@ Result<navigation::VisibilityGraph> drive_graph(const scene::Scene& scene,
 }
 
 Result<navigation::FreeSpace> open_floor(const scene::Scene& scene, double height_m) {
-  constexpr int least_mm = 1;
+  constexpr int min_clearance_mm = 1;
   return navigation::FreeSpace::make(
-      plan::floor_of(scene.layout.shell), obstacles_below(scene, height_m), least_mm);
+      plan::floor_of(scene.layout.shell), obstacles_below(scene, height_m), min_clearance_mm);
 }
 
 double free_floor_m2(const scene::Scene& scene, double height_m) {

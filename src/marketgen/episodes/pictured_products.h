@@ -17,14 +17,14 @@ class PicturedProducts : public agent::KnownProducts {
       : products_(products), frictions_(frictions) {}
 
   const std::vector<catalog::Product>& rows() const override { return products_; }
+  // Errors: catalog.unknown_sku.
+  Result<const catalog::Product*> row(const std::string& sku) const;
   Result<const agent::KnownProduct*> product(const std::string& sku) override;
   Result<std::vector<agent::ProductPictures>> pictures(
       const std::vector<std::string>& skus) const override;
   std::string pictures_key() const override;
 
  private:
-  Result<const catalog::Product*> row(const std::string& sku) const;
-
   const std::vector<catalog::Product>& products_;
   const std::vector<catalog::FrictionRow>& frictions_;
   std::map<std::string, agent::KnownProduct> known_;

@@ -85,10 +85,7 @@ class PerceptionTrial {
     const episodes::PicturedProducts known(products, frictions);
     std::vector<const catalog::Product*> rows;
     for (const episodes::EpisodeGoal& goal : spec_.goals) {
-      const auto row = std::ranges::find(known.rows(), goal.sku, &catalog::Product::sku);
-      if (row == known.rows().end())
-        return Error{"catalog.unknown_sku", goal.sku, "the episode's header has no such product"};
-      rows.push_back(&*row);
+      MARKETGEN_TRY(rows.emplace_back(), known.row(goal.sku));
     }
     MARKETGEN_TRY(looks_, library.of(rows, known));
     measure_.pictures_s = seconds_since(began);

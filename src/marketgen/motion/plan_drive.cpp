@@ -19,6 +19,10 @@ int in_mm(double m) {
 
 }  // namespace
 
+PointMm point_mm(Vec2 at) {
+  return {in_mm(at.x), in_mm(at.y)};
+}
+
 Result<BaseEnvelope> base_envelope(const robots::Robot& robot, std::span<const double> state) {
   MARKETGEN_CHECK(robots::check_state(robot, state));
   if (!robot.drive)
@@ -65,12 +69,10 @@ Result<DrivePlan> plan_drive(const navigation::VisibilityGraph& graph,
   std::vector<navigation::DiscMm> discs;
   for (const MovingDisc& disc : past) {
     const double clear = envelope.radius_m + options.margin + disc.radius + beside_past_m;
-    discs.push_back({{in_mm(disc.position.x), in_mm(disc.position.y)}, in_mm(clear)});
+    discs.push_back({point_mm(disc.position), in_mm(clear)});
   }
   MARKETGEN_TRY(navigation::FloorPath path,
-                graph.shortest_path_past({in_mm(from.position.x), in_mm(from.position.y)},
-                                         {in_mm(to.position.x), in_mm(to.position.y)},
-                                         discs));
+                graph.shortest_path_past(point_mm(from.position), point_mm(to.position), discs));
   MARKETGEN_TRY(BaseFollower follower,
                 BaseFollower::make(path, from.heading, to.heading, limits, options));
   return DrivePlan{std::move(path), std::move(follower)};

@@ -18,10 +18,6 @@ double apart_mm(PointMm a, PointMm b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-PointMm point_of(Vec2 at) {
-  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
-}
-
 // The floor about the base in cells, and what may be reached in it.
 class NearFloor {
  public:
@@ -77,7 +73,7 @@ class NearFloor {
 
 const MovingDisc& nearest_to(PointMm base, std::span<const MovingDisc> people) {
   return *std::ranges::min_element(people, {}, [&](const MovingDisc& person) {
-    return apart_mm(point_of(person.position), base);
+    return apart_mm(point_mm(person.position), base);
   });
 }
 
@@ -108,7 +104,7 @@ std::optional<PointMm> passing_place(const navigation::FreeSpace& space,
                                      std::span<const MovingDisc> people,
                                      int room_mm) {
   if (people.empty()) return {};
-  const PointMm person = point_of(nearest_to(base, people).position);
+  const PointMm person = point_mm(nearest_to(base, people).position);
   const NearFloor floor(space, base);
   const NearFloor::Cells all = floor.reached(person, {base[0] + 1'000'000, base[1]}, 0);
   const NearFloor::Cells now = floor.reached(person, base, room_mm);
@@ -123,8 +119,8 @@ std::optional<PointMm> passing_place(const navigation::FreeSpace& space,
   };
   if (!misses(base, now)) return {};
   const NearFloor::Cells own = floor.reached(base, person, room_mm);
-  const double least_mm = std::min<double>(room_mm, apart_mm(base, person));
-  const auto keeps_off = [&](PointMm at) { return apart_mm(at, person) >= least_mm; };
+  const double min_mm = std::min<double>(room_mm, apart_mm(base, person));
+  const auto keeps_off = [&](PointMm at) { return apart_mm(at, person) >= min_mm; };
   std::vector<int> places;
   for (int cell = 0; cell < cells * cells; ++cell)
     if (own[static_cast<std::size_t>(cell)] && keeps_off(floor.point(cell))) places.push_back(cell);
@@ -142,7 +138,7 @@ std::optional<PointMm> place_away(const navigation::FreeSpace& space,
                                   std::span<const MovingDisc> people,
                                   int room_mm) {
   if (people.empty()) return {};
-  const PointMm person = point_of(nearest_to(base, people).position);
+  const PointMm person = point_mm(nearest_to(base, people).position);
   const NearFloor floor(space, base);
   const NearFloor::Cells own = floor.reached(base, person, room_mm);
   std::optional<PointMm> best;
@@ -165,12 +161,12 @@ Result<WayRound> plan_way_round(const navigation::VisibilityGraph& graph,
                                 const FloorPlace& to,
                                 std::span<const MovingDisc> people,
                                 bool waited) {
-  const PointMm stands = graph.space().nearest_free(point_of(from.position), max_off_mm);
+  const PointMm stands = graph.space().nearest_free(point_mm(from.position), max_off_mm);
   const FloorPlace here{{stands[0] * 1e-3, stands[1] * 1e-3}, from.heading};
   auto past = plan_drive(graph, robot, state, here, to, people);
   if (past.ok() && gets_there(past->follower, people))
     return WayRound{.on = std::move(past->follower)};
-  const int room_mm = graph.space().clearance_mm() + point_of({body_m + beside_base_m, 0})[0];
+  const int room_mm = graph.space().clearance_mm() + point_mm({body_m + beside_base_m, 0})[0];
   std::vector<std::optional<PointMm>> places{passing_place(graph.space(), stands, people, room_mm)};
   if (waited) places.insert(places.begin(), place_away(graph.space(), stands, people, room_mm));
   for (const std::optional<PointMm>& place : places) {

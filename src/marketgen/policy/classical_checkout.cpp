@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -248,12 +249,15 @@ class ClassicalCheckout : public agent::Policy {
   }
 
   Result<bool> take_something(std::vector<PickChoice>& targets) {
+    std::vector<PickChoice> others;
+    std::size_t looked_at = 0;
     for (const auto& [borne, contacts, max_others] : efforts) {
       MARKETGEN_TRY(const bool begun, take_one_of(targets, borne, contacts));
       if (begun) return true;
       if (cleared_ >= max_cleared) continue;
-      std::vector<PickChoice> others = others_near(
-          targets, goals_, sight_, setup_.place, {catalogue_, *modules_.poses}, max_others);
+      if (std::exchange(looked_at, max_others) != max_others)
+        others = others_near(
+            targets, goals_, sight_, setup_.place, {catalogue_, *modules_.poses}, max_others);
       MARKETGEN_TRY(const bool clears, take_one_of(others, borne, contacts));
       if (clears) return true;
     }

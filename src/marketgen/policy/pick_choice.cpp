@@ -11,7 +11,7 @@
 namespace marketgen::policy {
 namespace {
 
-double least_intrusion_m(const std::vector<perception::SeenGrasp>& grasps) {
+double min_intrusion_m(const std::vector<perception::SeenGrasp>& grasps) {
   double least = std::numeric_limits<double>::infinity();
   for (const perception::SeenGrasp& grasp : grasps)
     least = std::min(least, grasp.intrusion_m);
@@ -72,7 +72,7 @@ Result<void> find_grasps(PickChoice& choice,
   log_debug(fmt::format("{}: {} grasps, {:.0f} mm least in the way",
                         choice.look->sku(),
                         choice.grasps.size(),
-                        1000 * least_intrusion_m(choice.grasps)));
+                        1000 * min_intrusion_m(choice.grasps)));
   return {};
 }
 

@@ -26,7 +26,7 @@ using people_test::apart;
 using people_test::bodies_m;
 using people_test::dt;
 using people_test::gap_to;
-using people_test::least_apart;
+using people_test::min_apart;
 using people_test::people_of;
 using people_test::riverside;
 
@@ -52,7 +52,7 @@ TEST(PeopleAround, WalkFromShelfToShelfAndMeetNobody) {
     double least = 1e9, fastest = 0;
     for (int step = 0; step < 6000; ++step) {
       people.pass(dt, {});
-      least = std::min(least, least_apart(people));
+      least = std::min(least, min_apart(people));
       for (std::size_t i = 0; i < people.count(); ++i)
         fastest = std::max(fastest, people.speed_m_s(i));
     }
@@ -115,7 +115,7 @@ TEST(PeopleAround, MakeRoomForARobotThatStandsBeforeThem) {
     bool has_left = false;
     for (int step = 0; step < 600; ++step) {
       people.pass(dt, robot);
-      least = std::min(least, least_apart(people));
+      least = std::min(least, min_apart(people));
       has_left = has_left || gap_to(robot[0], people.place(i)) > 1.0;
       for (std::size_t j = 0; j < people.count(); ++j)
         nearest = std::min(nearest, gap_to(robot[0], people.place(j)));

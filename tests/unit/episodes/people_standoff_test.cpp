@@ -20,7 +20,7 @@ using people_test::apart;
 using people_test::bodies_m;
 using people_test::dt;
 using people_test::gap_to;
-using people_test::least_apart;
+using people_test::min_apart;
 using people_test::people_of;
 using people_test::riverside;
 
@@ -44,8 +44,8 @@ std::optional<FloorDisc> robot_in_aisle(const PeopleAround& people, Stream& draw
 }
 
 struct Standoffs {
-  double longest_s = 0;  // that somebody stood within asks_for_room_m of the robot
-  double longest_stopped_s = 0, nearest_m = 1e9, least_apart_m = 1e9;
+  double max_near_s = 0;  // that somebody stood within asks_for_room_m of the robot
+  double max_stopped_s = 0, nearest_m = 1e9, min_apart_m = 1e9;
   int came_near = 0;  // of them
 };
 
@@ -55,15 +55,15 @@ Standoffs watch_beside(PeopleAround& people, const FloorDisc& robot, double seco
   std::vector<bool> came(people.count(), false);
   for (double t = 0; t < seconds; t += dt) {
     people.pass(dt, std::span(&robot, 1));
-    seen.least_apart_m = std::min(seen.least_apart_m, least_apart(people));
+    seen.min_apart_m = std::min(seen.min_apart_m, min_apart(people));
     for (std::size_t i = 0; i < people.count(); ++i) {
       const double gap = gap_to(robot, people.place(i));
       const bool near = gap < episodes::asks_for_room_m - 0.1;
       came[i] = came[i] || near;
       near_s[i] = near ? near_s[i] + dt : 0;
       seen.nearest_m = std::min(seen.nearest_m, gap);
-      seen.longest_s = std::max(seen.longest_s, near_s[i]);
-      seen.longest_stopped_s = std::max(seen.longest_stopped_s, people.stopped_s(i));
+      seen.max_near_s = std::max(seen.max_near_s, near_s[i]);
+      seen.max_stopped_s = std::max(seen.max_stopped_s, people.stopped_s(i));
     }
   }
   seen.came_near = static_cast<int>(std::ranges::count(came, true));
@@ -85,10 +85,10 @@ TEST(PeopleStandoffs, EndWhereverTheRobotStands) {
       const Standoffs seen = watch_beside(people, *robot, 90);
       const auto where = testing::Message()
                          << "seed " << seed << ", robot at " << robot->at.x << ", " << robot->at.y;
-      EXPECT_LT(seen.longest_s, max_standoff_s) << where;
-      EXPECT_LT(seen.longest_stopped_s, max_standoff_s) << where;
-      EXPECT_GT(seen.nearest_m, episodes::least_gap_m - 0.01) << where;
-      EXPECT_GT(seen.least_apart_m, bodies_m) << where;
+      EXPECT_LT(seen.max_near_s, max_standoff_s) << where;
+      EXPECT_LT(seen.max_stopped_s, max_standoff_s) << where;
+      EXPECT_GT(seen.nearest_m, episodes::min_gap_m - 0.01) << where;
+      EXPECT_GT(seen.min_apart_m, bodies_m) << where;
       near += seen.came_near;
     }
   }

@@ -54,7 +54,7 @@ inline double apart(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-inline double least_apart(const PeopleAround& people) {
+inline double min_apart(const PeopleAround& people) {
   double least = 1e9;
   for (std::size_t i = 0; i < people.count(); ++i)
     for (std::size_t j = 0; j < i; ++j)

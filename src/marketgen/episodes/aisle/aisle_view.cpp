@@ -90,16 +90,16 @@ Result<void> AisleView::follow_people(const PeopleAround& people,
                                       const Pose& world_from_base) {
   const bool first = people_.size() != moments.size();
   people_.resize(moments.size());
+  std::vector<assets::PlacedPerson> placed;
   std::vector<std::size_t> anew;
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    const Vec3 at = people.at(i, moments[i]).world_from_person.position;
+    const Vec3 at = placed.emplace_back(people.at(i, moments[i])).world_from_person.position;
     const bool near = length(at - world_from_base.position) < posed_within_m;
     if (first || (near && people_[i].moment != moments[i])) anew.push_back(i);
   }
   const std::vector<SeenPerson> made = parallel_map(anew.size(), [&](std::size_t k) {
-    const PersonMoment& moment = moments[anew[k]];
-    return SeenPerson{
-        moment, render::person_actor(people.at(anew[k], moment), assets::PersonDetail::coarse)};
+    return SeenPerson{moments[anew[k]],
+                      render::person_actor(placed[anew[k]], assets::PersonDetail::coarse)};
   });
   for (std::size_t k = 0; k < anew.size(); ++k)
     people_[anew[k]] = made[k];
@@ -109,10 +109,8 @@ Result<void> AisleView::follow_people(const PeopleAround& people,
       actors.push_back(person.actor);
     MARKETGEN_CHECK(renderer_->set_actors(actors));
   }
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    const Pose now = people.at(i, moments[i]).world_from_person;
-    MARKETGEN_CHECK(renderer_->move_actor(1 + i, std::span(&now, 1)));
-  }
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    MARKETGEN_CHECK(renderer_->move_actor(1 + i, std::span(&placed[i].world_from_person, 1)));
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "collect/drive_graph.h"
+#include "motion/plan_drive.h"
 
 namespace marketgen::episodes {
 namespace {
@@ -18,10 +19,10 @@ constexpr int first_steps = 2;            // granted together: who walks one onl
 constexpr double samples_a_step = 3;
 // Shoppers stand 12 s before what they buy (Dickson and Sawyer, "The Price Knowledge and Search of
 // Supermarket Shoppers", Journal of Marketing 54, 1990).
-constexpr double least_stay_s = 4, longest_stay_s = 20;
+constexpr double min_stay_s = 4, max_stay_s = 20;
 constexpr double waiting_stay_s = 20;
-constexpr double near_wish_m = 6, least_way_m = 0.8;
-constexpr std::size_t near_wishes = 8, far_wishes = 6, most_refuges = 24;
+constexpr double near_wish_m = 6, min_way_m = 0.8;
+constexpr std::size_t near_wishes = 8, far_wishes = 6, max_refuges = 24;
 constexpr double farther_m = 0.4;    // from the robot: worth turning round
 constexpr int max_off_ways_mm = 60;  // corners are cut by less
 // Who walks turns no faster than this, and so is slower at a sharp corner, but not slower than
@@ -40,10 +41,6 @@ double gap_m(Vec2 person, std::span<const FloorDisc> robot) {
   return gap;
 }
 
-PointMm point_mm(Vec2 at) {
-  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
-}
-
 // About all of the robot, with what people keep from it.
 std::vector<navigation::DiscMm> room_of(std::span<const FloorDisc> robot) {
   if (robot.empty()) return {};
@@ -54,7 +51,7 @@ std::vector<navigation::DiscMm> room_of(std::span<const FloorDisc> robot) {
   for (const FloorDisc& disc : robot)
     radius = std::max(radius, distance(middle, disc.at) + disc.radius_m);
   radius += person_radius_m + stop_before_robot_m;
-  return {{point_mm(middle), static_cast<int>(std::ceil(radius * 1e3))}};
+  return {{motion::point_mm(middle), static_cast<int>(std::ceil(radius * 1e3))}};
 }
 
 // About each part of it, with what who squeezes past keeps from it; not those within another.
@@ -69,9 +66,9 @@ std::vector<navigation::DiscMm> parts_of(std::span<const FloorDisc> robot) {
     bool hidden = false;
     for (std::size_t other = 0; other < robot.size() && !hidden; ++other)
       hidden = hides(other);
-    const double radius = robot[i].radius_m + person_radius_m + least_gap_m;
+    const double radius = robot[i].radius_m + person_radius_m + min_gap_m;
     if (!hidden)
-      parts.push_back({point_mm(robot[i].at), static_cast<int>(std::ceil(radius * 1e3))});
+      parts.push_back({motion::point_mm(robot[i].at), static_cast<int>(std::ceil(radius * 1e3))});
   }
   return parts;
 }
@@ -115,7 +112,7 @@ Result<PeopleAround> PeopleAround::make(const scene::Scene& scene,
     if (place == places.end()) continue;
     Walker walker;
     walker.now.walk.from = *place;
-    walker.now.walk.stay_s = draw.uniform(least_stay_s, longest_stay_s);
+    walker.now.walk.stay_s = draw.uniform(min_stay_s, max_stay_s);
     around.walkers_.push_back(std::move(walker));
     company->who.push_back(std::move(who));
     company->seeds.push_back(own);
@@ -165,7 +162,7 @@ std::vector<Vec2> PeopleAround::held_by(std::size_t person) const {
 
 // From the robot, on this walk.
 double PeopleAround::keeps_m(std::size_t person) const {
-  return walkers_[person].squeezes ? least_gap_m : stop_before_robot_m - give_way_m;
+  return walkers_[person].squeezes ? min_gap_m : stop_before_robot_m - give_way_m;
 }
 
 bool PeopleAround::may_step(std::size_t person, int step, Robot robot) const {
@@ -178,7 +175,7 @@ bool PeopleAround::may_step(std::size_t person, int step, Robot robot) const {
   for (const Vec2 at : there) {
     const double gap = gap_m(at, robot);
     if (gap < std::min(keeps_m(person), gap_here - give_way_m)) return false;
-    if (gap < std::min(least_gap_m, gap_here)) return false;
+    if (gap < std::min(min_gap_m, gap_here)) return false;
   }
   for (std::size_t other = 0; other < count(); ++other) {
     if (other == person) continue;
@@ -223,7 +220,7 @@ bool PeopleAround::walk_on(std::size_t person,
   if (walker.granted == 0) return grant(person, std::min(first_steps, walk.steps), robot);
   const double to_m = collect::walked_in_act(walk, to_s), step = step_m(walk);
   const double gap_here = gap_m(place(person), robot);
-  if (gap_m(walk.way->at(to_m).position, robot) < std::min(least_gap_m, gap_here)) return false;
+  if (gap_m(walk.way->at(to_m).position, robot) < std::min(min_gap_m, gap_here)) return false;
   const double stands_m = to_m + collect::stopping_m(walker.now.walk.speed_m_s);
   const int soonest = std::min(walk.steps, static_cast<int>(std::ceil(stands_m / step)));
   if (!grant(person, soonest, robot)) {
@@ -254,7 +251,8 @@ PeopleAround::Discs PeopleAround::others_in_the_way(std::size_t person) const {
   for (std::size_t other = 0; other < count(); ++other) {
     if (other == person || distance(place(other), here) > near_wish_m) continue;
     const double rooms = who(person).room_m + who(other).room_m + beside_others_m;
-    discs.push_back({point_mm(held_by(other).back()), static_cast<int>(std::ceil(rooms * 1e3))});
+    discs.push_back(
+        {motion::point_mm(held_by(other).back()), static_cast<int>(std::ceil(rooms * 1e3))});
   }
   return discs;
 }
@@ -265,10 +263,10 @@ std::optional<collect::PersonWalk> PeopleAround::walk_to(std::size_t person,
                                                          double stay_s) const {
   const navigation::VisibilityGraph& ways = company_->floor.graph;
   collect::PersonWalk walk{.from = stands_at(person), .heading_rad = to.heading_rad};
-  const PointMm here = point_mm(walk.from.position);
+  const PointMm here = motion::point_mm(walk.from.position);
   const PointMm from = ways.space().nearest_free(here, max_off_ways_mm);
-  auto path = ways.shortest_path_past(from, point_mm(to.position), past);
-  if (!path.ok() || path->length_m < least_way_m) return {};
+  auto path = ways.shortest_path_past(from, motion::point_mm(to.position), past);
+  if (!path.ok() || path->length_m < min_way_m) return {};
   walk.points = std::move(path->points);
   walk.points.front() = here;
   const double own_m_s = company_->seeds[person].child("speed").stream().uniform(
@@ -315,7 +313,7 @@ std::vector<collect::StandingPlace> PeopleAround::refuges(std::size_t person, Ro
     const bool too_near = gap_m(place.position, robot) < asks_for_room_m;
     return std::pair(too_near, distance(place.position, here));
   });
-  places.resize(std::min(places.size(), most_refuges));
+  places.resize(std::min(places.size(), max_refuges));
   return places;
 }
 
@@ -338,7 +336,7 @@ bool PeopleAround::goes_elsewhere(std::size_t person, Stream& draw, Robot robot)
   Discs past = others_in_the_way(person);
   const Discs room = room_of(robot);
   past.insert(past.end(), room.begin(), room.end());
-  const double stay_s = draw.uniform(least_stay_s, longest_stay_s);
+  const double stay_s = draw.uniform(min_stay_s, max_stay_s);
   return std::ranges::any_of(wishes(person, draw), [&](const collect::StandingPlace& wish) {
     return gap_m(wish.position, robot) >= asks_for_room_m &&
            goes_to(person, wish, past, stay_s, robot);
@@ -350,7 +348,7 @@ bool PeopleAround::gets_away(std::size_t person, Stream& draw, Robot robot) {
   Discs past = others_in_the_way(person);
   const Discs parts = parts_of(robot);
   past.insert(past.end(), parts.begin(), parts.end());
-  const double stay_s = draw.uniform(least_stay_s, longest_stay_s);
+  const double stay_s = draw.uniform(min_stay_s, max_stay_s);
   walkers_[person].squeezes = true;
   return std::ranges::any_of(refuges(person, robot), [&](const collect::StandingPlace& to) {
     return goes_to(person, to, past, stay_s, robot);
@@ -398,7 +396,7 @@ void PeopleAround::pass(double dt_s, Robot robot) {
 }
 
 bool PeopleAround::sees(Vec2 from, std::size_t person) const {
-  return company_->sight.sees(point_mm(from), point_mm(place(person)));
+  return company_->sight.sees(motion::point_mm(from), motion::point_mm(place(person)));
 }
 
 std::vector<PersonMoment> PeopleAround::moments() const {

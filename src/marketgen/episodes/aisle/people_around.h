@@ -30,7 +30,7 @@ inline constexpr double stop_before_robot_m = 0.6;
 // A robot that is nearer than that to somebody who stands there asks them to make room.
 inline constexpr double asks_for_room_m = 1.2;
 // Who finds no other way comes so near to a robot to get past it.
-inline constexpr double least_gap_m = 0.35;
+inline constexpr double min_gap_m = 0.35;
 // How long people stand before a robot, or one another, until they go elsewhere; and until who
 // found nowhere to go looks again.
 inline constexpr double patience_s = 2, looks_again_s = 2;
@@ -90,7 +90,7 @@ class PeopleAround {
     double speed_m_s = 0;
     std::uint32_t walks = 0, decisions = 0;
     bool found_none = false;  // where to go, when they looked last
-    bool squeezes = false;    // on this walk: past the robot by least_gap_m
+    bool squeezes = false;    // on this walk: past the robot by min_gap_m
     template <class Archive, class Self>
     static void bytes(Archive& archive, Self& self) {
       archive(self.now, self.granted, self.stopped_s, self.speed_m_s, self.walks, self.decisions);
