@@ -9,6 +9,7 @@
 #include "plan/shelf_key.h"
 #include "scene/standing_shelf.h"
 #include "scene/stocked_shelf.h"
+#include "scene/store_catalog.h"
 
 namespace marketgen::scene {
 namespace {
@@ -90,7 +91,8 @@ Result<plan::Plan> with_swapped_shelves(plan::Plan plan,
   const std::vector<Arrival> arrivals = arrivals_of(patches, source);
   if (arrivals.empty()) return plan;
   const plan::Plan before = plan;
-  const ShelfFinder finder(scene, before, catalog);
+  const StoreCatalog rows(catalog, plan);
+  const ShelfFinder finder(scene, before, rows.get());
   for (const Arrival& arrival : arrivals) {
     const plan::BlockPlace& to = *arrival.to;
     if (shelf_of(plan, to) != nullptr) continue;
@@ -98,7 +100,8 @@ Result<plan::Plan> with_swapped_shelves(plan::Plan plan,
                   finder.find(to.fixture, to.side, to.shelf, arrival.where_to));
     const std::uint32_t shelf = finder.bays()[found.bay].shelves[found.shelf];
     if (!plan.planogram) plan.planogram.emplace();
-    plan.planogram->push_back(standing_shelf(scene, shelf, finder.place(found), before, catalog));
+    plan.planogram->push_back(
+        standing_shelf(scene, shelf, finder.place(found), before, rows.get()));
   }
   return plan;
 }
@@ -110,7 +113,8 @@ Result<void> check_swapped(const plan::Plan& swapped,
                            const catalog::Catalog& catalog) {
   const std::vector<Arrival> arrivals = arrivals_of(patches, source);
   if (arrivals.empty()) return {};
-  const ShelfFinder finder(scene, swapped, catalog);
+  const StoreCatalog rows(catalog, swapped);
+  const ShelfFinder finder(scene, swapped, rows.get());
   std::optional<Error> refused;
   for (const Arrival& arrival : arrivals) {
     const plan::BlockPlace& to = *arrival.to;
@@ -118,7 +122,7 @@ Result<void> check_swapped(const plan::Plan& swapped,
     if (shelf == nullptr || shelf->blocks.empty()) continue;  // a later patch has taken it back
     MARKETGEN_TRY(const ShelfFinder::Found found,
                   finder.find(to.fixture, to.side, to.shelf, arrival.where_to));
-    const auto refusal = refused_arrival(arrival, *shelf, finder.place(found), catalog);
+    const auto refusal = refused_arrival(arrival, *shelf, finder.place(found), rows.get());
     if (refusal && refusal->by_the_block) return refusal->error;
     if (refusal && !refused) refused = refusal->error;
   }

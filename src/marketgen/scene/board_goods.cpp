@@ -22,6 +22,9 @@ constexpr int max_gap_facings = 12;
 constexpr double usual_gap_m = 0.1;
 // A block has so many facings at most, a product with more has two and more blocks.
 constexpr int max_block_facings = 6;
+// Heaps from here on are filled up before they run out, unless the plan wants more sold out than
+// usual.
+constexpr double never_empty_m = 0.7;
 
 double pitch_of(const BoardPiece& piece, const catalog::Catalog& catalog) {
   return facing_pitch_m(catalog.products[piece.product]);
@@ -116,38 +119,50 @@ class RangePlan {
     return static_cast<int>(free_m_[board] / pitch_of(piece, catalog_));
   }
 
+  bool heaps(std::size_t board) const { return bay_.shelves[board].use == assets::ShelfUse::heap; }
+
+  // Of one block on that board.
+  int min_facings(std::size_t board, const catalog::Product& product) const {
+    if (!heaps(board)) return 1;
+    const double facings = min_heap_front_m(product) / facing_pitch_m(product);
+    return std::max(1, static_cast<int>(std::ceil(facings - 1e-9)));
+  }
+
   // On the board that goods have come to, or on that and those above; on any other that holds it
-  // where these do not.
+  // where these do not. A single facing, or less than a heap, is left to others.
   void put(BoardPiece piece, std::size_t& from) {
     const std::size_t first = from;
-    for (std::size_t board = first; board < boards_.size() && piece.facings > 0; ++board) {
+    for (std::size_t board = first; board < boards_.size(); ++board) {
+      const int fewest = min_facings(board, product_of(piece));
+      piece.facings = std::max(piece.facings, fewest);
       if (!takes(board, piece)) continue;
       const int here = std::min(piece.facings, room_for(board, piece));
-      if (here < piece.facings && here < 2) continue;  // a single facing is left to others
+      if (here < piece.facings && here < std::max(2, fewest)) continue;
       BoardPiece part = piece;
       part.facings = here;
       add(board, part);
       piece.facings -= here;
       from = board;
-      if (piece.facings < 2) return;
+      if (piece.facings < std::max(2, fewest)) return;
     }
-    for (std::size_t board = 0; board < boards_.size() && piece.facings > 0; ++board) {
+    for (std::size_t board = 0; board < boards_.size(); ++board) {
       if (!takes(board, piece)) continue;
-      piece.facings = std::min(piece.facings, room_for(board, piece));
+      const int here = std::min(piece.facings, room_for(board, piece));
+      if (here < min_facings(board, product_of(piece))) continue;
+      piece.facings = here;
       add(board, piece);
       return;
     }
   }
 
   void top_up(std::size_t board) {
-    const bool heap = bay_.shelves[board].use == assets::ShelfUse::heap;
     while (widen(board, std::max(stock_.facings[1], 2))) {
     }
     while (add_other(board, true)) {
     }
     while (add_other(board, false)) {
     }
-    while (widen(board, heap ? 2 * max_gap_facings : max_gap_facings)) {
+    while (widen(board, heaps(board) ? 2 * max_gap_facings : max_gap_facings)) {
     }
   }
 
@@ -169,8 +184,8 @@ class RangePlan {
     double most = 0;
     for (const Candidate& goods : candidates_) {
       const catalog::Product& p = catalog_.products[goods.product];
-      if (goods.ranged != ranged || facing_pitch_m(p) > free_m_[board] || stands_on(board, goods))
-        continue;
+      const double needed_m = min_facings(board, p) * facing_pitch_m(p);
+      if (goods.ranged != ranged || needed_m > free_m_[board] || stands_on(board, goods)) continue;
       const double shown = stack_height(p, bay_.shelves[board]) * p.height_m() *
                            std::min(facing_pitch_m(p), usual_gap_m);
       if (shown > most && fits(p, bay_.shelves[board]))
@@ -178,7 +193,8 @@ class RangePlan {
     }
     if (best == nullptr) return false;
     BoardPiece piece{best->turn, best->product, 1, false};
-    piece.facings = std::clamp(room_for(board, piece), 1, std::max(1, stock_.facings[0]));
+    const int fewest = min_facings(board, product_of(piece));
+    piece.facings = std::clamp(room_for(board, piece), fewest, std::max(fewest, stock_.facings[0]));
     add(board, piece);
     return true;
   }
@@ -188,12 +204,18 @@ class RangePlan {
            boards_[board].end();
   }
 
-  static void add_blocks(PlannedShelf& shelf, const BoardPiece& piece, bool stands) {
-    const int blocks = stands ? (piece.facings + max_block_facings - 1) / max_block_facings : 1;
+  static void add_blocks(PlannedShelf& shelf, const BoardPiece& piece) {
+    const int blocks = (piece.facings + max_block_facings - 1) / max_block_facings;
     for (int i = 0; i < blocks; ++i) {
       const int facings = piece.facings * (i + 1) / blocks - piece.facings * i / blocks;
       shelf.push_back({piece.product, facings, piece.certain});
     }
+  }
+
+  void add_heap(PlannedShelf& shelf, const BoardPiece& piece) const {
+    const bool filled_up = stock_.out_of_stock <= plan::StockSpec{}.out_of_stock &&
+                           piece.facings * pitch_of(piece, catalog_) >= never_empty_m;
+    shelf.push_back({piece.product, piece.facings, piece.certain || filled_up});
   }
 
   std::vector<PlannedShelf> ordered() {
@@ -201,8 +223,12 @@ class RangePlan {
     for (BoardGoods& board : boards_) {
       std::ranges::stable_sort(board, {}, &BoardPiece::turn);
       PlannedShelf shelf;
-      for (const BoardPiece& piece : board)
-        add_blocks(shelf, piece, bay_.shelves.front().use == assets::ShelfUse::stand);
+      for (const BoardPiece& piece : board) {
+        if (bay_.shelves.front().use == assets::ShelfUse::stand)
+          add_blocks(shelf, piece);
+        else
+          add_heap(shelf, piece);
+      }
       shelves.push_back(std::move(shelf));
     }
     return shelves;

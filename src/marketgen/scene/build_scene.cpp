@@ -7,7 +7,6 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
-#include "catalog/country.h"
 #include "layout/module_spec.h"
 #include "scene/bays.h"
 #include "scene/catalog_slice.h"
@@ -21,6 +20,7 @@
 #include "scene/shelf_fill.h"
 #include "scene/sold_goods.h"
 #include "scene/stocked_shelf.h"
+#include "scene/store_catalog.h"
 
 namespace marketgen::scene {
 namespace {
@@ -374,7 +374,7 @@ Result<Scene> build_scene(const layout::Layout& layout,
                           const plan::Plan& plan,
                           const catalog::Catalog& catalog,
                           Seed seed) {
-  const catalog::LocalCatalog local(catalog, plan.country);
+  const StoreCatalog local(catalog, plan);
   const catalog::Catalog& rows = local.get();
   const bool fits_boards = plan.shelves == plan::ShelfPitch::fitted;
   MARKETGEN_TRY(Scene scene,

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
+#include <span>
 
 #include "scene/board_goods.h"
 
 namespace marketgen::scene {
 namespace {
 
-// Boards of the bay beside are taken where they show no less than this share of what its own would.
-constexpr double nearly = 0.93;
+// Boards run through neighbouring bays where they show no less than this share of what boards of
+// each bay's own would; photos of shops have from two to five bays alike.
+constexpr double nearly = 0.9;
+constexpr std::size_t max_alike = 5;
 // Over the top edge of an open bay its goods may rise by so much.
 constexpr double over_edge_m = 0.10;
 // A board is raised for one more layer where that fills no less than this share of what it is
@@ -22,19 +24,19 @@ constexpr double board_cost_m = 0.02;
 
 struct FittedBoards {
   std::vector<double> pitches_m;
-  double shown_m2 = -1;  // goods' fronts, seen from before the bay
+  double shown_m2 = -1;  // goods' fronts, seen from before the bays
 };
 
+// The boards that bays beside one another have in common.
 class BoardFit {
  public:
-  BoardFit(const BayOpening& opening,
-           const BayRange& range,
+  BoardFit(std::span<const FitBay> bays,
            const plan::StockSpec& stock,
            const catalog::Catalog& catalog)
-      : opening_(opening),
-        range_(range),
-        catalog_(catalog),
-        board_m_(opening.width_m * stock.fill) {}
+      : bays_(bays), opening_(*bays.front().opening), catalog_(catalog), fill_(stock.fill) {
+    for (const FitBay& bay : bays)
+      width_m_ += bay.opening->width_m;
+  }
 
   FittedBoards best() const {
     FittedBoards best;
@@ -45,18 +47,19 @@ class BoardFit {
     return best;
   }
 
-  // What the range shows on given boards; negative where they cannot hold it.
-  double shown_on(const std::vector<double>& pitches_m) const {
-    const std::vector<BoardGoods> boards = dealt(pitches_m.size());
-    for (std::size_t i = 0; i < boards.size(); ++i)
-      if (clearance_m(pitches_m, i) < needed_clearance_m(boards[i])) return -1;
-    return shown_m2(boards, pitches_m);
-  }
-
  private:
+  // Of all bays together, board by board.
   std::vector<BoardGoods> dealt(std::size_t levels) const {
-    const double front_m = board_m_ * static_cast<double>(levels);
-    return deal_out(in_board_order(range_, front_m, catalog_), levels, board_m_, catalog_);
+    std::vector<BoardGoods> boards(levels);
+    for (const FitBay& bay : bays_) {
+      const double board_m = bay.opening->width_m * fill_;
+      const double front_m = board_m * static_cast<double>(levels);
+      const std::vector<BoardGoods> own =
+          deal_out(in_board_order(*bay.range, front_m, catalog_), levels, board_m, catalog_);
+      for (std::size_t i = 0; i < levels; ++i)
+        boards[i].insert(boards[i].end(), own[i].begin(), own[i].end());
+    }
+    return boards;
   }
 
   const catalog::Product& product_of(const BoardPiece& piece) const {
@@ -93,7 +96,7 @@ class BoardFit {
 
   double shown_m2(const std::vector<BoardGoods>& boards,
                   const std::vector<double>& pitches_m) const {
-    double sum = -board_cost_m * opening_.width_m * static_cast<double>(boards.size());
+    double sum = -board_cost_m * width_m_ * static_cast<double>(boards.size());
     for (std::size_t i = 0; i < boards.size(); ++i)
       sum += shown_m2(boards[i], clearance_m(pitches_m, i));
     return sum;
@@ -125,7 +128,7 @@ class BoardFit {
              const std::vector<BoardGoods>& boards,
              double& left_m) const {
     while (left_m >= opening_.slot_m - 1e-9) {
-      double most = raised_share * board_m_ * opening_.slot_m;  // for a slot
+      double most = raised_share * width_m_ * fill_ * opening_.slot_m;  // for a slot
       std::size_t at = 0;
       int by = 0;
       for (std::size_t i = 0; i < boards.size(); ++i) {
@@ -154,32 +157,46 @@ class BoardFit {
     left_m = 0;
   }
 
-  const BayOpening& opening_;
-  const BayRange& range_;
+  std::span<const FitBay> bays_;
+  const BayOpening& opening_;  // the bays differ in their widths alone
   const catalog::Catalog& catalog_;
-  double board_m_;
+  double fill_;
+  double width_m_ = 0;  // of all bays
 };
+
+std::vector<int> in_mm(const std::vector<double>& pitches_m) {
+  std::vector<int> spacings;
+  for (const double pitch : pitches_m)
+    spacings.push_back(static_cast<int>(std::floor(pitch * 1e3 + 1e-6)));
+  return spacings;
+}
 
 }  // namespace
 
-std::vector<int> fitted_spacings(const BayOpening& opening,
-                                 const BayRange& range,
-                                 const plan::StockSpec& stock,
-                                 const catalog::Catalog& catalog,
-                                 const std::vector<int>& beside) {
-  if (range.empty()) return {};
-  const BoardFit fit(opening, range, stock, catalog);
-  const FittedBoards best = fit.best();
-  if (best.pitches_m.empty()) return {};
-  if (!beside.empty()) {
-    std::vector<double> pitches_m;
-    for (const int mm : beside)
-      pitches_m.push_back(mm * 1e-3);
-    if (fit.shown_on(pitches_m) >= nearly * best.shown_m2) return beside;
+std::vector<std::vector<int>> fitted_spacings(const std::vector<FitBay>& bays,
+                                              const plan::StockSpec& stock,
+                                              const catalog::Catalog& catalog) {
+  const auto best_of = [&](std::size_t from, std::size_t count) {
+    return BoardFit(std::span(bays).subspan(from, count), stock, catalog).best();
+  };
+  std::vector<FittedBoards> own;
+  for (std::size_t i = 0; i < bays.size(); ++i)
+    own.push_back(bays[i].range->empty() ? FittedBoards{} : best_of(i, 1));
+  std::vector<std::vector<int>> spacings;
+  while (spacings.size() < bays.size()) {
+    const std::size_t from = spacings.size();
+    FittedBoards best = own[from];
+    double own_m2 = best.shown_m2;
+    std::size_t count = 1;
+    for (; from + count < bays.size() && count < max_alike; ++count) {
+      if (best.pitches_m.empty() || own[from + count].pitches_m.empty()) break;
+      own_m2 += own[from + count].shown_m2;
+      FittedBoards alike = best_of(from, count + 1);
+      if (alike.pitches_m.empty() || alike.shown_m2 < nearly * own_m2) break;
+      best = std::move(alike);
+    }
+    spacings.insert(spacings.end(), count, in_mm(best.pitches_m));
   }
-  std::vector<int> spacings;
-  for (const double pitch : best.pitches_m)
-    spacings.push_back(static_cast<int>(std::floor(pitch * 1e3 + 1e-6)));
   return spacings;
 }
 

@@ -28,14 +28,19 @@ constexpr double open_top_m = assets::open_top_mm / 1000;
 // No board is fitted to less: one must see and reach what stands behind.
 constexpr double min_opening_m = 0.12;
 
-// From each board to the next and over the last, lowest first, whole slots in millimetres (the last
-// one: what is left). The number of boards and their heights are those by which the range shows the
-// most goods; the boards of `beside`, the bay next to it, where they show nearly as much, so that
-// boards run through.
-std::vector<int> fitted_spacings(const BayOpening& opening,
-                                 const BayRange& range,
-                                 const plan::StockSpec& stock,
-                                 const catalog::Catalog& catalog,
-                                 const std::vector<int>& beside);
+// A bay of a run, what it holds.
+struct FitBay {
+  const BayOpening* opening = nullptr;
+  const BayRange* range = nullptr;
+};
+
+// For each of `bays`, which stand beside one another and differ in their widths alone: from each
+// board to the next and over the last, lowest first, whole slots in millimetres (the last one: what
+// is left); none where no boards hold the range. The number of boards and their heights are those
+// by which the ranges show the most goods; neighbours have the same where that shows nearly as
+// much, so that boards run through.
+std::vector<std::vector<int>> fitted_spacings(const std::vector<FitBay>& bays,
+                                              const plan::StockSpec& stock,
+                                              const catalog::Catalog& catalog);
 
 }  // namespace marketgen::scene

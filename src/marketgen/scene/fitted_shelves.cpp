@@ -152,8 +152,11 @@ plan::StockSpec brands_by_demand(plan::StockSpec stock) {
 
 bool stand_alike(const ZoneBays& zone, std::size_t a, std::size_t b) {
   const auto &one = zone.openings[a], &other = zone.openings[b];
-  return zone.bays[a]->run == zone.bays[b]->run && zone.bays[a]->side == zone.bays[b]->side &&
-         one->height_m == other->height_m && one->base_m == other->base_m;
+  return one && other && zone.bays[a]->run == zone.bays[b]->run &&
+         zone.bays[a]->side == zone.bays[b]->side && one->height_m == other->height_m &&
+         one->base_m == other->base_m && one->open_top == other->open_top &&
+         one->lost_m == other->lost_m && one->slot_m == other->slot_m &&
+         one->levels == other->levels;
 }
 
 std::vector<BayRange> fit_zone(ZoneBays& zone,
@@ -169,14 +172,15 @@ std::vector<BayRange> fit_zone(ZoneBays& zone,
     for (std::size_t i = 0; i < zone.bays.size(); ++i)
       fronts_m.push_back(front_of(*zone.bays[i], zone.spacings[i], wish.stock.fill));
     ranges = ranges_of(rooms, fronts_m, wish, catalog, seed);
-    for (std::size_t i = 0; i < zone.bays.size(); ++i) {
-      if (!zone.openings[i]) continue;
-      const bool goes_on = i > 0 && zone.openings[i - 1] && stand_alike(zone, i - 1, i);
-      zone.spacings[i] = fitted_spacings(*zone.openings[i],
-                                         ranges[i],
-                                         wish.stock,
-                                         catalog,
-                                         goes_on ? zone.spacings[i - 1] : std::vector<int>{});
+    for (std::size_t i = 0; i < zone.bays.size();) {
+      std::vector<FitBay> alike;
+      for (std::size_t k = i; zone.openings[i] && k < zone.bays.size(); ++k) {
+        if (k > i && !stand_alike(zone, k - 1, k)) break;
+        alike.push_back({&*zone.openings[k], &ranges[k]});
+      }
+      std::vector<std::vector<int>> spacings = fitted_spacings(alike, wish.stock, catalog);
+      std::ranges::move(spacings, zone.spacings.begin() + static_cast<std::ptrdiff_t>(i));
+      i += std::max<std::size_t>(1, alike.size());
     }
   }
   return ranges;

@@ -12,6 +12,7 @@
 #include "io/csv.h"
 #include "scene/shelf_fill.h"
 #include "scene/standing_shelf.h"
+#include "scene/store_catalog.h"
 
 namespace marketgen::scene {
 namespace {
@@ -291,8 +292,9 @@ Result<PlanogramFile> read_planogram(std::string_view text,
   MARKETGEN_TRY(const std::vector<io::CsvRow> rows, io::parse_csv(text, source));
   if (rows.size() < 2) return bad_row(source, "has no rows; the first line names the columns");
   MARKETGEN_TRY(const PlanogramColumns columns, PlanogramColumns::of(rows.front().fields, source));
-  const ShelfFinder finder(scene, plan, catalog);
-  PlanogramReader reader(source, columns, finder, catalog);
+  const StoreCatalog of_store(catalog, plan);
+  const ShelfFinder finder(scene, plan, of_store.get());
+  PlanogramReader reader(source, columns, finder, of_store.get());
   for (std::size_t i = 1; i < rows.size(); ++i)
     reader.take(rows[i]);
   return reader.finish();
@@ -310,6 +312,7 @@ PlanogramChanges changes_by(const PlanogramFile& file,
                             const plan::Plan& plan,
                             const catalog::Catalog& catalog) {
   PlanogramChanges changes;
+  const StoreCatalog of_store(catalog, plan);
   auto facings = facings_by_shelf(scene);
   plan::StockShelves patch;
   for (const PlanogramShelf& shelf : file.shelves) {
@@ -324,7 +327,7 @@ PlanogramChanges changes_by(const PlanogramFile& file,
     patch.shelves.push_back({shelf.fixture,
                              shelf.side,
                              shelf.number,
-                             least_pinned(std::move(blocks), shelf.place, stock, catalog)});
+                             least_pinned(std::move(blocks), shelf.place, stock, of_store.get())});
   }
   if (patch.shelves.empty()) return changes;
   changes.patches.patches.emplace_back();

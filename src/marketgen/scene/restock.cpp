@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "catalog/country.h"
 #include "io/json.h"
 #include "plan/shelf_key.h"
 #include "scene/catalog_slice.h"
+#include "scene/store_catalog.h"
 
 namespace marketgen::scene {
 namespace {
@@ -157,7 +157,9 @@ Result<Scene> restocked(Scene scene,
                         const std::vector<plan::StockedShelf>& shelves,
                         const plan::Plan& plan,
                         const catalog::Catalog& catalog) {
-  MARKETGEN_TRY(Scene few, alone(scene.layout, shelves, plan, catalog, Seed(scene.seed)));
+  const StoreCatalog rows_of_store(catalog, plan);
+  MARKETGEN_TRY(Scene few,
+                alone(scene.layout, shelves, plan, rows_of_store.get(), Seed(scene.seed)));
   give_up_catalog_slice(few, catalog);
   std::map<std::string_view, std::uint32_t> fixture_of;
   for (std::uint32_t f = 0; f < scene.layout.fixtures.size(); ++f)
@@ -175,7 +177,7 @@ Result<Scene> restocked(Scene scene,
   }
   give_up_catalog_slice(scene, catalog);
   Splice(scene, rows).run();
-  take_catalog_slice(scene, catalog::LocalCatalog(catalog, plan.country).get());
+  take_catalog_slice(scene, rows_of_store.get());
   return scene;
 }
 

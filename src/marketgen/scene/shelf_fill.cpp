@@ -15,7 +15,8 @@ constexpr double block_gap_limit_m = 0.020;  // between blocks, when a shelf is 
 constexpr double max_yaw_tangent = 0.035;    // tan(half angle): 4 degrees either way
 constexpr double pushed_back_m =
     0.012;  // a column's front item stands up to this far behind the edge
-constexpr double shopped_share = 0.12;  // of columns have lost their front item, at jitter 1
+constexpr double shopped_share = 0.12;    // of columns have lost their front item, at jitter 1
+constexpr double pile_taken_share = 0.4;  // of piles have lost the top one, at jitter 1
 constexpr double sold_depth_share =
     0.8;  // a column has sold up to this share of its rows; the rest was pulled forward
 
@@ -45,6 +46,33 @@ int rows_left(int rows, Stream& draw) {
 
 Quaternion turned(Stream& draw, double limit) {
   return rotation_from_half_tangent({0, 0, 1}, draw.uniform(-limit, limit));
+}
+
+// Bunches that are piled (StoreCatalog): what is bought is missing on top, not behind.
+bool lies_in_a_pile(const catalog::Product& product) {
+  return product.category == "produce" && product.material == "skin" && product.stack_max > 1 &&
+         product.orientation == catalog::Orientation::flat;
+}
+
+// One column of a block of bunches: rows over the whole depth.
+void pile_column(FilledBlock& block,
+                 const catalog::Product& product,
+                 double center_x,
+                 const ShelfRoom& room,
+                 const plan::StockSpec& stock,
+                 Stream& draw) {
+  const double pitch = room.depth_m / static_cast<double>(block.rows_deep);
+  const double limit = yaw_limit(product, stock.jitter);
+  for (int row = 0; row < block.rows_deep; ++row) {
+    const double y = pitch * (row + 0.5);
+    const bool taken = block.stack > 1 && draw.chance(pile_taken_share * stock.jitter);
+    for (int level = 0; level < (taken ? block.stack - 1 : block.stack); ++level) {
+      block.items.push_back({block.product,
+                             {center_x, y, level * product.height_m()},
+                             turned(draw, limit),
+                             row == 0 ? product_front_row : 0});
+    }
+  }
 }
 
 // One column of a facing block: rows from front to back, each a stack.
@@ -82,13 +110,14 @@ void stand_items(FilledBlock& block,
   block.rows_deep = planned.rows_deep.value_or(rows_that_fit(product, room, stock.depth_fill));
   const double pitch = facing_pitch_m(product);
   const double left = block.x_m - room.width_m / 2;
+  const auto& add = lies_in_a_pile(product) ? pile_column : add_column;
   for (int i = 0; i < block.facings; ++i) {
-    add_column(block,
-               product,
-               left + pack_gap_m / 2 + product.width_m() / 2 + static_cast<double>(i) * pitch,
-               room,
-               stock,
-               draw);
+    add(block,
+        product,
+        left + pack_gap_m / 2 + product.width_m() / 2 + static_cast<double>(i) * pitch,
+        room,
+        stock,
+        draw);
   }
 }
 

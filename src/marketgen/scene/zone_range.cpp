@@ -21,8 +21,8 @@ constexpr double min_taste = 0.5, max_taste = 1.5;
 constexpr double medium_liked = 0.8, much_liked = 4;
 // From here on a pack is bulk, which boards have less of than it is asked for.
 constexpr double bulk_kg = 4, bulk_on_boards = 0.4, bulk_in_small_shops = 0.05;
-// A heap of loose goods is no narrower, and has no fewer pieces across.
-constexpr double min_heap_m = 0.36;
+// A heap of loose goods is no narrower, and has no fewer pieces across, but for what is long.
+constexpr double min_heap_m = 0.36, min_heap_of_long_m = 0.6;
 constexpr int min_heap_pieces = 3;
 constexpr double max_heap_m = 1.2;
 
@@ -85,9 +85,8 @@ class ZoneRange {
 
   // From the zone's fewest facings for what is hardly asked for to its most.
   double usual_front_m(const catalog::Product& product, double liked) const {
+    if (heaps_) return std::clamp(0.25 * liked, min_heap_front_m(product), max_heap_m);
     const double pitch_m = facing_pitch_m(product);
-    if (heaps_)
-      return std::clamp(0.25 * liked, std::max(min_heap_m, min_heap_pieces * pitch_m), max_heap_m);
     const int fewest = wish_.stock.facings[0];
     const int most = std::max(fewest, wish_.stock.facings[1]);
     const double share = std::clamp((liked - medium_liked) / much_liked, 0.0, 1.0);
@@ -168,7 +167,17 @@ class ZoneRange {
   std::vector<Kind> kinds_;
 };
 
+// Less of a product is no reason to stand in one bay more.
+double least_front_m(const catalog::Product& product, const Bay& bay) {
+  return bay.shelves.front().use == assets::ShelfUse::heap ? min_heap_front_m(product)
+                                                           : facing_pitch_m(product) / 2;
+}
+
 }  // namespace
+
+double min_heap_front_m(const catalog::Product& product) {
+  return std::clamp(min_heap_pieces * facing_pitch_m(product), min_heap_m, min_heap_of_long_m);
+}
 
 std::vector<BayRange> ranges_of(const std::vector<const Bay*>& bays,
                                 const std::vector<double>& fronts_m,
@@ -186,11 +195,10 @@ std::vector<BayRange> ranges_of(const std::vector<const Bay*>& bays,
   double left_m = fronts_m[0];
   for (const Ranged& goods : all) {
     const std::uint32_t row = wish.assortment[goods.place];
-    const double pitch_m = facing_pitch_m(catalog.products[row]);
+    const double least_m = least_front_m(catalog.products[row], *bays[bay]);
     double rest_m = goods.front_m * front_m / shared_m;  // no bay is left without
-    // Less than one facing is no reason to stand in the next bay, too.
-    while (bay + 1 < bays.size() && rest_m > left_m + pitch_m / 2) {
-      if (left_m >= pitch_m / 2) {
+    while (bay + 1 < bays.size() && rest_m > left_m + least_m) {
+      if (left_m >= least_m) {
         ranges[bay].push_back({row, left_m});
         rest_m -= left_m;
       }

@@ -23,6 +23,9 @@ struct RangedGoods {
 };
 using BayRange = std::vector<RangedGoods>;  // in the assortment's order
 
+// On boards for heaps no block is narrower: fewer pieces across make a row, not a heap.
+double min_heap_front_m(const catalog::Product& product);
+
 // What a zone's bays are given.
 struct RangeWish {
   const std::vector<std::uint32_t>& assortment;  // rows of catalog.products, in their order

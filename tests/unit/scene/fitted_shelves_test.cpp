@@ -11,7 +11,10 @@
 #include "plan/plan.h"
 #include "scene/fitted_boards.h"
 #include "scene/planogram_rows.h"
+#include "scene/shelf_fill.h"
 #include "scene/shelf_shares.h"
+#include "scene/store_catalog.h"
+#include "scene/zone_range.h"
 #include "scene_of.h"
 
 namespace marketgen {
@@ -29,12 +32,28 @@ scene::BayRange eight_products() {
   return range;
 }
 
-std::vector<int> boards_for(int height_mm, const std::vector<int>& beside = {}) {
+// Of a bay for each height, beside one another.
+std::vector<std::vector<int>> boards_of(const std::vector<int>& heights_mm) {
   std::vector<catalog::Product> rows;
-  for (int i = 0; i < 8; ++i)
-    rows.push_back(stock_row("p" + std::to_string(i), "food_tin", {75, 75, height_mm}, 0.4, 1));
+  std::vector<scene::BayRange> ranges;
+  for (const int height_mm : heights_mm) {
+    scene::BayRange& range = ranges.emplace_back(eight_products());
+    for (scene::RangedGoods& goods : range) {
+      goods.product = static_cast<std::uint32_t>(rows.size());
+      const std::string sku = "p" + std::to_string(rows.size());
+      rows.push_back(stock_row(sku, "food_tin", {75, 75, height_mm}, 0.4, 1));
+    }
+  }
   const catalog::Catalog catalog = catalog_of(std::move(rows));
-  return scene::fitted_spacings(gondola_opening(), eight_products(), {}, catalog, beside);
+  const scene::BayOpening opening = gondola_opening();
+  std::vector<scene::FitBay> bays;
+  for (const scene::BayRange& range : ranges)
+    bays.push_back({&opening, &range});
+  return scene::fitted_spacings(bays, {}, catalog);
+}
+
+std::vector<int> boards_for(int height_mm) {
+  return boards_of({height_mm}).front();
 }
 
 TEST(FittedBoards, LowPacksHaveMoreBoardsThanTallOnes) {
@@ -56,10 +75,13 @@ TEST(FittedBoards, HangInSlotsAndLeaveAHandOverThePacks) {
   }
 }
 
-TEST(FittedBoards, RunThroughFromTheBayBesideWhereTheyShowAsMuch) {
-  const std::vector<int> own = boards_for(150);
-  EXPECT_EQ(boards_for(145, own), own);
-  EXPECT_NE(boards_for(400, own), own);  // they do not hold it
+TEST(FittedBoards, RunThroughNeighboursWhereTheyShowAsMuch) {
+  const std::vector<std::vector<int>> alike = boards_of({150, 154, 145});
+  EXPECT_EQ(alike, std::vector(3, alike[0]));
+  for (std::size_t i = 0; i + 1 < alike[0].size(); ++i)
+    EXPECT_GE(alike[0][i] - 41, 154 + 35);  // the tallest of all
+  const std::vector<std::vector<int>> apart = boards_of({110, 400});
+  EXPECT_EQ(apart, (std::vector{boards_for(110), boards_for(400)}));
 }
 
 HandLaidShop fitted_shop() {
@@ -110,6 +132,109 @@ TEST(FittedShelves, AreTheSameFromALayoutThatHasThem) {
   shop.layout = first.layout;
   EXPECT_EQ(scene::scene_hash(scene_of(shop)), scene::scene_hash(first));
   EXPECT_TRUE(scene::same_but_for_boards(first.layout, fitted_shop().layout));
+}
+
+// Four produce tables in a row, so that goods go on from one to the next.
+TEST(FittedShelves, LooseGoodsLieInHeapsAndNotInSingleFile) {
+  HandLaidShop shop = shop_of({"produce"});
+  shop.plan.shelves = plan::ShelfPitch::fitted;
+  shop.plan.zones[0].stock.out_of_stock = 0;
+  const layout::Fixture first = shop.layout.fixtures[0];
+  for (int number = 2; number <= 4; ++number) {
+    layout::Fixture next = first;
+    next.id = first.run + "/module-" + std::to_string(number);
+    next.x_mm = first.x_mm + (number - 1) * first.width_mm;
+    shop.layout.fixtures.push_back(next);
+  }
+  std::size_t heaps = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const scene::Scene scene = scene_of(shop, seed);
+    std::map<std::uint32_t, double> taken_m;
+    for (const scene::Facing& facing : scene.facings) {
+      ASSERT_EQ(scene.shelves[facing.shelf].use, assets::ShelfUse::heap);
+      const catalog::Product& product = scene.catalog[facing.sku];
+      EXPECT_GE(facing.width_m, scene::min_heap_front_m(product) - 1e-6) << product.sku;
+      taken_m[facing.shelf] += facing.width_m;
+      ++heaps;
+    }
+    EXPECT_EQ(taken_m.size(), scene.shelves.size());
+    for (const auto& [shelf, width_m] : taken_m)
+      EXPECT_GE(width_m, 0.7 * scene.shelves[shelf].width_m) << shelf;
+  }
+  EXPECT_GT(heaps, 40U);
+}
+
+plan::Plan fitted_plan() {
+  plan::Plan plan;
+  plan.shelves = plan::ShelfPitch::fitted;
+  return plan;
+}
+
+TEST(StoreCatalog, BreadAndBunchesArePiledWhereBoardsAreFitted) {
+  const catalog::Catalog& rows = committed_catalog();
+  EXPECT_EQ(&scene::StoreCatalog(rows, plan::Plan{}).get(), &rows);
+  const plan::Plan plan = fitted_plan();
+  const scene::StoreCatalog piled(rows, plan);
+  std::size_t loaves = 0, bunches = 0;
+  for (std::size_t i = 0; i < rows.products.size(); ++i) {
+    const catalog::Product &row = rows.products[i], &now = piled.get().products[i];
+    ASSERT_EQ(now.sku, row.sku);
+    EXPECT_GE(now.stack_max, row.stack_max) << row.sku;
+    if (row.archetype == "loaf" && row.height_m() <= 0.12) {
+      EXPECT_GE(now.stack_max, 2) << row.sku;
+      ++loaves;
+    } else if (row.archetype == "herb_bunch") {
+      EXPECT_GE(now.stack_max, 2) << row.sku;
+      ++bunches;
+    } else if (row.archetype == "milk_jug" || row.archetype == "tray") {
+      EXPECT_EQ(now.stack_max, row.stack_max) << row.sku;
+    }
+    EXPECT_LE(now.stack_max * now.height_m(), std::max(0.25, row.stack_max * row.height_m()))
+        << row.sku;
+  }
+  EXPECT_GT(loaves, 30U);
+  EXPECT_GT(bunches, 2U);
+}
+
+TEST(StoreCatalog, LeavesRowsOfTheUsersOwn) {
+  catalog::Catalog rows = catalog_of({stock_row("a-loaf", "loaf", {225, 108, 108}, 0.5),
+                                      stock_row("own-loaf", "loaf", {225, 108, 108}, 0.5)});
+  rows.own = {"own-loaf"};
+  const plan::Plan plan = fitted_plan();
+  const scene::StoreCatalog piled(rows, plan);
+  EXPECT_EQ(piled.get().product("a-loaf")->stack_max, 2);
+  EXPECT_EQ(piled.get().product("own-loaf")->stack_max, 1);
+}
+
+// What shoppers took of a pile is missing on top; the board is covered from front to back.
+TEST(PiledBunches, LieOverTheWholeDepth) {
+  catalog::Product leek = stock_row("leek", "leek", {336, 39, 39}, 0.3, 3);
+  leek.category = "produce";
+  leek.material = "skin";
+  leek.orientation = catalog::Orientation::flat;
+  const catalog::Catalog catalog = catalog_of({leek});
+  const scene::ShelfRoom room{1.2, 0.54, 0.2, assets::ShelfUse::heap};
+  plan::StockSpec stock;
+  stock.jitter = 1;
+  stock.out_of_stock = 0;
+  const auto blocks = scene::fill_shelf({{0, 3}}, room, stock, catalog, Stream(7));
+  ASSERT_EQ(blocks.size(), 1U);
+  std::map<std::pair<double, double>, int> high;
+  for (const scene::ShelfItem& item : blocks[0].items)
+    ++high[{item.position.x, item.position.y}];
+  EXPECT_EQ(high.size(), static_cast<std::size_t>(3 * blocks[0].rows_deep));
+  double front_m = 1, back_m = 0;
+  int lower = 0;
+  for (const auto& [at, count] : high) {
+    front_m = std::min(front_m, at.second - leek.depth_m() / 2);
+    back_m = std::max(back_m, at.second + leek.depth_m() / 2);
+    EXPECT_GE(count, 2);
+    lower += count == 2 ? 1 : 0;
+  }
+  EXPECT_GE(front_m, 0);
+  EXPECT_LE(back_m, room.depth_m);
+  EXPECT_LT(room.depth_m - (back_m - front_m), 0.04);
+  EXPECT_GT(lower, 0);
 }
 
 TEST(ShelfShares, EachNamesGoodsThatThereAre) {
