@@ -8,7 +8,7 @@ import statistics
 import subprocess
 
 import pytest
-from conftest import PROGRAM, run
+from conftest import PROGRAM, ROOT, run
 
 PROMPT = "a supermarket with bakery, dairy, produce, snacks, frozen and two checkouts"
 
@@ -71,7 +71,7 @@ def test_own_planogram_of_a_tidy_store_is_met(folder):
 
 def columns_of(items, facing_deg, width_m):
     """(towards the front, item) of each column of a block, from where its packs stand alone; a column's packs lie within half a pack."""
-    turn = math.radians(round(facing_deg / 90) * 90)  # 0 faces south
+    turn = math.radians(facing_deg)  # 0 faces south
     front, along = (math.sin(turn), -math.cos(turn)), (math.cos(turn), math.sin(turn))
     columns, last = [], -math.inf
     for item in sorted(items, key=lambda item: item["x_m"] * along[0] + item["y_m"] * along[1]):
@@ -83,8 +83,15 @@ def columns_of(items, facing_deg, width_m):
     return columns
 
 
+def sizes_of_catalogue():
+    """Width and depth in metres by SKU."""
+    rows = [row for file in sorted((ROOT / "data/products").glob("*.json")) for row in json.loads(file.read_text())]
+    return {row["sku"]: (row["size_mm"][0] / 1000, row["size_mm"][1] / 1000) for row in rows}
+
+
 def test_strangers_in_front_are_those_that_the_table_of_items_has(folder):
-    size = {row["sku"]: (int(row["width_mm"]) / 1000, int(row["depth_mm"]) / 1000) for row in rows_of(folder / "planogram.csv")}
+    planned = {row["sku"]: (int(row["width_mm"]) / 1000, int(row["depth_mm"]) / 1000) for row in rows_of(folder / "planogram.csv")}
+    size = sizes_of_catalogue() | planned
     blocks = collections.defaultdict(list)
     for item in json.loads(run("query", folder / "untidy", "products", "--format", "json")):
         if item["fixture"]:
@@ -92,15 +99,15 @@ def test_strangers_in_front_are_those_that_the_table_of_items_has(folder):
     strangers = []
     for items in blocks.values():
         own = [item for item in items if not item["misplaced"]] or items
-        facing = statistics.median(item["yaw_deg"] for item in own)  # strangers lie as they were put
-        for column in columns_of(items, facing, size.get(own[0]["sku"], (0.06, 0))[0]):
+        facing = 90 * statistics.mode(round(item["yaw_deg"] / 90) % 4 for item in own)  # 180 and -180 are one; strangers lie as they were put
+        for column in columns_of(items, facing, size[own[0]["sku"]][0]):
             foremost = max(at for at, _ in column)
-            stack = [item for at, item in column if at > foremost - size.get(item["sku"], (0, 0.06))[1] / 2]
+            stack = [item for at, item in column if at > foremost - size[item["sku"]][1] / 2]
             strangers += [item["sku"] for item in stack if item["misplaced"]][:1]
     measured = compliance(folder / "untidy", folder / "planogram.csv")["facings"]
     assert len(strangers) > 100
-    assert measured["misplaced"] == sum(sku in size for sku in strangers)
-    assert measured["wrong_product"] == sum(sku not in size for sku in strangers)
+    assert measured["misplaced"] == sum(sku in planned for sku in strangers)
+    assert measured["wrong_product"] == sum(sku not in planned for sku in strangers)
 
 
 def test_a_changed_planogram_comes_back_as_it_was_written(folder):
