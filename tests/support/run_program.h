@@ -58,6 +58,9 @@ class Started {
     pid_ = fork();
     if (pid_ != 0) return;
     if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
+    // Under nohup some are ignored, and so they would be by what is run.
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+      signal(number, SIG_DFL);
     dup2(open("/dev/null", O_RDONLY), 0);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 1);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2);
