@@ -177,9 +177,11 @@ DrawnAxes axes_of(const scene::Scene& scene) {
   return drawn;
 }
 
-// A shop where every axis draws something.
+// A shop where every axis draws something. Its fixtures are plain: with a full outfit another
+// layout seed has other makes, and so other shelves to fill.
 store::CreateOptions untidy(store::CreateOptions options, const plan::Plan& plan) {
   plan::Plan messy = plan;
+  messy.outfit = plan::Outfit::plain;
   for (plan::Zone& zone : messy.zones) {
     zone.stock.misplaced = 0.1;
     zone.stock.out_of_stock = 0.1;
