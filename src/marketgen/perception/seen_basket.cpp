@@ -13,7 +13,8 @@
 namespace marketgen::perception {
 namespace {
 
-constexpr double wall_spacing_m = 0.015;  // of the pieces of a wall that are looked at
+constexpr double wall_spacing_m = 0.015;    // of the pieces of a wall that are looked at
+constexpr double coarse_spacing_m = 0.035;  // of those that choose among the shifts of the grid
 constexpr double shift_step_m = 0.008, shift_step_rad = 0.045;
 constexpr float coarse_tolerance_m = 0.008F, fine_tolerance_m = 0.003F;
 constexpr std::size_t kept_shifts = 4;
@@ -26,19 +27,19 @@ struct WallPiece {
   Vec3f point, normal;  // basket frame
 };
 
-int pieces_along(double half_m) {
-  return std::max(2, static_cast<int>(std::ceil(2 * half_m / wall_spacing_m)));
+int pieces_along(double half_m, double spacing_m) {
+  return std::max(2, static_cast<int>(std::ceil(2 * half_m / spacing_m)));
 }
 
 // The rim, and the inner and outer sides, of all walls.
-std::vector<WallPiece> wall_pieces(const agent::Workplace& place) {
+std::vector<WallPiece> wall_pieces(const agent::Workplace& place, double spacing_m) {
   std::vector<WallPiece> pieces;
   for (const agent::WorkBox& wall : place.walls) {
     const Vec3 half = wall.half_size;
     const auto add = [&](Vec3 at, Vec3 normal) {
       pieces.push_back({to_float(wall.pose * at), to_float(rotate(wall.pose.rotation, normal))});
     };
-    const int along = pieces_along(half.y), down = pieces_along(half.z);
+    const int along = pieces_along(half.y, spacing_m), down = pieces_along(half.z, spacing_m);
     for (int i = 0; i < along; ++i) {
       const double y = half.y * ((2 * i + 1.0) / along - 1);
       for (const double side : {-0.5, 0.5})
@@ -53,8 +54,8 @@ std::vector<WallPiece> wall_pieces(const agent::Workplace& place) {
 
 class BasketFit {
  public:
-  BasketFit(const std::vector<ViewCloud>& views, const agent::Workplace& place)
-      : views_(views), nominal_(place.base_from_basket), pieces_(wall_pieces(place)) {}
+  BasketFit(const std::vector<ViewCloud>& views, const agent::Workplace& place, double spacing_m)
+      : views_(views), nominal_(place.base_from_basket), pieces_(wall_pieces(place, spacing_m)) {}
 
   // Pieces that are where they should be less those that should be seen and are not.
   double score(const OverCounter& shift, float tolerance_m) const {
@@ -135,10 +136,10 @@ std::optional<Pose> seen_basket(const std::vector<ViewCloud>& views,
                                 const agent::Workplace& place,
                                 double off_m,
                                 double off_rad) {
-  const BasketFit fit(views, place);
+  const BasketFit fit(views, place, wall_spacing_m), coarse(views, place, coarse_spacing_m);
   std::optional<OverCounter> best;
   double best_score = min_supported * fit.max_score();
-  for (const OverCounter& begun : coarse_shifts(fit, off_m, off_rad)) {
+  for (const OverCounter& begun : coarse_shifts(coarse, off_m, off_rad)) {
     const OverCounter shift = fit.refined(begun);
     const double score = fit.score(shift, fine_tolerance_m);
     if (score > best_score) best = shift, best_score = score;
