@@ -171,7 +171,7 @@ Ray random_ray(const plan::Shell& shell, Stream& draw) {
 }
 
 bool is_in_the_room(const plan::Shell& shell, Vec3 place) {
-  const PointMm p = render::raytrace::floor_mm(place);
+  const PointMm p = floor_mm(place);
   constexpr int clear_mm = 50;
   const bool in_column = std::ranges::any_of(shell.columns, [&](const plan::Column& column) {
     return plan::footprint_of(column).grown(clear_mm).contains(p);

@@ -116,9 +116,9 @@ class PlaceInBasket(StageEnv):
         truth = self.parts()["privileged"]
         return float(truth["item_pose"][0, 2] - truth["basket_pose"][2])
 
-    def _is_over(self, most_m: float) -> bool:
+    def _is_over(self, max_m: float) -> bool:
         """Over the basket's floor, and no higher."""
-        return self._outside_m() < RIM_M and self._height_m() <= most_m
+        return self._outside_m() < RIM_M and self._height_m() <= max_m
 
     def _numbers(self) -> list[float]:
         parts = self.parts()

@@ -20,10 +20,10 @@ namespace {
 constexpr std::string_view face_endings[] = {".png", ".jpg"};
 constexpr KeptKind face_kind{"picture", "faces", face_endings, max_face_bytes, "image.bad_file"};
 
-constexpr std::uint8_t least_opaque = 128;  // of alpha: below it a pixel is see-through
+constexpr std::uint8_t min_opaque = 128;  // of alpha: below it a pixel is see-through
 
 bool is_opaque(const Image& image, int x, int y) {
-  return image.channels < 4 || image.at(x, y)[3] >= least_opaque;
+  return image.channels < 4 || image.at(x, y)[3] >= min_opaque;
 }
 
 struct PixelRows {

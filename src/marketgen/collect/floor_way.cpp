@@ -37,8 +37,7 @@ FloorWay::FloorWay(const navigation::FloorPath& path, WayTurning turning) : turn
   for (const PointMm& point : path.points) {
     const Vec2 at{point[0] * 1e-3, point[1] * 1e-3};
     if (!points_.empty() && at == points_.back()) continue;
-    const double step =
-        points_.empty() ? 0 : std::hypot(at.x - points_.back().x, at.y - points_.back().y);
+    const double step = points_.empty() ? 0 : distance(at, points_.back());
     lengths_.push_back(points_.empty() ? 0 : lengths_.back() + step);
     points_.push_back(at);
   }

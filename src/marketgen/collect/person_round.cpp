@@ -20,16 +20,12 @@ constexpr double shelf_distance_m = 0.58, farther_m = 0.12;  // from a shelf's e
 constexpr int distances = 3;
 constexpr double speed_up_s = 0.6;
 constexpr double turn_piece_rad = 1.05, turn_piece_s = 0.75;
-constexpr double least_stay_s = 5;
-constexpr double least_way_m = 0.8, next_stop_m = 6;
+constexpr double min_stay_s = 5;
+constexpr double min_way_m = 0.8, next_stop_m = 6;
 constexpr double pi = std::numbers::pi;
 
-PointMm in_mm(Vec2 at) {
-  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
-}
-
 bool is_free(const navigation::VisibilityGraph& graph, Vec2 at) {
-  return graph.space().on_floor(in_mm(at)) && graph.space().free(in_mm(at));
+  return graph.space().on_floor(floor_mm(at)) && graph.space().free(floor_mm(at));
 }
 
 // Before the middle of a shelf and to both sides of it.
@@ -118,8 +114,8 @@ std::optional<Ways> ways_between(const PeopleFloor& floor,
                                  const std::vector<StandingPlace>& stops) {
   Ways ways;
   for (std::size_t i = 0; i < stops.size(); ++i) {
-    const PointMm from = in_mm(stops[i].position);
-    const PointMm to = in_mm(stops[(i + 1) % stops.size()].position);
+    const PointMm from = floor_mm(stops[i].position);
+    const PointMm to = floor_mm(stops[(i + 1) % stops.size()].position);
     if (from == to) return {};
     auto path = floor.graph.shortest_path(from, to);
     if (!path.ok()) return {};
@@ -141,8 +137,8 @@ std::vector<StandingPlace> draw_stops(const std::vector<StandingPlace>& places,
     std::vector<StandingPlace> near;
     std::copy_if(
         places.begin(), places.end(), std::back_inserter(near), [&](const StandingPlace& place) {
-          const double away = std::hypot(place.position.x - last.x, place.position.y - last.y);
-          return away > least_way_m && away < next_stop_m;
+          const double away = distance(place.position, last);
+          return away > min_way_m && away < next_stop_m;
         });
     stops.push_back(any(near.empty() ? places : near));
   }
@@ -233,7 +229,7 @@ std::optional<std::vector<PersonAct>> draw_acts(const PeopleFloor& floor,
   if (!ways) return {};
   const double busy_s = end_of(write_round(stops, *ways, speed, 0));
   const double stay_s = (round_s - busy_s) / count;
-  if (stay_s < least_stay_s) return {};
+  if (stay_s < min_stay_s) return {};
   return write_round(stops, *ways, speed, stay_s);
 }
 

@@ -79,11 +79,7 @@ class StoreObstacles {
     return made;
   }
 
-  bool on_floor(Vec3 p) const {
-    return contains(
-        floor_mm_,
-        {static_cast<int>(std::lround(p.x * 1000)), static_cast<int>(std::lround(p.y * 1000))});
-  }
+  bool on_floor(Vec3 p) const { return contains(floor_mm_, floor_mm(p)); }
 
   // Clear of the walls, too: its four sides.
   bool on_floor(Vec3 center, double radius) const {

@@ -161,10 +161,6 @@ double length(const Segment& segment) {
   return distance(segment.from, segment.to);
 }
 
-double distance(Vec2 a, Vec2 b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 double distance(Vec2 p, const Segment& segment) {
   const Vec2 way = segment.to - segment.from, to = p - segment.from;
   const double square = way.x * way.x + way.y * way.y;

@@ -36,7 +36,6 @@ constexpr double thickest_wall_mm = 700;
 constexpr std::size_t max_wall_segments = 6000;
 
 double length(const Segment& segment);
-double distance(Vec2 a, Vec2 b);
 double distance(Vec2 p, const Segment& segment);
 // Radius and angle of a door's swing.
 bool is_door_swing(const Stroke& stroke);

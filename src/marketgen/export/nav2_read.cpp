@@ -187,8 +187,7 @@ std::size_t ReadMap::cell_at(double x_m, double y_m) const {
 }
 
 PointMm ReadMap::center(int column, int row) const {
-  return {static_cast<int>(std::lround(x_of(column) * 1000)),
-          static_cast<int>(std::lround(y_of(row) * 1000))};
+  return floor_mm(Vec2{x_of(column), y_of(row)});
 }
 
 std::string ReadMap::in_words(int column, int row) const {

@@ -17,7 +17,7 @@ namespace marketgen::exporters {
 namespace {
 
 constexpr std::size_t shape_hash_letters = 12;  // no two of a store's shapes share them
-constexpr float least_area_m2 = 1e-12F;         // thinner triangles show nothing
+constexpr float min_area_m2 = 1e-12F;           // thinner triangles show nothing
 constexpr float normal_steps = 1 << 14;         // normals nearer than a step are one
 
 template <class T>
@@ -76,7 +76,7 @@ class SurfaceMesh {
   void add(const std::array<std::uint32_t, 3>& triangle) {
     const Vec3f a = at(triangle[0]), b = at(triangle[1]), c = at(triangle[2]);
     const Vec3f across = cross(b - a, c - a);
-    if (!(length(across) / 2 > least_area_m2)) return;
+    if (!(length(across) / 2 > min_area_m2)) return;
     for (const std::uint32_t v : triangle) {
       made_.corners.push_back(points_.row(welded_[v], at(v), made_.points));
       const Vec3f given = mesh_.normals[v];

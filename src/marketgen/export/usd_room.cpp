@@ -75,9 +75,7 @@ std::vector<Vec3> lamp_places(const plan::Shell& shell) {
       const Vec3 at{x * (static_cast<double>(i) + 0.5) / static_cast<double>(along),
                     y * (static_cast<double>(j) + 0.5) / static_cast<double>(across),
                     shell.ceiling_mm * 1e-3 - lamp_below_ceiling_m};
-      const PointMm on_plan{static_cast<int>(std::lround(at.x * 1000)),
-                            static_cast<int>(std::lround(at.y * 1000))};
-      if (contains(outline, on_plan)) places.push_back(at);
+      if (contains(outline, floor_mm(at))) places.push_back(at);
     }
   }
   return places;

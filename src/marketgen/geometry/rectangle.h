@@ -1,6 +1,7 @@
 // Rectangles and polygons in whole millimetres, the currency of plans and layouts.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -35,6 +36,15 @@ std::optional<RectMm> intersection(const RectMm& a, const RectMm& b);  // of pos
 int gap_mm(const RectMm& a, const RectMm& b);
 // Straight across the floor from edge to edge; 0 when they touch or overlap.
 double distance_mm(const RectMm& a, const RectMm& b);
+
+// Where a place is on the floor plan, to the nearest millimetre: x and y of a Vec2, Vec3 or Vec3f,
+// metres.
+template <class Vector>
+PointMm floor_mm(const Vector& place) {
+  return {static_cast<int>(std::lround(place.x * 1000)),
+          static_cast<int>(std::lround(place.y * 1000))};
+}
+
 constexpr RectMm point_rect(PointMm p) {  // of no size, for distances to a point
   return {p[0], p[1], p[0], p[1]};
 }

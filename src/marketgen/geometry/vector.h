@@ -54,6 +54,9 @@ template <class T>
 T length(Vector3<T> a) {
   return std::sqrt(dot(a, a));
 }
+inline double distance(Vec2 a, Vec2 b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
 template <class T>
 bool is_finite(Vector3<T> a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

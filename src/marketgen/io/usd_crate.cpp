@@ -19,7 +19,7 @@ constexpr std::uint64_t array_bit = 1ULL << 63, inlined_bit = 1ULL << 62,
 constexpr int type_shift = 48;
 constexpr std::size_t head_bytes = 88;  // identifier, version, offset of the table, reserved
 constexpr std::size_t section_name_bytes = 16;
-constexpr std::size_t least_compressed = 16;  // shorter arrays are never compressed
+constexpr std::size_t min_compressed = 16;  // shorter arrays are never compressed
 constexpr std::uint32_t end_of_set = 0xFFFFFFFF;
 
 std::uint64_t inlined(std::uint64_t kind, std::uint64_t payload) {
@@ -183,7 +183,7 @@ std::uint64_t UsdCrate::stored_value(const UsdValue& value) {
   }
   if (const auto* integers = std::get_if<std::vector<std::int32_t>>(&value)) {
     if (integers->empty()) return array_bit | (type::integer << type_shift);
-    if (integers->size() < least_compressed)
+    if (integers->size() < min_compressed)
       return stored(array_bit | (type::integer << type_shift), array_bytes(*integers));
     return stored(array_bit | compressed_bit | (type::integer << type_shift),
                   integers_array(*integers));

@@ -13,14 +13,14 @@ constexpr int attached_mm = 60;  // nearer to an aisle's edge is at its edge
 
 // What stands at the edge of an aisle or in it leaves it wide enough on one side at least, and
 // between it and what it does not touch.
-bool leaves_wide(const Aisle& aisle, const RectMm& rect, int least_mm) {
+bool leaves_wide(const Aisle& aisle, const RectMm& rect, int min_mm) {
   const RectMm floor = bounds_of(aisle.polygon_mm);
   if (!marketgen::overlap(floor, rect)) return true;
   const Side beside = runs_along_x(aisle) ? Side::south : Side::west;
   const Span wide = across(floor, beside), taken = across(rect, beside);
   const int doors_mm = std::max(0, wide.length() - aisle.width_mm);
   const int low = taken.from - wide.from, high = wide.to - taken.to;
-  const auto passes = [&](int gap) { return gap >= least_mm + doors_mm; };
+  const auto passes = [&](int gap) { return gap >= min_mm + doors_mm; };
   const bool open = wide.length() >= open_floor_mm;  // nothing borders it on one side
   const auto closed = [&](int gap) { return open || gap <= attached_mm; };
   return (passes(low) && (passes(high) || closed(high))) || (passes(high) && closed(low));
@@ -48,7 +48,7 @@ bool still_reached(const Reach& reach, const RectMm& place, const RectMm& item, 
 }  // namespace
 
 FloorGuard::FloorGuard(const Design& design, const std::vector<Fixture>& fixtures)
-    : least_aisle_mm_(least_aisle_mm(design)), aisles_(find_aisles(design, fixtures)) {
+    : min_allowed_mm_(min_allowed_mm(design)), aisles_(find_aisles(design, fixtures)) {
   for (const int width_mm : {design.profile.wheelchair_mm, robot_width_mm}) {
     Walker walker{width_mm, reach_of(design.floor, design.plan.shell, fixtures, width_mm), {}};
     for (const Fixture& fixture : fixtures) {
@@ -63,7 +63,7 @@ FloorGuard::FloorGuard(const Design& design, const std::vector<Fixture>& fixture
 
 bool FloorGuard::leaves_aisles(const RectMm& rect) const {
   return std::ranges::all_of(
-      aisles_, [&](const Aisle& aisle) { return leaves_wide(aisle, rect, least_aisle_mm_); });
+      aisles_, [&](const Aisle& aisle) { return leaves_wide(aisle, rect, min_allowed_mm_); });
 }
 
 bool FloorGuard::allows(const Fixture& item) const {

@@ -27,7 +27,7 @@ class FloorGuard {
   };
   bool leaves_aisles(const RectMm& rect) const;
 
-  int least_aisle_mm_;
+  int min_allowed_mm_;
   std::vector<Aisle> aisles_;
   std::vector<Walker> walkers_;
 };

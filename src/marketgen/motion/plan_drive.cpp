@@ -19,10 +19,6 @@ int in_mm(double m) {
 
 }  // namespace
 
-PointMm point_mm(Vec2 at) {
-  return {in_mm(at.x), in_mm(at.y)};
-}
-
 Result<BaseEnvelope> base_envelope(const robots::Robot& robot, std::span<const double> state) {
   MARKETGEN_CHECK(robots::check_state(robot, state));
   if (!robot.drive)
@@ -69,10 +65,10 @@ Result<DrivePlan> plan_drive(const navigation::VisibilityGraph& graph,
   std::vector<navigation::DiscMm> discs;
   for (const MovingDisc& disc : past) {
     const double clear = envelope.radius_m + options.margin + disc.radius + beside_past_m;
-    discs.push_back({point_mm(disc.position), in_mm(clear)});
+    discs.push_back({floor_mm(disc.position), in_mm(clear)});
   }
   MARKETGEN_TRY(navigation::FloorPath path,
-                graph.shortest_path_past(point_mm(from.position), point_mm(to.position), discs));
+                graph.shortest_path_past(floor_mm(from.position), floor_mm(to.position), discs));
   MARKETGEN_TRY(BaseFollower follower,
                 BaseFollower::make(path, from.heading, to.heading, limits, options));
   return DrivePlan{std::move(path), std::move(follower)};

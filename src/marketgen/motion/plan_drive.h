@@ -25,7 +25,6 @@ struct FloorPlace {
   Vec2 position;
   double heading = 0;  // about Z from X
 };
-PointMm point_mm(Vec2 at);  // of metres
 struct DrivePlan {
   navigation::FloorPath path;
   BaseFollower follower;  // at rest at the start

@@ -11,7 +11,6 @@ constexpr int cell_mm = 250, cells = 49;  // 6 m to each side
 constexpr double far_mm = 3000;
 constexpr int max_off_mm = 60;  // the ways of a base that was stopped
 constexpr double let_past_s = 4, look_again_s = 2;
-constexpr double body_m = 0.24;         // half of a person's shoulders
 constexpr double beside_base_m = 0.65;  // people keep about so much of it
 
 double apart_mm(PointMm a, PointMm b) {
@@ -73,7 +72,7 @@ class NearFloor {
 
 const MovingDisc& nearest_to(PointMm base, std::span<const MovingDisc> people) {
   return *std::ranges::min_element(people, {}, [&](const MovingDisc& person) {
-    return apart_mm(point_mm(person.position), base);
+    return apart_mm(floor_mm(person.position), base);
   });
 }
 
@@ -104,7 +103,7 @@ std::optional<PointMm> passing_place(const navigation::FreeSpace& space,
                                      std::span<const MovingDisc> people,
                                      int room_mm) {
   if (people.empty()) return {};
-  const PointMm person = point_mm(nearest_to(base, people).position);
+  const PointMm person = floor_mm(nearest_to(base, people).position);
   const NearFloor floor(space, base);
   const NearFloor::Cells all = floor.reached(person, {base[0] + 1'000'000, base[1]}, 0);
   const NearFloor::Cells now = floor.reached(person, base, room_mm);
@@ -138,7 +137,7 @@ std::optional<PointMm> place_away(const navigation::FreeSpace& space,
                                   std::span<const MovingDisc> people,
                                   int room_mm) {
   if (people.empty()) return {};
-  const PointMm person = point_mm(nearest_to(base, people).position);
+  const PointMm person = floor_mm(nearest_to(base, people).position);
   const NearFloor floor(space, base);
   const NearFloor::Cells own = floor.reached(base, person, room_mm);
   std::optional<PointMm> best;
@@ -161,12 +160,13 @@ Result<WayRound> plan_way_round(const navigation::VisibilityGraph& graph,
                                 const FloorPlace& to,
                                 std::span<const MovingDisc> people,
                                 bool waited) {
-  const PointMm stands = graph.space().nearest_free(point_mm(from.position), max_off_mm);
+  const PointMm stands = graph.space().nearest_free(floor_mm(from.position), max_off_mm);
   const FloorPlace here{{stands[0] * 1e-3, stands[1] * 1e-3}, from.heading};
   auto past = plan_drive(graph, robot, state, here, to, people);
   if (past.ok() && gets_there(past->follower, people))
     return WayRound{.on = std::move(past->follower)};
-  const int room_mm = graph.space().clearance_mm() + point_mm({body_m + beside_base_m, 0})[0];
+  const int room_mm = graph.space().clearance_mm() +
+                      static_cast<int>(std::lround((person_radius_m + beside_base_m) * 1e3));
   std::vector<std::optional<PointMm>> places{passing_place(graph.space(), stands, people, room_mm)};
   if (waited) places.insert(places.begin(), place_away(graph.space(), stands, people, room_mm));
   for (const std::optional<PointMm>& place : places) {

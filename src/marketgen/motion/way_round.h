@@ -7,6 +7,9 @@
 
 namespace marketgen::motion {
 
+// Of a body about its shoulders: half of a mean bideltoid breadth of 0.49 m (ANSUR II).
+inline constexpr double person_radius_m = 0.24;
+
 struct WayRound {
   std::optional<BaseFollower> aside = {};  // first, to where people can get past
   double wait_s = 0;                       // there

@@ -54,7 +54,7 @@ std::optional<double> AisleOracle::way_to(std::uint32_t product) const {
   const auto place = world_->store().standing_place(product);
   if (!place) return std::nullopt;
   const Vec3 at = episodes::axle_of(robot_, world_->world_from_base());
-  const auto path = ways().shortest_path(episodes::floor_point_mm(at), *place);
+  const auto path = ways().shortest_path(floor_mm(at), *place);
   return path.ok() ? std::optional(path->length_m) : std::nullopt;
 }
 
@@ -147,7 +147,7 @@ motion::FloorPlace AisleOracle::axle_place(const Pose& world_from_base) const {
 
 Result<motion::BaseFollower> AisleOracle::way_of(const Pose& world_from_base) {
   const PointMm stands = ways().space().nearest_free(
-      episodes::floor_point_mm(episodes::axle_of(robot_, world_->world_from_base())), max_off_mm);
+      floor_mm(episodes::axle_of(robot_, world_->world_from_base())), max_off_mm);
   memory_.goes_to = axle_place(world_from_base);
   memory_.waited = false;
   MARKETGEN_TRY(motion::DrivePlan plan,

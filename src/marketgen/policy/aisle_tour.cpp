@@ -13,10 +13,6 @@ constexpr double same_front_m = 0.25;
 constexpr double of_way = 0.25;  // metres off the category's place that a metre of way is worth
 constexpr std::size_t max_ways = 12;  // that are measured, of the stops nearest to the hint
 
-double apart(Vec2 a, Vec2 b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 }  // namespace
 
 std::optional<robots::BasePlace> view_place(const agent::AisleMap& map, const Pose& faced) {
@@ -38,7 +34,7 @@ std::vector<ViewStop> view_stops(const agent::AisleMap& map) {
     if (!place) continue;
     const Vec2 front{board.store_from_board.position.x, board.store_from_board.position.y};
     const bool known = std::ranges::any_of(stops, [&](const ViewStop& stop) {
-      return apart(stop.front, front) < same_front_m &&
+      return distance(stop.front, front) < same_front_m &&
              std::abs(std::remainder(stop.place.heading - place->heading, 2 * M_PI)) < 0.1;
     });
     if (!known) stops.push_back({*place, front});
@@ -54,7 +50,7 @@ std::optional<std::size_t> next_stop(const agent::AisleMap& map,
                                      double max_m) {
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t i = 0; i < stops.size(); ++i)
-    if (const double off = apart(stops[i].front, hint); !seen[i] && off <= max_m)
+    if (const double off = distance(stops[i].front, hint); !seen[i] && off <= max_m)
       near.emplace_back(off, i);
   std::ranges::stable_sort(near);
   std::optional<std::size_t> best;

@@ -18,7 +18,7 @@ std::optional<double> ShelfFinds::remember(const ShelfFind& find, Vec2 hint) {
     return other.goal == find.goal && length(other.store_from_product.position - at) < same_find_m;
   };
   if (std::ranges::any_of(refused_, is_same)) return std::nullopt;
-  const double worth = find.score - worth_off_per_m * std::hypot(at.x - hint.x, at.y - hint.y);
+  const double worth = find.score - worth_off_per_m * distance({at.x, at.y}, hint);
   const auto known = std::ranges::find_if(finds_, is_same, &KnownFind::place);
   if (known == finds_.end())
     finds_.push_back({find, worth});
@@ -40,7 +40,7 @@ std::optional<std::size_t> ShelfFinds::next(const std::vector<ShelfGoal>& goals,
     const bool good = finds_[i].worth >= std::max(min_worth, best_of[find.goal] - about_as_good);
     if (!good || !goals[find.goal].is_due()) continue;
     const Vec3 at = find.store_from_product.position;
-    const double off = std::hypot(at.x - from.x_m, at.y - from.y_m);
+    const double off = distance({at.x, at.y}, {from.x_m, from.y_m});
     if (best && off >= least) continue;
     best = i;
     least = off;

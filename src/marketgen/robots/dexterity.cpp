@@ -9,10 +9,10 @@
 
 namespace marketgen::robots {
 
-double least_gain(const Robot& robot,
-                  std::span<const double> q,
-                  int frame,
-                  const std::vector<int>& dofs) {
+double min_gain(const Robot& robot,
+                std::span<const double> q,
+                int frame,
+                const std::vector<int>& dofs) {
   const Jacobian all = frame_jacobian(robot, q, frame);
   Jacobian some(6, static_cast<Eigen::Index>(dofs.size()));
   for (std::size_t i = 0; i < dofs.size(); ++i)
@@ -21,7 +21,7 @@ double least_gain(const Robot& robot,
   return Eigen::JacobiSVD<Eigen::MatrixXd>(some).singularValues().minCoeff();
 }
 
-double least_room(const Robot& robot, std::span<const double> q, const std::vector<int>& dofs) {
+double min_room(const Robot& robot, std::span<const double> q, const std::vector<int>& dofs) {
   double room = std::numeric_limits<double>::infinity();
   for (const int dof : dofs) {
     const auto place = static_cast<std::size_t>(dof);

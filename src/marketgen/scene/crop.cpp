@@ -67,8 +67,7 @@ class Cropper {
   }
   bool stays(const SceneProduct& product) const {
     if (product.facing != no_facing) return stays(whole_.facings[product.facing]);
-    const PointMm at{static_cast<int>(std::lround(product.position_m[0] * 1e3F)),
-                     static_cast<int>(std::lround(product.position_m[1] * 1e3F))};
+    const PointMm at = floor_mm(Vec2{product.position_m[0], product.position_m[1]});
     return std::ranges::any_of(kept_, [&](std::uint32_t fixture) {
       return layout::footprint_of(whole_.layout.fixtures[fixture]).contains(at);
     });

@@ -279,8 +279,8 @@ std::string too_large_for(const catalog::Product& product,
     depth_m = std::max(depth_m, room.depth_m);
     width_m = std::max(width_m, room.width_m - pack_gap_m);
   }
-  const auto too = [takes](std::string_view what, double has_m, double most_m) {
-    return fmt::format("it is {:.0f} mm {}; {} {:.0f} mm", has_m * 1e3, what, takes, most_m * 1e3);
+  const auto too = [takes](std::string_view what, double has_m, double max_m) {
+    return fmt::format("it is {:.0f} mm {}; {} {:.0f} mm", has_m * 1e3, what, takes, max_m * 1e3);
   };
   if (product.height_m() > height_m) return too("tall", product.height_m(), height_m);
   if (product.depth_m() > depth_m) return too("deep", product.depth_m(), depth_m);

@@ -6,7 +6,7 @@ namespace marketgen::scene {
 
 PointMm standing_point(const Scene& scene, std::uint32_t shelf) {
   const Vec3 at = world_from_shelf(scene, shelf) * Vec3{0, -standing_mm * 1e-3, 0};
-  return {static_cast<int>(std::lround(at.x * 1000)), static_cast<int>(std::lround(at.y * 1000))};
+  return floor_mm(at);
 }
 
 }  // namespace marketgen::scene

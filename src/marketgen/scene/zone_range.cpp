@@ -168,7 +168,7 @@ class ZoneRange {
 };
 
 // Less of a product is no reason to stand in one bay more.
-double least_front_m(const catalog::Product& product, const Bay& bay) {
+double min_front_m(const catalog::Product& product, const Bay& bay) {
   return bay.shelves.front().use == assets::ShelfUse::heap ? min_heap_front_m(product)
                                                            : facing_pitch_m(product) / 2;
 }
@@ -195,10 +195,10 @@ std::vector<BayRange> ranges_of(const std::vector<const Bay*>& bays,
   double left_m = fronts_m[0];
   for (const Ranged& goods : all) {
     const std::uint32_t row = wish.assortment[goods.place];
-    const double least_m = least_front_m(catalog.products[row], *bays[bay]);
+    const double min_m = min_front_m(catalog.products[row], *bays[bay]);
     double rest_m = goods.front_m * front_m / shared_m;  // no bay is left without
-    while (bay + 1 < bays.size() && rest_m > left_m + least_m) {
-      if (left_m >= least_m) {
+    while (bay + 1 < bays.size() && rest_m > left_m + min_m) {
+      if (left_m >= min_m) {
         ranges[bay].push_back({row, left_m});
         rest_m -= left_m;
       }

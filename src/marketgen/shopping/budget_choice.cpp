@@ -115,7 +115,7 @@ Choices choose(const ShoppingParts& parts, std::optional<std::int64_t> budget) {
   const std::pair<int, int> fewest = missing_of(states.back());
   const auto least =
       std::ranges::find_if(states, [&](const State& state) { return missing_of(state) == fewest; });
-  choices.least_coins = least->choice.coins;
+  choices.min_coins = least->choice.coins;
   const State* best = &states.front();
   for (const State& state : states)
     if (!budget || state.choice.coins <= *budget) best = &state;

@@ -19,8 +19,8 @@ struct Choice {
 };
 
 struct Choices {
-  Choice best;                   // within the budget
-  std::int64_t least_coins = 0;  // that buy as many items and needs as the store has
+  Choice best;                 // within the budget
+  std::int64_t min_coins = 0;  // that buy as many items and needs as the store has
 };
 
 // Of all choices within `budget` (coins; none: any) that with the fewest items missing, then the

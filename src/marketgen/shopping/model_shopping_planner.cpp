@@ -124,7 +124,7 @@ Result<ShoppingPlan> plan_of(const ShoppingAnswer& answer,
     line.why = told->why;
   }
   plan.total = price_of(coins_of(bought), assortment);
-  const double least = price_of(choose(parts, {}).least_coins, assortment);
+  const double least = price_of(choose(parts, {}).min_coins, assortment);
   for (const Part* part : asked) {
     if (std::ranges::find(bought, part, &ChosenAnswer::part) != bought.end()) continue;
     if (part->kind == PartKind::extra)

@@ -75,7 +75,7 @@ Result<ShoppingPlan> plan_shopping(const ShoppingRequest& request,
       plan.left_out.push_back(part->name);
       continue;
     }
-    const double least = price_of(choices.least_coins, assortment);
+    const double least = price_of(choices.min_coins, assortment);
     plan.unmet.push_back(unmet_part(*part, least, assortment));
     if (plan.unmet.back().kind == UnmetKind::over_budget) plan.least = least;
   }

@@ -162,7 +162,7 @@ std::vector<motion::Configuration> DoorHand::by_worth(
   std::vector<std::pair<double, motion::Configuration>> worths;
   for (motion::Configuration& start : starts) {
     const Followed followed = follow(stand, checker, swing, start);
-    const bool will_do = std::abs(followed.end_rad - swing.from_rad) >= swing.least_rad - 1e-9;
+    const bool will_do = std::abs(followed.end_rad - swing.from_rad) >= swing.min_rad - 1e-9;
     worths.emplace_back(
         will_do ? swing.worth(model_.group, followed.path) : std::numeric_limits<double>::lowest(),
         std::move(start));
@@ -269,7 +269,7 @@ Result<HandOnDoor> DoorHand::plan(const DoorStand& stand, const HandSwing& swing
   for (const motion::Configuration& start : starts) {
     Followed followed = follow(stand, checker, swing, start);
     const double share = std::abs(followed.end_rad - swing.from_rad);
-    if (share < swing.least_rad - 1e-9) {
+    if (share < swing.min_rad - 1e-9) {
       if (share <= farthest) continue;
       farthest = share;
       error.message = fmt::format("the arm follows the door by {:.0f} of {:.0f} degrees",

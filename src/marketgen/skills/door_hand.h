@@ -36,7 +36,7 @@ using WorthOfWay =
 // How the door is to move with the tip of a hand.
 struct HandSwing {
   double from_rad = 0, to_rad = 0;
-  double least_rad = 0;  // that will do, from `from_rad` on
+  double min_rad = 0;  // that will do, from `from_rad` on
   std::function<Pose(double position_rad)> world_from_tip;
   // Of the ways in which the arm can follow, the one of most worth; without it the one that begins
   // nearest to where the arm is.

@@ -249,7 +249,7 @@ class DoorPlanner {
   }
 
   Result<HandOnDoor> pulled(const DoorPlan& plan, std::size_t puller, const Lag& lag, double z) {
-    HandSwing swing{question_.position_rad, pulled_rad, question_.least_pulled_rad, {}};
+    HandSwing swing{question_.position_rad, pulled_rad, question_.min_pulled_rad, {}};
     swing.worth = question_.worth_of_pull;
     swing.world_from_tip = [&, z](double position) {
       const double behind = lag.first_rad + (lag.last_rad - lag.first_rad) * position / pulled_rad;

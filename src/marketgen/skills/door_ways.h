@@ -29,7 +29,7 @@ struct DoorQuestion {
       may_stand;
   std::optional<Pose> world_from_base = {};  // stands there and nowhere else
   // So far the hand at the bar pulls at least: from there on the other finds room behind the leaf.
-  double least_pulled_rad = 48 * std::numbers::pi / 180;
+  double min_pulled_rad = 48 * std::numbers::pi / 180;
   WorthOfWay worth_of_pull = {};  // see HandSwing
   std::string where;              // of errors: the door
 };

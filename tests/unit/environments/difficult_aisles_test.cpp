@@ -44,7 +44,7 @@ double tour_m(const EpisodeSpec& spec) {
   for (const episodes::EpisodeGoal& goal : spec.goals)
     skus.push_back(goal.sku);
   const auto tour = episodes::shortest_tour_m(
-      pool_aisles(), episodes::floor_point_mm({spec.start.x_m, spec.start.y_m, 0}), skus);
+      pool_aisles(), floor_mm(Vec2{spec.start.x_m, spec.start.y_m}), skus);
   return tour.value_or(0);
 }
 

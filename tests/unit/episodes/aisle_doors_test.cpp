@@ -54,8 +54,8 @@ TEST(AisleDoors, NobodyStandsInTheOpenLeaf) {
   const auto met = open->may_stand(Pose{beside, {}}, store->driving);
   ASSERT_FALSE(met.ok());
   EXPECT_EQ(met.error().code, "motion.base_blocked");
-  EXPECT_TRUE(store->ways.space().free(episodes::floor_point_mm(open->opened_from)));
-  EXPECT_TRUE(open->past->space().free(episodes::floor_point_mm(open->shut_from)));
+  EXPECT_TRUE(store->ways.space().free(floor_mm(open->opened_from)));
+  EXPECT_TRUE(open->past->space().free(floor_mm(open->shut_from)));
 }
 
 // Whoever took an item backs off, and not into the leaf that stands open behind.
@@ -72,8 +72,7 @@ TEST(AisleDoors, NobodyBacksOffIntoTheOpenLeaf) {
                past = store->room_behind_m(before, open->ways());
   EXPECT_GT(shut, past);
   const auto backed = [&](double back_m) {
-    return episodes::floor_point_mm(
-        episodes::axle_of(store->robot, before * Pose{{-back_m, 0, 0}, {}}));
+    return floor_mm(episodes::axle_of(store->robot, before * Pose{{-back_m, 0, 0}, {}}));
   };
   EXPECT_FALSE(open->past->space().free(backed(shut)));
   EXPECT_TRUE(past == 0 || open->past->space().free(backed(past)));

@@ -76,7 +76,7 @@ TEST(PeopleAround, NeverJumpNorWalkThroughFixtures) {
     for (std::size_t i = 0; i < people.count(); ++i) {
       const Pose now = people.store_from_person(i);
       ASSERT_LT(length(now.position - before[i].position), dt * 1.4 * 1.1) << i;
-      ASSERT_TRUE(floor.space().free(episodes::floor_point_mm(now.position))) << i;
+      ASSERT_TRUE(floor.space().free(floor_mm(now.position))) << i;
       before[i] = now;
     }
   }

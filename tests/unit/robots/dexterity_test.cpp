@@ -12,7 +12,7 @@ namespace {
 class LeftArm : public testing::Test {
  protected:
   double gain_at(std::initializer_list<double> q) const {
-    return robots::least_gain(robot_, state(q), arm_.tip, arm_.dofs);
+    return robots::min_gain(robot_, state(q), arm_.tip, arm_.dofs);
   }
   std::vector<double> state(std::initializer_list<double> q) const {
     std::vector<double> made = robots::neutral_state(robot_);
@@ -39,9 +39,9 @@ TEST_F(LeftArm, TheNearestLimitCounts) {
   const robots::Joint& elbow = robot_.joint_of_dof(dof);
   std::vector<double> q = state({0.3, 0.8, 0.2, 1.4, 0.4, 0.9, 0.1});
   q[dof] = elbow.upper - 0.1;
-  EXPECT_NEAR(robots::least_room(robot_, q, arm_.dofs), 0.1, 1e-12);
+  EXPECT_NEAR(robots::min_room(robot_, q, arm_.dofs), 0.1, 1e-12);
   q[dof] = elbow.upper + 0.2;
-  EXPECT_NEAR(robots::least_room(robot_, q, arm_.dofs), -0.2, 1e-12);
+  EXPECT_NEAR(robots::min_room(robot_, q, arm_.dofs), -0.2, 1e-12);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ const std::array<Loops, 256>& loops() {
 }
 
 constexpr int block_cells = 6;
-constexpr float least_share = 0.03F;  // of an edge before its vertex: no two vertices coincide
+constexpr float min_share = 0.03F;  // of an edge before its vertex: no two vertices coincide
 
 class Marcher {
  public:
@@ -180,7 +180,7 @@ class Marcher {
     if (is_new) {
       const float a = corners[static_cast<std::size_t>(edge[0])];
       const float b = corners[static_cast<std::size_t>(edge[1])];
-      const float share = std::clamp(a / (a - b), least_share, 1 - least_share);
+      const float share = std::clamp(a / (a - b), min_share, 1 - min_share);
       const Vec3f p = point(from[0], from[1], from[2]), q = point(to[0], to[1], to[2]);
       mesh_.add_vertex(p + (q - p) * share, {0, 0, 1}, {});
     }

@@ -59,10 +59,10 @@ std::optional<SheetTriangle> sheet_triangle(const Mesh& mesh, std::size_t t, con
                       static_cast<double>(uv.y) * sheet.height};
     positions[i] = to_double(mesh.positions[vertex]);
   }
-  constexpr double least_px2 = 1e-9;
+  constexpr double min_px2 = 1e-9;
   const Vec2 a = triangle.px[1] - triangle.px[0], b = triangle.px[2] - triangle.px[0];
   const double area = cross_of(a, b);  // twice, signed
-  if (std::abs(area) < least_px2) return std::nullopt;
+  if (std::abs(area) < min_px2) return std::nullopt;
   const Vec3 p = positions[1] - positions[0], q = positions[2] - positions[0];
   triangle.position_x = (p * b.y - q * a.y) / area;
   triangle.position_y = (q * a.x - p * b.x) / area;

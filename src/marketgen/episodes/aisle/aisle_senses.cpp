@@ -45,7 +45,7 @@ StoreMap::StoreMap(const AisleStore& store) : store_(store) {
 }
 
 PointMm StoreMap::axle_mm(const robots::BasePlace& place) const {
-  return floor_point_mm(axle_of(store_.robot, agent::store_from_base(place)));
+  return floor_mm(axle_of(store_.robot, agent::store_from_base(place)));
 }
 
 bool StoreMap::has_room(const robots::BasePlace& place) const {

@@ -17,7 +17,7 @@ constexpr int max_stage_starts = 2000;                   // places drawn
 constexpr int max_plans = 3;                             // each from other random postures
 
 PointMm axle_mm(const AisleStore& store, const FloorPlaceRow& row) {
-  return floor_point_mm(axle_of(store.robot, base_pose_of(row)));
+  return floor_mm(axle_of(store.robot, base_pose_of(row)));
 }
 
 EpisodeSpec of_one_goal(const EpisodeSpec& whole, std::size_t pick) {

@@ -77,10 +77,6 @@ Vec3 axle_of(const robots::Robot& robot, const Pose& world_from_base) {
   return world_from_base * Vec3{robot.drive ? robot.drive->axle_x : 0, 0, 0};
 }
 
-PointMm floor_point_mm(Vec3 at) {
-  return {static_cast<int>(std::lround(at.x * 1e3)), static_cast<int>(std::lround(at.y * 1e3))};
-}
-
 bool has_doors(const scene::Scene& scene, std::uint32_t fixture) {
   const scene::SceneFixture& row = scene.fixtures[fixture];
   for (std::uint32_t j = row.first_joint; j < row.first_joint + row.joint_count; ++j)
@@ -95,7 +91,7 @@ std::optional<PointMm> AisleStore::standing_place(std::uint32_t product) const {
   const double front = scene.catalog[row.sku].depth_m() / 2;
   for (const double side : beside_m) {
     for (const double distance : standing_m) {
-      const PointMm at = floor_point_mm(pose.position + out * (front + distance) - left * side);
+      const PointMm at = floor_mm(pose.position + out * (front + distance) - left * side);
       if (ways.space().free(at)) return at;
     }
   }
@@ -107,7 +103,7 @@ double AisleStore::room_behind_m(const Pose& world_from_base,
   constexpr double step_m = 0.04;
   for (double back = max_back_off_m; back > step_m / 2; back -= step_m) {
     const Pose there = world_from_base * Pose{{-back, 0, 0}, {}};
-    if (past.space().free(floor_point_mm(axle_of(robot, there)))) return back;
+    if (past.space().free(floor_mm(axle_of(robot, there)))) return back;
   }
   return 0;
 }
@@ -168,7 +164,7 @@ Result<void> AisleStore::check_standing_past(const skills::HingedDoor& door,
                                              const navigation::VisibilityGraph& ways_past,
                                              const Pose& world_from_base,
                                              const std::vector<double>& state) const {
-  if (!ways_past.space().free(floor_point_mm(axle_of(robot, world_from_base))))
+  if (!ways_past.space().free(floor_mm(axle_of(robot, world_from_base))))
     return Error{"motion.base_blocked", station.id, "no way leads there past the open door"};
   if (!skills::is_clear_of_leaf(robot, state, world_from_base, door, position_rad))
     return Error{"motion.base_blocked", station.id, "the robot would meet the open door"};

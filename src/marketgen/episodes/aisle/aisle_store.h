@@ -95,7 +95,6 @@ Pose base_pose_of(const FloorPlaceRow& row);  // world_from_base there
 Pose base_of(const robots::Robot& robot, const std::vector<double>& state);
 // Of the middle between the wheels.
 Vec3 axle_of(const robots::Robot& robot, const Pose& world_from_base);
-PointMm floor_point_mm(Vec3 at);
 
 // Whether a door, a drawer or a flap is part of the fixture.
 bool has_doors(const scene::Scene& scene, std::uint32_t fixture);

@@ -56,7 +56,7 @@ robots::BasePlace start_of(const EpisodeSpec& spec) {
 }
 
 PointMm start_mm(const EpisodeSpec& spec, const robots::Robot& robot) {
-  return floor_point_mm(axle_of(robot, agent::store_from_base(start_of(spec))));
+  return floor_mm(axle_of(robot, agent::store_from_base(start_of(spec))));
 }
 
 std::size_t dof_named(const robots::Robot& robot, std::string_view name) {
@@ -428,7 +428,7 @@ SideEffects AisleWorld::side_effects() const {
 
 // How far it went, and how far it would have had to go.
 void AisleWorld::add_lengths(EpisodeResult& result) const {
-  const PointMm from = floor_point_mm({spec_.start.x_m, spec_.start.y_m, 0});
+  const PointMm from = floor_mm(Vec2{spec_.start.x_m, spec_.start.y_m});
   std::vector<std::string> all, reached;
   for (const GoalOutcome& goal : result.goals) {
     all.push_back(goal.sku);

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t doors_seed = 0x0d0025;  // of the arms' ways: the same for every episode
 
 std::optional<double> path_m(const navigation::VisibilityGraph& ways, Vec3 from, Vec3 to) {
-  const auto path = ways.shortest_path(floor_point_mm(from), floor_point_mm(to));
+  const auto path = ways.shortest_path(floor_mm(from), floor_mm(to));
   return path.ok() ? std::optional(path->length_m) : std::nullopt;
 }
 

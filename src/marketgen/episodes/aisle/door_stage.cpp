@@ -19,7 +19,7 @@ namespace marketgen::episodes {
 namespace {
 
 constexpr double before_bar_m = 0.06;
-constexpr FloorPlaceRow most_off{0.01, 0.01, 1};  // from where the door is pulled from
+constexpr FloorPlaceRow max_off{0.01, 0.01, 1};  // from where the door is pulled from
 // The arm follows so far when the robot stands as it was planned: some is lost where it stands a
 // little off, and by a policy that turns the hand otherwise.
 constexpr double followed_rad = 62 * std::numbers::pi / 180;
@@ -62,8 +62,8 @@ motion::Configuration before_the_bar(const robots::Robot& robot,
 double freedom_of(const robots::Robot& robot,
                   const robots::JointGroup& arm,
                   const std::vector<double>& state) {
-  return std::min(robots::least_gain(robot, state, arm.tip, arm.dofs),
-                  room_worth * robots::least_room(robot, state, arm.dofs));
+  return std::min(robots::min_gain(robot, state, arm.tip, arm.dofs),
+                  room_worth * robots::min_room(robot, state, arm.dofs));
 }
 
 bool is_about_the_door(const Error& error) {
@@ -86,7 +86,7 @@ Result<DoorStages::Ready> DoorStages::ready(std::uint32_t joint) {
 Result<DoorStages::Ready> DoorStages::planned(std::uint32_t joint) const {
   const robots::Robot& robot = store_->robot;
   MARKETGEN_TRY(skills::DoorQuestion question, store_->door_question(store_->scene, joint));
-  question.least_pulled_rad = followed_rad;
+  question.min_pulled_rad = followed_rad;
   question.worth_of_pull = [&robot, &state = question.driving](const robots::JointGroup& arm,
                                                                const motion::JointPath& way) {
     double least = std::numeric_limits<double>::infinity();
@@ -113,7 +113,7 @@ Result<std::optional<EpisodeSpec>> DoorStages::before(std::uint32_t joint,
   const auto begins = ready(joint);
   if (!begins.ok() && !is_about_the_door(begins.error())) return begins.error();
   if (!begins.ok()) return std::optional<EpisodeSpec>{};
-  const auto start = a_little_off(*store_, begins->stand, draw, most_off);
+  const auto start = a_little_off(*store_, begins->stand, draw, max_off);
   if (!start) return std::optional<EpisodeSpec>{};
   const catalog::Product& product = store_->scene.catalog[store_->scene.products[row].sku];
   WitnessPick pick;

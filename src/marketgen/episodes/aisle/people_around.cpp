@@ -29,10 +29,6 @@ constexpr int max_off_ways_mm = 60;  // corners are cut by less
 // that.
 constexpr double max_turn_rad_s = 2.8, min_corner_m_s = 0.3;
 
-double distance(Vec2 a, Vec2 b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 // From somebody's body there to the nearest of the discs.
 double gap_m(Vec2 person, std::span<const FloorDisc> robot) {
   double gap = std::numeric_limits<double>::infinity();
@@ -51,7 +47,7 @@ std::vector<navigation::DiscMm> room_of(std::span<const FloorDisc> robot) {
   for (const FloorDisc& disc : robot)
     radius = std::max(radius, distance(middle, disc.at) + disc.radius_m);
   radius += person_radius_m + stop_before_robot_m;
-  return {{motion::point_mm(middle), static_cast<int>(std::ceil(radius * 1e3))}};
+  return {{floor_mm(middle), static_cast<int>(std::ceil(radius * 1e3))}};
 }
 
 // About each part of it, with what who squeezes past keeps from it; not those within another.
@@ -68,7 +64,7 @@ std::vector<navigation::DiscMm> parts_of(std::span<const FloorDisc> robot) {
       hidden = hides(other);
     const double radius = robot[i].radius_m + person_radius_m + min_gap_m;
     if (!hidden)
-      parts.push_back({motion::point_mm(robot[i].at), static_cast<int>(std::ceil(radius * 1e3))});
+      parts.push_back({floor_mm(robot[i].at), static_cast<int>(std::ceil(radius * 1e3))});
   }
   return parts;
 }
@@ -251,8 +247,7 @@ PeopleAround::Discs PeopleAround::others_in_the_way(std::size_t person) const {
   for (std::size_t other = 0; other < count(); ++other) {
     if (other == person || distance(place(other), here) > near_wish_m) continue;
     const double rooms = who(person).room_m + who(other).room_m + beside_others_m;
-    discs.push_back(
-        {motion::point_mm(held_by(other).back()), static_cast<int>(std::ceil(rooms * 1e3))});
+    discs.push_back({floor_mm(held_by(other).back()), static_cast<int>(std::ceil(rooms * 1e3))});
   }
   return discs;
 }
@@ -263,9 +258,9 @@ std::optional<collect::PersonWalk> PeopleAround::walk_to(std::size_t person,
                                                          double stay_s) const {
   const navigation::VisibilityGraph& ways = company_->floor.graph;
   collect::PersonWalk walk{.from = stands_at(person), .heading_rad = to.heading_rad};
-  const PointMm here = motion::point_mm(walk.from.position);
+  const PointMm here = floor_mm(walk.from.position);
   const PointMm from = ways.space().nearest_free(here, max_off_ways_mm);
-  auto path = ways.shortest_path_past(from, motion::point_mm(to.position), past);
+  auto path = ways.shortest_path_past(from, floor_mm(to.position), past);
   if (!path.ok() || path->length_m < min_way_m) return {};
   walk.points = std::move(path->points);
   walk.points.front() = here;
@@ -396,7 +391,7 @@ void PeopleAround::pass(double dt_s, Robot robot) {
 }
 
 bool PeopleAround::sees(Vec2 from, std::size_t person) const {
-  return company_->sight.sees(motion::point_mm(from), motion::point_mm(place(person)));
+  return company_->sight.sees(floor_mm(from), floor_mm(place(person)));
 }
 
 std::vector<PersonMoment> PeopleAround::moments() const {

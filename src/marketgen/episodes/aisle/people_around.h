@@ -20,6 +20,7 @@
 #include "base/seed.h"
 #include "collect/person_round.h"
 #include "episodes/aisle/person_moment.h"
+#include "motion/way_round.h"
 
 namespace marketgen::episodes {
 
@@ -36,8 +37,9 @@ inline constexpr double min_gap_m = 0.35;
 inline constexpr double patience_s = 2, looks_again_s = 2;
 
 // Their bodies for contacts: an upright cylinder to the shoulders, a ball for the head. Radii after
-// ANSUR II: half of a mean bideltoid breadth of 0.49 m, of a head of 0.20 m.
-inline constexpr double person_radius_m = 0.24, head_radius_m = 0.10;
+// ANSUR II; the head is 0.20 m across.
+using motion::person_radius_m;
+inline constexpr double head_radius_m = 0.10;
 
 // Something round on the floor: a part of the robot, seen from above.
 struct FloorDisc {

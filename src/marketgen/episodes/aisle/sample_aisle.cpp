@@ -165,7 +165,7 @@ std::vector<std::uint32_t> AisleSampler::nearest_rows(const std::string& sku,
   for (const std::uint32_t row : store_->front_items(sku)) {
     const auto place = store_->standing_place(row);
     if (!place) continue;
-    const auto path = store_->ways.shortest_path(floor_point_mm(axle), *place);
+    const auto path = store_->ways.shortest_path(floor_mm(axle), *place);
     if (path.ok()) found.emplace_back(path->length_m, row);
   }
   std::ranges::stable_sort(found);
@@ -306,8 +306,7 @@ std::optional<motion::FloorPlace> AisleSampler::draw_start(Stream& draw) const {
     motion::FloorPlace place{{draw.uniform(bounds.x0 * 1e-3, bounds.x1 * 1e-3),
                               draw.uniform(bounds.y0 * 1e-3, bounds.y1 * 1e-3)},
                              draw.uniform(-std::numbers::pi, std::numbers::pi)};
-    if (store_->ways.space().free(floor_point_mm(axle_of(store_->robot, upright(place)))))
-      return place;
+    if (store_->ways.space().free(floor_mm(axle_of(store_->robot, upright(place))))) return place;
   }
   return std::nullopt;
 }
@@ -335,8 +334,7 @@ bool AisleSampler::is_far_enough(const EpisodeSpec& spec) const {
     skus.push_back(goal.sku);
   const RectMm floor = bounds_of(plan::floor_of(store_->scene.layout.shell));
   const double longer_m = std::max(floor.x1 - floor.x0, floor.y1 - floor.y0) * 1e-3;
-  const auto tour =
-      shortest_tour_m(*store_, floor_point_mm({spec.start.x_m, spec.start.y_m, 0}), skus);
+  const auto tour = shortest_tour_m(*store_, floor_mm(Vec2{spec.start.x_m, spec.start.y_m}), skus);
   return tour && *tour >= rules_.difficulty.way * longer_m;
 }
 

@@ -14,7 +14,7 @@ Result<WayToStand> way_to_stand(const AisleWorld& world) {
   WayToStand way;
   Vec3 corner = to;
   way.way_m = length(to - from);
-  const auto path = store.ways.shortest_path(floor_point_mm(from), floor_point_mm(to));
+  const auto path = store.ways.shortest_path(floor_mm(from), floor_mm(to));
   if (path.ok() && path->points.size() > 2) {
     corner = {path->points[1][0] * 1e-3, path->points[1][1] * 1e-3, 0};
     way.way_m = path->length_m;

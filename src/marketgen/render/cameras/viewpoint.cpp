@@ -20,7 +20,7 @@ bool is_in_room(const plan::Shell& shell, Vec3 p) {
   if (!(p.z >= 0 && p.z <= shell.ceiling_mm * 1e-3)) return false;
   if (std::fabs(p.x) > 1e4 || std::fabs(p.y) > 1e4)
     return false;  // beyond what fits in millimetres
-  return contains(raytrace::room_of(shell).outline, raytrace::floor_mm(p));
+  return contains(raytrace::room_of(shell).outline, floor_mm(p));
 }
 
 bool is_in_part(const scene::ScenePart& part, Vec3 fixture_point) {

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t max_materials = 65'535;
 // Of a store whose search tree is built anew when other things stand elsewhere: some milliseconds.
 // A ray that has to pass a hidden place is traced again, alone, from there on.
-constexpr std::size_t most_rebuilt = 8'000;
+constexpr std::size_t max_rebuilt = 8'000;
 
 Material material_of(const ActorSurface& surface) {
   return {.color = surface.color,
@@ -97,7 +97,7 @@ void ActorStage::hide_displaced() {
     for (const Vec3f& p : world_.meshes[instance.mesh].glass.positions)
       world_.hidden.bounds.include(instance.world_from_mesh(p));
   }
-  if (world_.actors.first_instance <= most_rebuilt)
+  if (world_.actors.first_instance <= max_rebuilt)
     leave_out_hidden(world_, before.is_hidden);
   else
     world_.hidden.in_bvh = !displaced_.empty();

@@ -39,12 +39,6 @@ struct Room {
 
 Room room_of(const plan::Shell& shell);
 
-// Where a place is on the floor plan; of a Vec3 or a Vec3f, metres.
-template <class Vector>
-PointMm floor_mm(const Vector& place) {
-  return {static_cast<int>(std::lround(place.x * 1000)),
-          static_cast<int>(std::lround(place.y * 1000))};
-}
 inline float metres(int mm) {
   return static_cast<float>(mm) * 1e-3F;
 }
