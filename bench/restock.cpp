@@ -52,7 +52,7 @@ Figures run_restock(const catalog::Catalog& catalog) {
   // From the plan before and after: finding what changed, stocking it, and a scene of its own.
   const auto seconds = [&](const plan::Plan& before, const plan::Plan& after) {
     return median_seconds(runs, [&] {
-      const auto changed = scene::shelves_changed(before, after, catalog);
+      const auto changed = scene::shelves_changed(before, after, catalog, store.scene);
       if (!changed) fatal("the change reaches further than its shelf");
       const auto anew = scene::restocked(store.scene, *changed, after, catalog);
       if (!anew.ok()) failed = anew.error();

@@ -26,7 +26,7 @@ class MockServer {
                                  (scratch_.path() / "script.json").string(),
                                  (scratch_.path() / "log").string(),
                                  (scratch_.path() / "port").string()});
-    for (int i = 0; i < 300 && port_.empty(); ++i) {
+    for (int i = 0; i < 1200 && port_.empty(); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
       port_ = contents_of(scratch_.path() / "port");
     }

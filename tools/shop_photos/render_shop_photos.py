@@ -261,6 +261,7 @@ def make_shop(work):
         first = marketgen.generate(prompt, scratch / "first", seed=number + 1, profile=shop)
         plan = first.plan
         plan["look"] = look
+        plan["outfit"] = "plain"  # what is drawn of levels, heights and directions is the plan's
         for zone in plan["zones"]:
             for fixture in [zone["fixture"], *zone.get("also", [])]:
                 fixture.pop("color", None)

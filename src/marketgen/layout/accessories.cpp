@@ -7,6 +7,7 @@
 #include "layout/accessory_spots.h"
 #include "layout/entrance.h"
 #include "layout/floor_guard.h"
+#include "layout/lists.h"
 #include "layout/standing_site.h"
 
 namespace marketgen::layout {
@@ -16,11 +17,6 @@ namespace {
 constexpr double accessory_line_share = 0.61;
 constexpr std::string_view with_zone = "/with/";  // of an accessory's run
 constexpr std::string_view by_door = "/entrance/";
-
-template <class Name>
-bool names_it(const std::vector<std::string_view>& names, const Name& name) {
-  return std::ranges::find(names, std::string_view(name)) != names.end();
-}
 
 // "trolley" of trolley_bay and trolley-240.
 std::string_view first_word(std::string_view kind) {
@@ -63,7 +59,7 @@ class Accessories {
 
   void place(const AccessoryRow& row) {
     const Design& design = build_.design;
-    const bool suits = (row.profiles.empty() || names_it(row.profiles, design.plan.profile)) &&
+    const bool suits = (row.profiles.empty() || lists(row.profiles, design.plan.profile)) &&
                        (!row.only_full || design.plan.outfit == plan::Outfit::full);
     if (!suits || area_m2(design.floor.outline) < row.store_m2) return;
     const catalog::FixtureKind* kind = drawn_kind(row);
@@ -109,7 +105,7 @@ class Accessories {
                     std::size_t index,
                     int most) {
     const ZoneBuild& zone = build_.zones[index];
-    if (zone.stands || !names_it(row.zones, zone.zone->type)) return 0;
+    if (zone.stands || !lists(row.zones, zone.zone->type)) return 0;
     const plan::Plan& plan = build_.design.plan;
     const bool goods = kind.role == catalog::FixtureRole::shelving;
     if (goods && is_described(plan, index)) return 0;
@@ -231,8 +227,11 @@ bool is_described(const plan::Plan& plan, std::size_t zone) {
   const plan::FixtureSpec& spec = plan.zones[zone].fixture;
   if (spec.count || spec.runs || plan.zones[zone].also) return true;
   const std::string path = "/zones/" + std::to_string(zone) + "/fixture/";
+  const bool looks_count = plan.outfit != plan::Outfit::full;
   return std::ranges::any_of(plan.provenance, [&](const plan::Provenance& said) {
-    return said.source != plan::Source::repair && said.path.starts_with(path);
+    const bool of_looks = said.path.ends_with("/color") || said.path.ends_with("/material");
+    return said.source != plan::Source::repair && said.path.starts_with(path) &&
+           (looks_count || !of_looks);
   });
 }
 

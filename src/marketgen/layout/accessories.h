@@ -41,7 +41,8 @@ struct AccessoryRow {
 // In the order in which they are placed.
 const std::vector<AccessoryRow>& accessory_rows();
 
-// Somebody said how this zone's shelves are, or how many: then there are no others.
+// Somebody said how this zone's shelves are, or how many: then there are no others. With a full
+// outfit their colour and material do not count.
 bool is_described(const plan::Plan& plan, std::size_t zone);
 
 // Equipment of doors, and accessories: in a zone, but none of the fixtures that the zone is for.

@@ -107,7 +107,7 @@ std::vector<SpotGroup> spots_open_floor(const SpotSearch& search) {
   const Side front =
       design.floor.bounds.width() >= design.floor.bounds.depth() ? Side::south : Side::east;
   const RectMm rect = centred(search, best->center, front);
-  if (!search.build.site.is_clear(rect.grown(min_allowed_mm(design)))) return {};
+  if (!search.build.site.is_clear(rect.grown(min_untight_aisle_mm(design)))) return {};
   return {{spot_of(search, rect, front)}};
 }
 

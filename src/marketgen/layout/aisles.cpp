@@ -328,7 +328,7 @@ void name_main_aisles(std::vector<Strip>& strips, const Design& design) {
 
 }  // namespace
 
-int min_allowed_mm(const Design& design) {
+int min_untight_aisle_mm(const Design& design) {
   const double habit_mm = tight_aisle_share * design.profile.secondary_aisle_mm;
   return std::max(design.min_aisle_mm(), static_cast<int>(std::ceil(habit_mm)));
 }

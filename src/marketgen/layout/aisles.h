@@ -15,7 +15,7 @@ constexpr int open_floor_mm = 6000;  // what is farther away borders no aisle
 constexpr double tight_aisle_share = 0.8;
 
 // The narrowest that is lawful and not tight.
-int min_allowed_mm(const Design& design);
+int min_untight_aisle_mm(const Design& design);
 
 // Every aisle, sorted by id. Two strips that meet at a crossing are two aisles; strips split only
 // by a joint are one. `width_mm` is the narrowest free width, doors of both sides standing open;

@@ -226,10 +226,15 @@ void place_entrance(Build& build) {
       return owner != nullptr && owner->stands;
     });
     const catalog::FixtureKind& make = is_named(design, name) ? *kind : design.makes.of(*kind);
-    if (make.generator == "gate")
-      place_all_gates(build, make, at);
-    else
-      place_all_beside(build, make, at, low_side_first);
+    for (const catalog::FixtureKind* row :
+         {&make, kind}) {  // the plain one where the make has no room
+      const std::size_t before = build.site.fixtures().size();
+      if (row->generator == "gate")
+        place_all_gates(build, *row, at);
+      else
+        place_all_beside(build, *row, at, low_side_first);
+      if (build.site.fixtures().size() > before || row == kind) break;
+    }
   };
   for (const UsualEquipment& usual : usual_equipment)
     place(usual.kind, true, usual.beside_trolleys == low);

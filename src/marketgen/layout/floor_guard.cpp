@@ -48,7 +48,7 @@ bool still_reached(const Reach& reach, const RectMm& place, const RectMm& item, 
 }  // namespace
 
 FloorGuard::FloorGuard(const Design& design, const std::vector<Fixture>& fixtures)
-    : min_allowed_mm_(min_allowed_mm(design)), aisles_(find_aisles(design, fixtures)) {
+    : min_untight_aisle_mm_(min_untight_aisle_mm(design)), aisles_(find_aisles(design, fixtures)) {
   for (const int width_mm : {design.profile.wheelchair_mm, robot_width_mm}) {
     Walker walker{width_mm, reach_of(design.floor, design.plan.shell, fixtures, width_mm), {}};
     for (const Fixture& fixture : fixtures) {
@@ -63,7 +63,7 @@ FloorGuard::FloorGuard(const Design& design, const std::vector<Fixture>& fixture
 
 bool FloorGuard::leaves_aisles(const RectMm& rect) const {
   return std::ranges::all_of(
-      aisles_, [&](const Aisle& aisle) { return leaves_wide(aisle, rect, min_allowed_mm_); });
+      aisles_, [&](const Aisle& aisle) { return leaves_wide(aisle, rect, min_untight_aisle_mm_); });
 }
 
 bool FloorGuard::allows(const Fixture& item) const {

@@ -27,7 +27,7 @@ class FloorGuard {
   };
   bool leaves_aisles(const RectMm& rect) const;
 
-  int min_allowed_mm_;
+  int min_untight_aisle_mm_;
   std::vector<Aisle> aisles_;
   std::vector<Walker> walkers_;
 };

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "layout/accessories.h"
+#include "layout/lists.h"
 
 namespace marketgen::layout {
 namespace {
@@ -15,10 +18,6 @@ constexpr int max_waist_mm = 100;   // the same over both sides of what stands f
 
 using Modules = std::vector<Fixture*>;  // modules of one run side by side, from the low end
 
-bool is_listed(const std::vector<std::string_view>& names, std::string_view name) {
-  return std::ranges::find(names, name) != names.end();
-}
-
 Span span_of(const Fixture& fixture) {
   return along(footprint_of(fixture), facing_of(fixture.yaw_deg));
 }
@@ -26,44 +25,63 @@ Span span_of(const Fixture& fixture) {
 class InLine {
  public:
   InLine(std::vector<Fixture>& fixtures, const Build& build) : build_(build) {
+    std::map<std::pair<std::string, std::string>, Modules> runs;  // by zone and run
     for (Fixture& fixture : fixtures) {
       if (fixture.endcap_of.empty() && !is_accessory(fixture))
-        lines_[fixture.zone][fixture.run].push_back(&fixture);
+        runs[{fixture.zone, fixture.run}].push_back(&fixture);
     }
-    for (auto& [zone, runs] : lines_)
-      for (auto& [run, line] : runs)
-        std::ranges::sort(line, {}, [](const Fixture* one) { return span_of(*one).from; });
+    for (auto& [run, line] : runs)
+      add_lines(std::move(line));
   }
 
   void put(const InLineRow& row, std::size_t index) {
     const Design& design = build_.design;
     const plan::Zone& zone = design.plan.zones[index];
     const catalog::FixtureKind* kind = design.catalog.fixture_kind(row.kind);
-    const bool sold = row.profiles.empty() || is_listed(row.profiles, design.plan.profile);
-    if (kind == nullptr || !sold || !is_listed(row.zones, zone.type)) return;
+    const bool sold = row.profiles.empty() || lists(row.profiles, design.plan.profile);
+    if (kind == nullptr || !sold || !lists(row.zones, zone.type)) return;
     Stream draw = build_.seed.child("in_line").child(row.kind).child(zone.id).stream();
     if (!draw.chance(row.chance)) return;
     const std::vector<Modules> places = places_for(row, *kind, zone);
     if (places.empty()) return;
     const int last = static_cast<int>(places.size()) - 1;
-    for (Fixture* module : places[static_cast<std::size_t>(draw.integer(0, last))])
+    for (Fixture* module : places[static_cast<std::size_t>(draw.integer(0, last))]) {
       replace(*module, *kind, zone);
+      replaced_.insert(module);
+    }
   }
 
  private:
-  // Modules side by side, as many as the row wants, none of them at an end of its run.
+  // A run in lines without gaps.
+  void add_lines(Modules run) {
+    std::ranges::sort(run, {}, [](const Fixture* one) { return span_of(*one).from; });
+    Modules line;
+    for (Fixture* module : run) {
+      if (!line.empty() && span_of(*line.back()).to != span_of(*module).from)
+        lines_[line.front()->zone].push_back(std::exchange(line, {}));
+      line.push_back(module);
+    }
+    if (!line.empty()) lines_[line.front()->zone].push_back(std::move(line));
+  }
+
+  // Modules side by side, as many as the row wants, none of them at an end of its line nor beside
+  // one that was replaced.
   std::vector<Modules> places_for(const InLineRow& row,
                                   const catalog::FixtureKind& kind,
                                   const plan::Zone& zone) {
     std::vector<Modules> places;
-    for (const auto& [run, line] : lines_[zone.id]) {
+    for (const Modules& line : lines_[zone.id]) {
       if (line.size() < min_run) continue;
       const std::size_t wanted = std::min(static_cast<std::size_t>(row.modules), line.size() - 2);
       for (std::size_t first = 1; first + wanted < line.size(); ++first) {
         Modules place(line.begin() + static_cast<std::ptrdiff_t>(first),
                       line.begin() + static_cast<std::ptrdiff_t>(first + wanted));
-        if (std::ranges::all_of(
-                place, [&](const Fixture* module) { return fits(row, kind, zone, *module); }))
+        const bool alone =
+            !replaced_.contains(line[first - 1]) && !replaced_.contains(line[first + wanted]) &&
+            std::ranges::none_of(place, [&](Fixture* one) { return replaced_.contains(one); });
+        if (alone && std::ranges::all_of(place, [&](const Fixture* module) {
+              return fits(row, kind, zone, *module);
+            }))
           places.push_back(std::move(place));
       }
     }
@@ -85,6 +103,7 @@ class InLine {
     if (kind.door_swing_mm > now->door_swing_mm ||
         kind.front_clearance_mm > std::max(now->front_clearance_mm, aisle_mm))
       return false;
+    if (kind.against_wall && !now->against_wall && !stands_at_wall(module)) return false;
     const int less = module.depth_mm - depth_of(kind, module);
     return less >= 0 && less <= (module.sides == 2 ? max_waist_mm : max_recess_mm) &&
            (module.sides == 2 || less == 0 || stands_at_wall(module));
@@ -119,7 +138,8 @@ class InLine {
   }
 
   const Build& build_;
-  std::map<std::string, std::map<std::string, Modules>> lines_;  // by zone and run
+  std::map<std::string, std::vector<Modules>> lines_;  // by zone
+  std::set<const Fixture*> replaced_;
 };
 
 }  // namespace

@@ -65,11 +65,21 @@ const catalog::FixtureKind* make_in_zone(const Build& build,
   return fits && may_have(design.plan, zone, *kind, make) ? &make : kind;
 }
 
+// Whether the plan says how the kind along the zone's walls is built: by its name in `also`, or by
+// how far all of the zone's boards are apart.
+bool walls_are_described(const plan::Zone& zone, const catalog::FixtureKind* wall) {
+  return zone.fixture.spacing_mm ||
+         (zone.also && wall != nullptr &&
+          std::ranges::find(*zone.also, wall->kind, &plan::FixtureSpec::kind) != zone.also->end());
+}
+
 // Along walls nothing stands that is taken from on both sides.
 void choose_makes(Build& build) {
   for (std::size_t i = 0; i < build.zones.size(); ++i) {
     ZoneKinds& kinds = build.zones[i].kinds;
-    const catalog::FixtureKind* wall = make_in_zone(build, i, kinds.wall);
+    const catalog::FixtureKind* wall = walls_are_described(*build.zones[i].zone, kinds.wall)
+                                           ? kinds.wall
+                                           : make_in_zone(build, i, kinds.wall);
     kinds.main = make_in_zone(build, i, kinds.main);
     if (wall == nullptr || !wall->double_sided) kinds.wall = wall;
   }

@@ -5,19 +5,16 @@
 #include <optional>
 
 #include "layout/layout.h"
+#include "layout/lists.h"
 
 namespace marketgen::layout {
 namespace {
-
-bool lists(const std::vector<std::string_view>& names, std::string_view name) {
-  return std::ranges::find(names, name) != names.end();
-}
 
 bool is_sold_to(const MakeRow& row, const plan::Plan& plan) {
   return row.profiles.empty() || lists(row.profiles, plan.profile);
 }
 
-// Somebody said this of the zone: not the planner's own choice, nor a repair.
+// Somebody said this of the zone's fixtures: not the planner's own choice, nor a repair.
 bool is_said(const plan::Plan& plan, std::size_t zone, std::string_view field) {
   const std::string path = "/zones/" + std::to_string(zone) + "/fixture" + std::string(field);
   return std::ranges::any_of(plan.provenance, [&](const plan::Provenance& said) {

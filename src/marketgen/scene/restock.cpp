@@ -28,6 +28,17 @@ bool stands_for_itself(const plan::Zone& zone) {
   return zone.stock.misplaced == 0 && !zone.stock.must_stock;
 }
 
+// Whether goods are heaped or hung on any of these shelves.
+bool has_heaps(const Scene& scene, const std::vector<plan::StockedShelf>& shelves) {
+  return std::ranges::any_of(scene.shelves, [&](const SceneShelf& shelf) {
+    if (shelf.use == assets::ShelfUse::stand) return false;
+    const plan::ShelfKey key{
+        scene.layout.fixtures[shelf.fixture].id, plan::shelf_side(shelf.side), shelf.level + 1};
+    return std::ranges::any_of(
+        shelves, [&](const plan::StockedShelf& one) { return plan::key_of(one) == key; });
+  });
+}
+
 // The facings, items and tags of one shelf.
 struct ShelfRows {
   std::vector<Facing> facings;
@@ -138,7 +149,8 @@ class Splice {
 
 std::optional<std::vector<plan::StockedShelf>> shelves_changed(const plan::Plan& before,
                                                                const plan::Plan& after,
-                                                               const catalog::Catalog& catalog) {
+                                                               const catalog::Catalog& catalog,
+                                                               const Scene& scene) {
   if (!catalog.own.empty() || !after.placements.empty() || !after.planogram) return std::nullopt;
   if (!std::ranges::all_of(after.zones, stands_for_itself)) return std::nullopt;
   if (without_shelves(before) != without_shelves(after)) return std::nullopt;
@@ -150,6 +162,7 @@ std::optional<std::vector<plan::StockedShelf>> shelves_changed(const plan::Plan&
     if (was != old.end()) old.erase(was);
   }
   if (!old.empty()) return std::nullopt;
+  if (after.shelves == plan::ShelfPitch::fitted && has_heaps(scene, changed)) return std::nullopt;
   return changed;
 }
 

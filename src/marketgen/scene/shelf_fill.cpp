@@ -54,14 +54,15 @@ bool lies_in_a_pile(const catalog::Product& product) {
          product.orientation == catalog::Orientation::flat;
 }
 
-// One column of a block of bunches: rows over the whole depth.
+// One column of a block of bunches: rows as far apart as if they filled the whole depth.
 void pile_column(FilledBlock& block,
                  const catalog::Product& product,
                  double center_x,
                  const ShelfRoom& room,
                  const plan::StockSpec& stock,
                  Stream& draw) {
-  const double pitch = room.depth_m / static_cast<double>(block.rows_deep);
+  const double pitch =
+      room.depth_m / std::max(block.rows_deep, rows_that_fit(product, room, /*depth_fill=*/1));
   const double limit = yaw_limit(product, stock.jitter);
   for (int row = 0; row < block.rows_deep; ++row) {
     const double y = pitch * (row + 0.5);

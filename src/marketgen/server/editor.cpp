@@ -150,7 +150,7 @@ web::HttpReply Editor::picture(EditSnapshot at) const {
   state.floors = scene.layout.zones;
   state.aisles = scene.layout.aisles;
   state.violations = at.now->report.rules;
-  state.fixtures = fixtures_of(scene);
+  state.fixtures = fixtures_of(scene, *catalog_);
   state.cuts = cuts_of(at.now->store.plan);
   state.places = layout::pinned_places(at.now->store.plan);
   state.runs = runs_of(scene.layout, state.places);

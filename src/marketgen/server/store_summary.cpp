@@ -77,13 +77,15 @@ std::vector<ViewJoint> joints_of(const scene::Scene& scene) {
 
 }  // namespace
 
-std::vector<ViewFixture> fixtures_of(const scene::Scene& scene) {
+std::vector<ViewFixture> fixtures_of(const scene::Scene& scene, const catalog::Catalog& catalog) {
   std::vector<ViewFixture> rows;
   for (std::uint32_t i = 0; i < scene.fixtures.size(); ++i) {
     const layout::Fixture& f = scene.layout.fixtures[i];
+    const catalog::FixtureKind* kind = catalog.fixture_kind(f.kind);
     rows.push_back({i,
                     f.id,
                     f.kind,
+                    kind != nullptr ? kind->generator : f.kind,
                     f.zone,
                     f.run,
                     numbers(scene::world_from_fixture(scene, i).position),
@@ -139,7 +141,7 @@ StoreLine line_of(int number, const store::Store& store) {
 StoreSummary summary_of(int number,
                         const store::Store& store,
                         const GraspFacts& grasps,
-                        const std::vector<catalog::FrictionRow>& frictions,
+                        const catalog::Catalog& catalog,
                         const PageRights& rights) {
   const scene::Scene& scene = store.scene;
   const plan::Shell& shell = scene.layout.shell;
@@ -164,11 +166,11 @@ StoreSummary summary_of(int number,
   summary.zones = scene.layout.zones;
   summary.aisles = scene.layout.aisles;
   summary.violations = scene.layout.violations;
-  summary.fixtures = fixtures_of(scene);
+  summary.fixtures = fixtures_of(scene, catalog);
   summary.joints = joints_of(scene);
   std::vector<std::uint32_t> skus(scene.catalog.size());
   std::iota(skus.begin(), skus.end(), 0);
-  summary.skus = skus_of(scene, skus, grasps, frictions);
+  summary.skus = skus_of(scene, skus, grasps, catalog.frictions);
   return summary;
 }
 

@@ -61,13 +61,14 @@ struct ViewCamera {
 
 struct ViewFixture {
   std::uint32_t row = 0;
-  std::string id, kind, zone, run;
+  std::string id, kind, generator, zone, run;
   std::array<double, 3> position_m{}, size_m{};
   int yaw_deg = 0, levels = 0;
   static constexpr auto fields =
       field_list(field("row", &ViewFixture::row, "row in the scene"),
                  field("id", &ViewFixture::id, "id"),
                  field("kind", &ViewFixture::kind, "fixture kind"),
+                 field("generator", &ViewFixture::generator, "how rows of this kind are built"),
                  field("zone", &ViewFixture::zone, "zone id"),
                  field("run", &ViewFixture::run, "the line it stands in"),
                  field("position_m", &ViewFixture::position_m, "middle of its footprint"),
@@ -171,7 +172,7 @@ struct StoreSummary {
 
 std::vector<ViewOpening> openings_of(const scene::Scene& scene);
 // By row of the scene.
-std::vector<ViewFixture> fixtures_of(const scene::Scene& scene);
+std::vector<ViewFixture> fixtures_of(const scene::Scene& scene, const catalog::Catalog& catalog);
 // Of those rows of the scene's catalogue.
 std::vector<ViewSku> skus_of(const scene::Scene& scene,
                              const std::vector<std::uint32_t>& rows,
@@ -185,7 +186,7 @@ struct PageRights {
 StoreSummary summary_of(int number,
                         const store::Store& store,
                         const GraspFacts& grasps,
-                        const std::vector<catalog::FrictionRow>& frictions,
+                        const catalog::Catalog& catalog,
                         const PageRights& rights);
 
 }  // namespace marketgen::server

@@ -126,8 +126,8 @@ std::unique_ptr<Viewer::Opened> Viewer::made(int number,
   auto opened = std::make_unique<Opened>();
   opened->number = number;
   opened->rights = rights;
-  opened->summary = web::json_reply(
-      io::write_json_line(summary_of(number, *store, grasps_, rows_->frictions, rights)));
+  opened->summary =
+      web::json_reply(io::write_json_line(summary_of(number, *store, grasps_, *rows_, rights)));
   ViewFile goods = goods_table(store->scene);
   opened->goods = {.body = web::make_body(goods.type, std::move(goods.bytes))};
   opened->store = std::move(store);

@@ -163,7 +163,7 @@ Result<scene::Scene> scene_after(const Store& store,
                                  const Replanned& now,
                                  const std::string& source,
                                  const catalog::Catalog& catalog) {
-  const auto shelves = scene::shelves_changed(store.plan, now.plan, catalog);
+  const auto shelves = scene::shelves_changed(store.plan, now.plan, catalog, store.scene);
   const StoreVersions& made_by = store.manifest.versions;
   const bool same_floor = shelves && made_by.marketgen == program_version &&
                           made_by.catalog == catalog.content_hash &&

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "io/file.h"
+#include "layout/makes.h"
 #include "store/edit.h"
 
 namespace marketgen::store {
@@ -25,7 +26,8 @@ std::map<std::string, int> modules_of(const plan::Plan& plan, const layout::Layo
   std::map<std::string, int> modules;
   for (const layout::Fixture& fixture : layout.fixtures) {
     const plan::Zone* zone = plan::find_zone(plan, fixture.zone);
-    if (zone != nullptr && zone->fixture.kind == fixture.kind) ++modules[zone->id];
+    if (zone != nullptr && layout::counts_as(layout, fixture, zone->fixture.kind))
+      ++modules[zone->id];
   }
   return modules;
 }

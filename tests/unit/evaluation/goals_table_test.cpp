@@ -48,8 +48,7 @@ int total(const std::vector<GoalGroup>& groups, int GoalGroup::*of) {
   });
 }
 
-TEST(GoalsTable, CountsEachProductOnce) {
-  const evaluation::GoalsTable& table = goals_of_shop();
+void expect_each_product_once(const evaluation::GoalsTable& table) {
   EXPECT_EQ(table.all.on_offer,
             static_cast<int>(episodes::store_stock(corner_shop()->scene).size()));
   for (const auto* groups : {&table.categories, &table.shapes}) {
@@ -68,14 +67,30 @@ TEST(GoalsTable, CountsEachProductOnce) {
   EXPECT_GT(table.all.any, 0);
 }
 
-TEST(GoalsTable, AgreesWithWhatBasketsHold) {
-  const evaluation::GoalsTable& table = goals_of_shop();
+void expect_what_baskets_hold(const evaluation::GoalsTable& table) {
   const auto at =
       std::ranges::find(table.variants, episodes::Track::checkout, &evaluation::GoalVariant::track);
   EXPECT_EQ(at->tools, "gripper");
   EXPECT_EQ(table.all.goals[static_cast<std::size_t>(at - table.variants.begin())],
             std::ranges::count_if(episodes::store_stock(corner_shop()->scene),
                                   episodes::is_checkout_item));
+}
+
+void expect_reasons_in_words(const evaluation::GoalsTable& table) {
+  const evaluation::TextTable text = evaluation::text_of(table);
+  EXPECT_EQ(text.columns.size(), 4 + table.variants.size());
+  EXPECT_TRUE(std::ranges::any_of(text.notes, [](const std::string& note) {
+    return note.starts_with("Not for checkout gripper: ") &&
+           note.find("too_wide ") != std::string::npos;
+  }));
+}
+
+// The table takes half a minute: one test looks at all of it.
+TEST(GoalsTable, CountsEachProductOnceAsBasketsHoldItAndSaysWhyNot) {
+  const evaluation::GoalsTable table = goals_of_shop();
+  expect_each_product_once(table);
+  expect_what_baskets_hold(table);
+  expect_reasons_in_words(table);
 }
 
 // Another way to the same answer: the sampler's draws.
@@ -97,16 +112,6 @@ TEST(GoalsTable, WhatIsDrawnMayBeAskedFor) {
     EXPECT_EQ(chance->why_not, "") << goal.sku;
     EXPECT_FALSE(chance->fixtures.value().empty()) << goal.sku;
   }
-}
-
-TEST(GoalsTable, IsWrittenWithReasons) {
-  const evaluation::GoalsTable& table = goals_of_shop();
-  const evaluation::TextTable text = evaluation::text_of(table);
-  EXPECT_EQ(text.columns.size(), 4 + table.variants.size());
-  EXPECT_TRUE(std::ranges::any_of(text.notes, [](const std::string& note) {
-    return note.starts_with("Not for checkout gripper: ") &&
-           note.find("too_wide ") != std::string::npos;
-  }));
 }
 
 }  // namespace

@@ -247,7 +247,7 @@ void expect_the_whole_stores(HandLaidShop shop) {
     const scene::Scene other = scene_of(shop, 200 + static_cast<std::uint64_t>(run));
     plan::Plan plan = plan_with(file_of(other), scene, shop.plan);
     std::erase_if(*plan.planogram, [&](const plan::StockedShelf&) { return draw.chance(0.9); });
-    const auto changed = scene::shelves_changed(shop.plan, plan, committed_catalog());
+    const auto changed = scene::shelves_changed(shop.plan, plan, committed_catalog(), scene);
     ASSERT_TRUE(changed);
     EXPECT_EQ(changed->size(), plan.planogram->size());
     const auto anew = scene::restocked(scene, *changed, plan, committed_catalog());
@@ -266,17 +266,47 @@ TEST(Restock, IsSoAtAnyTimeOfTheWeek) {
   expect_the_whole_stores(shop);
 }
 
+// Where boards are fitted each shelf by itself keeps what it has but for a facing.
+TEST(Restock, IsSoOnFittedBoards) {
+  HandLaidShop shop = shop_of_all_zones();
+  shop.plan.shelves = plan::ShelfPitch::fitted;
+  const scene::Scene scene = scene_of(shop);
+  const plan::Plan whole = plan_with(file_of(scene), scene, shop.plan);
+  Stream draw = Seed(10).child("restock").stream();
+  int fast = 0, slow = 0;
+  for (const plan::StockedShelf& shelf : *whole.planogram) {
+    const bool one_facing = shelf.blocks.empty() || shelf.blocks.front().facings < 2;
+    if (one_facing || draw.chance(0.95)) continue;
+    plan::Plan plan = shop.plan;
+    plan.planogram = {shelf};
+    --plan.planogram->front().blocks.front().facings;
+    const auto changed = scene::shelves_changed(shop.plan, plan, committed_catalog(), scene);
+    ++(changed ? fast : slow);
+    if (!changed) continue;
+    const auto anew = scene::restocked(scene, *changed, plan, committed_catalog());
+    ASSERT_TRUE(anew.ok()) << to_string(anew.error());
+    EXPECT_TRUE(scene::encode_scene(*anew) == scene::encode_scene(scene_of_plan(shop, plan, 1)))
+        << shelf.fixture << " " << shelf.shelf;
+  }
+  EXPECT_GT(fast, 5);
+  EXPECT_GT(slow, 0) << "heaps are planned with the zone's range";
+}
+
 TEST(Restock, IsNotForWhatReachesFurther) {
   HandLaidShop shop = shop_of_all_zones();
-  const plan::Plan plan = plan_with(file_of(scene_of(shop, 2)), scene_of(shop), shop.plan);
-  EXPECT_TRUE(scene::shelves_changed(shop.plan, plan, committed_catalog()));
-  EXPECT_FALSE(scene::shelves_changed(plan, shop.plan, committed_catalog()));  // taken back
+  const scene::Scene scene = scene_of(shop);
+  const plan::Plan plan = plan_with(file_of(scene_of(shop, 2)), scene, shop.plan);
+  const auto is_for = [&](const plan::Plan& before, const plan::Plan& after) {
+    return scene::shelves_changed(before, after, committed_catalog(), scene).has_value();
+  };
+  EXPECT_TRUE(is_for(shop.plan, plan));
+  EXPECT_FALSE(is_for(plan, shop.plan)) << "taken back";
   plan::Plan untidy = plan;
   untidy.zones[0].stock.misplaced = 0.1;
-  EXPECT_FALSE(scene::shelves_changed(shop.plan, untidy, committed_catalog()));
+  EXPECT_FALSE(is_for(shop.plan, untidy));
   plan::Plan higher = plan;
   higher.shell.ceiling_mm += 100;
-  EXPECT_FALSE(scene::shelves_changed(shop.plan, higher, committed_catalog()));
+  EXPECT_FALSE(is_for(shop.plan, higher));
 }
 
 }  // namespace

@@ -391,6 +391,27 @@ TEST(EditWords, BecomePatches) {
     EXPECT_EQ(patches_of(words), patch) << words;
 }
 
+// A store's lanes are of one make: what is asked for of lanes is asked of them.
+TEST(EditWords, CountWhatStandsOfAnyMake) {
+  store::CreateOptions options;
+  options.folder = parent() / "of-makes";
+  options.brief.prompt = "a 24 x 15 m supermarket with three checkouts";
+  options.previews = false;
+  const auto made = store::create_store(options, committed_catalog());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const auto store = store::open_store(options.folder, committed_catalog());
+  ASSERT_TRUE(store.ok());
+  const std::vector<layout::Fixture>& stand = store->scene.layout.fixtures;
+  ASSERT_EQ(std::ranges::find(stand, "checkout_lane", &layout::Fixture::kind), stand.end())
+      << "the test needs a store with another make";
+  const auto said = store::patches_of_words(*store, "one less checkout", committed_catalog());
+  ASSERT_TRUE(said.ok()) << to_string(said.error());
+  ASSERT_EQ(said->patches.patches.size(), 1U);
+  const auto& change = said->patches.patches.front().set_fixture;
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->count, 2);
+}
+
 // What is moved or made larger depends on the floor: the outcome is looked at.
 TEST(EditWords, MoveAndResize) {
   const auto plan_after = [&](const std::string& words) {

@@ -18,7 +18,7 @@ const within = 0.96; // share of a panel's size that is taken for sure
 
 export function screensOf(fixtures: readonly Fixture[]): Screen[] {
   return fixtures
-    .filter(({ kind, size_m, position_m }) => backed.has(kind) && size_m[2] >= lowest && position_m[2] < 0.1)
+    .filter(({ generator, size_m, position_m }) => backed.has(generator) && size_m[2] >= lowest && position_m[2] < 0.1)
     .map(({ row, position_m, yaw_deg, size_m }) => {
       const yaw = (yaw_deg * Math.PI) / 180;
       const [dx, dy] = [(Math.cos(yaw) * size_m[0]) / 2, (Math.sin(yaw) * size_m[0]) / 2];

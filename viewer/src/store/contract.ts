@@ -66,6 +66,7 @@ export interface Fixture {
   readonly row: number;
   readonly id: string;
   readonly kind: string;
+  readonly generator: string; // rows that are built alike have the same
   readonly zone: string;
   readonly run: string; // the line it stands in
   readonly position_m: Triple;

@@ -31,18 +31,33 @@ std::uint16_t sign_material(Draft& draft,
                             float height,
                             int height_px);
 
+// Rows of the layout's lanes from one end of the line of tills to the other: their numbers less 1.
+std::vector<std::uint32_t> lanes_in_order(const layout::Layout& layout);
+
 // Letters on boards of fixtures that would be blank: over the ends of runs the name of the zone,
-// on tasting tables an invitation. Of stores with full outfit.
+// on tasting tables an invitation, on the lamps of lanes their numbers. Of stores with full outfit.
 class BoardLetters {
  public:
   explicit BoardLetters(Draft& draft);
   void build(Draft& draft) const;
 
  private:
+  // On the front of all parts of the fixture that they are on, over so large a share of its width.
+  struct Words {
+    std::uint32_t fixture = 0;
+    std::string text;
+    bool (*are_on)(const scene::ScenePart&) = nullptr;
+    bool both_sides = false;
+    float share = 1;
+  };
   struct Board {
     std::uint32_t fixture = 0, part = 0;  // rows of the scene
     std::uint16_t material = 0;
+    float half_width = 0;
+    bool both_sides = false;
   };
+  void write(Draft& draft, const Words& words);
+
   std::vector<Board> boards_;
 };
 

@@ -108,6 +108,16 @@ std::uint16_t sign_material(Draft& draft,
   return draft.material({.color = {1, 1, 1}, .roughness = 0.6F, .texture = texture});
 }
 
+std::vector<std::uint32_t> lanes_in_order(const layout::Layout& layout) {
+  std::vector<std::uint32_t> lanes;
+  for (std::uint32_t f = 0; f < layout.fixtures.size(); ++f)
+    if (layout::counts_as(layout, layout.fixtures[f], "checkout_lane")) lanes.push_back(f);
+  std::ranges::sort(lanes, {}, [&](std::uint32_t lane) {
+    return std::pair{layout.fixtures[lane].x_mm, layout.fixtures[lane].y_mm};
+  });
+  return lanes;
+}
+
 SignBuilder::SignBuilder(Draft& draft, const Room& room) : room_(room) {
   band_low_ = std::min(band_clear_m, room.ceiling - band_height_m - 0.1F);
   board_low_ = std::min(board_clear_m, room.ceiling - board_height_m - 0.15F);
@@ -187,18 +197,14 @@ void SignBuilder::write_names(Draft& draft) {
   }
 }
 
-// From one end of the line of tills to the other, towards whoever comes along a lane.
+// Towards whoever comes along a lane.
 void SignBuilder::number_lanes(Draft& draft) {
   const layout::Layout& layout = draft.scene().layout;
-  std::vector<const layout::Fixture*> lanes;
-  for (const layout::Fixture& fixture : layout.fixtures)
-    if (layout::counts_as(layout, fixture, "checkout_lane")) lanes.push_back(&fixture);
-  std::ranges::sort(lanes, {}, [](const layout::Fixture* lane) {
-    return std::pair{lane->x_mm, lane->y_mm};
-  });
+  const std::vector<std::uint32_t> lanes = lanes_in_order(layout);
   for (std::size_t i = 0; i < lanes.size(); ++i) {
-    const RectMm floor = layout::footprint_of(*lanes[i]);
-    const PointMm head = belt_head(*lanes[i]);
+    const layout::Fixture& lane = layout.fixtures[lanes[i]];
+    const RectMm floor = layout::footprint_of(lane);
+    const PointMm head = belt_head(lane);
     const float z = board_low_ + board_height_m / 2;
     boards_.push_back({{metres(head[0]), metres(head[1]), z},
                        floor.width() > floor.depth(),
