@@ -22,13 +22,13 @@ std::map<std::string, Line> lines_of(const std::vector<Fixture>& fixtures) {
   return lines;
 }
 
+}  // namespace
+
 bool stand_together(const Fixture& low, const Fixture& high) {
   const Side front = facing_of(low.yaw_deg);
   const int gap = along(footprint_of(high), front).from - along(footprint_of(low), front).to;
   return low.yaw_deg == high.yaw_deg && gap <= module_joint_mm;
 }
-
-}  // namespace
 
 std::vector<Face> faces_of(const std::vector<Fixture>& fixtures, const catalog::Catalog& catalog) {
   std::vector<Face> faces;

@@ -19,6 +19,9 @@ struct Face {
   bool endcap = false;
 };
 
+// Whether `high` follows on `low` in one line, with no more than a joint between them.
+bool stand_together(const Fixture& low, const Fixture& high);
+
 // One per front: a double-sided line gives two. A gap of more than a joint begins a new line.
 // Sorted by run, then place.
 std::vector<Face> faces_of(const std::vector<Fixture>& fixtures, const catalog::Catalog& catalog);

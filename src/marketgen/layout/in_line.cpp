@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "layout/accessories.h"
+#include "layout/faces.h"
 #include "layout/lists.h"
 
 namespace marketgen::layout {
@@ -57,7 +58,7 @@ class InLine {
     std::ranges::sort(run, {}, [](const Fixture* one) { return span_of(*one).from; });
     Modules line;
     for (Fixture* module : run) {
-      if (!line.empty() && span_of(*line.back()).to != span_of(*module).from)
+      if (!line.empty() && !stand_together(*line.back(), *module))
         lines_[line.front()->zone].push_back(std::exchange(line, {}));
       line.push_back(module);
     }

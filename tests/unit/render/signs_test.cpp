@@ -79,7 +79,9 @@ TEST(Signs, OverTheEndOfARunStandsTheNameOfItsZone) {
     scene.parts.back().unit = assets::UnitKind::header;
     layout::Fixture& fixture = scene.layout.fixtures.back();
     fixture.endcap_of = fixture.run;
-    scene.layout.zones.push_back({.id = fixture.zone, .label = "Dairy"});
+    layout::LayoutZone& zone = scene.layout.zones.emplace_back();
+    zone.id = fixture.zone;
+    zone.label = "Dairy";
     const Print front = print_seen(scene, room_middle - Vec3{0, 2.5, 0}, room_middle, end);
     const Print behind = print_seen(scene, room_middle + Vec3{0, 2.5, 0}, room_middle, end);
     EXPECT_EQ(front.coloured > 300 && front.white > 30, outfit == plan::Outfit::full);
