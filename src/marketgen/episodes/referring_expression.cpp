@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.h"
+#include "catalog/container_nouns.h"
 #include "catalog/label_color.h"
 
 namespace marketgen::episodes {
@@ -66,7 +67,7 @@ Told sayable(const catalog::Product& row, bool otherwise, Stream& draw) {
   const auto net = catalog::net_content(row.net);
   if (net && !(net->unit == catalog::NetUnit::piece && net->total() == 1))
     told.push_back({Attribute::size, row.net});
-  if (const auto containers = said_containers(row.archetype); !containers.empty())
+  if (const auto containers = catalog::container_nouns(row.archetype); !containers.empty())
     told.push_back({Attribute::container, std::string(any_of(containers, draw).noun)});
   if (const auto color = catalog::label_color_term(row.label.primary))
     told.push_back({Attribute::color, std::string(*color)});
@@ -193,8 +194,8 @@ std::string opening(const Told& told,
   if (container == nullptr)
     return count == 1 ? fmt::format("the {}", color)
                       : fmt::format("{} of the {}", number_word(count), color);
-  const auto nouns = said_containers(row.archetype);
-  const auto noun = std::ranges::find(nouns, *container, &SaidContainer::noun);
+  const auto nouns = catalog::container_nouns(row.archetype);
+  const auto noun = std::ranges::find(nouns, *container, &catalog::ContainerNoun::noun);
   return count == 1 ? fmt::format("the {}{} of ", color, noun->noun)
                     : fmt::format("{} {}{} of ", number_word(count), color, noun->plural);
 }

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "base/words.h"
+#include "catalog/container_nouns.h"
 #include "catalog/label_color.h"
 
 namespace marketgen::episodes {
@@ -21,17 +22,6 @@ constexpr Saying sayings[] = {
 #define SAID_OTHERWISE(attribute, value, said) {Attribute::attribute, value, said},
 #include "episodes/said_otherwise.inc"
 #undef SAID_OTHERWISE
-};
-
-struct ContainerNoun {
-  std::string_view archetype;
-  SaidContainer said;
-};
-
-constexpr ContainerNoun container_nouns[] = {
-#define SAID_CONTAINER(archetype, noun, plural) {#archetype, {noun, plural}},
-#include "episodes/said_containers.inc"
-#undef SAID_CONTAINER
 };
 
 // Whether each word of the saying is among the row's.
@@ -54,13 +44,6 @@ std::vector<std::string_view> said_otherwise(Attribute attribute, std::string_vi
   std::vector<std::string_view> said;
   for (const Saying& saying : sayings)
     if (saying.attribute == attribute && saying.value == value) said.push_back(saying.said);
-  return said;
-}
-
-std::vector<SaidContainer> said_containers(std::string_view archetype) {
-  std::vector<SaidContainer> said;
-  for (const ContainerNoun& noun : container_nouns)
-    if (noun.archetype == archetype) said.push_back(noun.said);
   return said;
 }
 
@@ -99,8 +82,8 @@ bool Offer::fits(std::size_t number, const ToldAttribute& told) const {
       return said && words.net && words.net->is_as_much_as(*said);
     }
     case Attribute::container: {
-      const auto said = said_containers(row.archetype);
-      return std::ranges::find(said, told.value, &SaidContainer::noun) != said.end();
+      const auto said = catalog::container_nouns(row.archetype);
+      return std::ranges::find(said, told.value, &catalog::ContainerNoun::noun) != said.end();
     }
     case Attribute::category:
       return row.category == told.value;

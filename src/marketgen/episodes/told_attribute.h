@@ -34,11 +34,6 @@ struct ToldAttribute {
 // Sayings for the value of a row, without that itself.
 std::vector<std::string_view> said_otherwise(Attribute attribute, std::string_view value);
 
-struct SaidContainer {
-  std::string_view noun, plural;
-};
-std::vector<SaidContainer> said_containers(std::string_view archetype);
-
 // Products on offer. Immutable; any number of threads may ask.
 class Offer {
  public:

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "catalog/container_nouns.h"
 #include "environments/policy_name.h"
 #include "episodes/told_attribute.h"
 #include "evaluation/goods_rows.h"
@@ -114,7 +115,7 @@ std::optional<PackShape> pack_shape(std::string_view archetype) {
                                                            {"carton", PackShape::boxes},
                                                            {"bag", PackShape::bags},
                                                            {"pouch", PackShape::bags}};
-  for (const episodes::SaidContainer& container : episodes::said_containers(archetype))
+  for (const catalog::ContainerNoun& container : catalog::container_nouns(archetype))
     if (const auto shape = nouns.find(container.noun); shape != nouns.end()) return shape->second;
   return std::nullopt;
 }

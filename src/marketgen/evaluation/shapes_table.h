@@ -29,7 +29,7 @@ enum class PackShape { bottles, cans, boxes, bags };
 constexpr std::array<std::string_view, 4> names_of(PackShape) {
   return {"bottles", "cans", "boxes", "bags"};
 }
-// By what people call the container (episodes/said_containers.inc); jars, tubs, trays and loose
+// By what people call the container (catalog/container_nouns.inc); jars, tubs, trays and loose
 // goods are none of the four.
 std::optional<PackShape> pack_shape(std::string_view archetype);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "catalog/container_nouns.h"
 #include "catalog/label_color.h"
 #include "perception/said_amounts.h"
 
@@ -78,6 +79,11 @@ void CatalogueReader::add_row(const catalog::Product& product) {
   add(shape, group_weight);
   for (const std::string& word : plain_words(shape))
     skip_.erase(word);
+  for (const catalog::ContainerNoun& called : catalog::container_nouns(product.archetype)) {
+    add(called.noun, group_weight);
+    for (const std::string& word : plain_words(called.noun))
+      skip_.erase(word);
+  }
   add(product.subcategory, group_weight);
   std::string category = product.category;
   std::ranges::replace(category, '_', ' ');

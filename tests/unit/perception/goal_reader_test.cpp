@@ -82,6 +82,18 @@ TEST(CatalogueReader, ACanIsAShapeThoughTheWordSaysNothingElsewhere) {
   EXPECT_EQ(read(rows, "two cans of cola"), std::vector<std::string>{"cola"});
 }
 
+// All that are called bottles are bottles, not only the one whose row has the word.
+TEST(CatalogueReader, KnowsWhatShapesAreCalled) {
+  catalog::Product flask = product("shampoo-mild", "Shampoo", "Mild", "250 ml");
+  catalog::Product large = product("shampoo-repair", "Shampoo", "Repair", "500 ml");
+  flask.archetype = large.archetype = "flask";
+  large.description = "Shampoo in a large bottle.";
+  catalog::Product box = product("shampoo-solid", "Shampoo", "Solid", "75 g");
+  box.archetype = "box";
+  EXPECT_EQ(read({flask, large, box}, "the bottle of shampoo"),
+            (std::vector<std::string>{"shampoo-mild", "shampoo-repair"}));
+}
+
 TEST(CatalogueReader, SaysWhenNoWordIsKnown) {
   const perception::CatalogueReader reader({product("cola", "Cola", "Original", "330 ml")},
                                            committed_catalog().search_lexicon);
