@@ -28,9 +28,10 @@ class GoalReader {
 //      counts 12 more, one of another amount 12 less, when any row has it.
 //   2. Every other word counts by how rare it is among the rows (log of rows over rows with it),
 //      times the weight of the best place that has it: name 5, variant 4, brand 4, keywords 3,
-//      shape, what people call it (catalog/container_nouns.inc) and group 2, category and colour of the label 1, description 0.5. Endings and order do
-//      not matter; words that say nothing (SearchLexicon::skip) are left out, but for those that
-//      are a row's shape or what people call it: "can".
+//      shape, what people call it (catalog/container_nouns.inc) and group 2, category and colour of
+//      the label 1, description 0.5. Endings and order do not matter; words that say nothing
+//      (SearchLexicon::skip) are left out, but for those that are a row's shape or what people call
+//      it: "can".
 //   3. One, two or three words that are `say` of an intent count also as what it means, times 0.6.
 //      "without X" is also "X free", "no X" and "zero X".
 //   4. A word of a row's name that is not said takes away 0.15 of what it would have given.
