@@ -111,7 +111,7 @@ TEST(Evaluation, KillNineLosesNothingThatWasFinished) {
   ASSERT_GE(kept.size(), 2U);
   ASSERT_LT(kept.size(), static_cast<std::size_t>(episode_count))
       << "it was over before it was killed";
-  for (int i = 0; i < 1200 && running_with(tasks.string()) > 0; ++i)
+  for (int i = 0; i < 100 && running_with(tasks.string()) > 0; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_EQ(running_with(tasks.string()), 0) << "workers outlived the run";
   std::ofstream(broken / "results.jsonl", std::ios::app) << R"({"schema": "market-res)";

@@ -159,6 +159,19 @@ void place_all_beside(Build& build,
   }
 }
 
+// Whether any of them stands then.
+bool place_all(Build& build,
+               const catalog::FixtureKind& kind,
+               const AtDoors& at,
+               bool low_side_first) {
+  const std::size_t before = build.site.fixtures().size();
+  if (kind.generator == "gate")
+    place_all_gates(build, kind, at);
+  else
+    place_all_beside(build, kind, at, low_side_first);
+  return build.site.fixtures().size() > before;
+}
+
 // What stands at the entrance of a shop whose plan says nothing about it, and whether on the side
 // that trolleys have.
 struct UsualEquipment {
@@ -226,15 +239,8 @@ void place_entrance(Build& build) {
       return owner != nullptr && owner->stands;
     });
     const catalog::FixtureKind& make = is_named(design, name) ? *kind : design.makes.of(*kind);
-    for (const catalog::FixtureKind* row :
-         {&make, kind}) {  // the plain one where the make has no room
-      const std::size_t before = build.site.fixtures().size();
-      if (row->generator == "gate")
-        place_all_gates(build, *row, at);
-      else
-        place_all_beside(build, *row, at, low_side_first);
-      if (build.site.fixtures().size() > before || row == kind) break;
-    }
+    if (!place_all(build, make, at, low_side_first) && &make != kind)
+      place_all(build, *kind, at, low_side_first);  // the make has no room
   };
   for (const UsualEquipment& usual : usual_equipment)
     place(usual.kind, true, usual.beside_trolleys == low);

@@ -77,9 +77,10 @@ class InLine {
       for (std::size_t first = 1; first + wanted < line.size(); ++first) {
         Modules place(line.begin() + static_cast<std::ptrdiff_t>(first),
                       line.begin() + static_cast<std::ptrdiff_t>(first + wanted));
-        const bool alone =
-            !replaced_.contains(line[first - 1]) && !replaced_.contains(line[first + wanted]) &&
-            std::ranges::none_of(place, [&](Fixture* one) { return replaced_.contains(one); });
+        const auto before = line.begin() + static_cast<std::ptrdiff_t>(first - 1);
+        const auto behind = before + static_cast<std::ptrdiff_t>(wanted + 2);
+        const bool alone = std::none_of(
+            before, behind, [&](const Fixture* one) { return replaced_.contains(one); });
         if (alone && std::ranges::all_of(place, [&](const Fixture* module) {
               return fits(row, kind, zone, *module);
             }))

@@ -76,14 +76,14 @@ void CatalogueReader::add_row(const catalog::Product& product) {
   }
   std::string shape = product.archetype;
   std::ranges::replace(shape, '_', ' ');
-  add(shape, group_weight);
-  for (const std::string& word : plain_words(shape))
-    skip_.erase(word);
-  for (const catalog::ContainerNoun& called : catalog::container_nouns(product.archetype)) {
-    add(called.noun, group_weight);
-    for (const std::string& word : plain_words(called.noun))
+  const auto add_shape = [&](std::string_view called) {
+    add(called, group_weight);
+    for (const std::string& word : plain_words(called))
       skip_.erase(word);
-  }
+  };
+  add_shape(shape);
+  for (const catalog::ContainerNoun& called : catalog::container_nouns(product.archetype))
+    add_shape(called.noun);
   add(product.subcategory, group_weight);
   std::string category = product.category;
   std::ranges::replace(category, '_', ' ');

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/json.h"
+#include "layout/makes.h"
 #include "support/committed_catalog.h"
 #include "support/number_of_cases.h"
 
@@ -108,6 +109,12 @@ TEST(Designs, ConcedeNothingThatStands) {
   ASSERT_TRUE(store.ok());
   EXPECT_TRUE(store->planned.conflicts.empty());
   EXPECT_EQ(tills_of(store->layout), 3);
+  EXPECT_EQ(std::ranges::count_if(store->layout.fixtures,
+                                  [&](const layout::Fixture& fixture) {
+                                    return layout::counts_as(
+                                        store->layout, fixture, "checkout_lane");
+                                  }),
+            3);
 }
 
 // ---- Any words: plans that their reader takes ----
