@@ -1,5 +1,5 @@
 # The commands a contributor needs; `make help` lists them. What they run is in tools/ and CMakePresets.json.
-.PHONY: help setup build viewer docs demo gallery test sanitize fuzz bench format lint clean
+.PHONY: help setup build viewer docs demo gallery test slow sanitize fuzz bench format lint clean
 .DEFAULT_GOAL := help
 
 # WERROR=ON: warnings stop the release build, as in CI. TIDY: what `make test` gives to clang-tidy: CHANGED (150 s at
@@ -50,6 +50,12 @@ gallery: build ## the stores and stills of docs/gallery.md; about 20 minutes
 
 test: ## everything CI checks; ends with the release tests' summary
 	tools/test --werror=$(WERROR) --lint=$(TIDY)
+
+slow: ## the tests that `make test` leaves out: long samples, of which it has short ones; about 20 minutes
+	tools/setup all
+	cmake --preset release -DMARKETGEN_TESTS=ON -DMARKETGEN_WERROR=$(WERROR)
+	cmake --build --preset release
+	ctest --preset slow
 
 sanitize: ## the whole chain over every value of a plan, under address and undefined-behaviour sanitizers
 	cmake --preset asan -DMARKETGEN_MODULES=export && cmake --build --preset asan --target test_export

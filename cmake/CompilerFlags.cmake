@@ -28,6 +28,8 @@ endif()
 # g++ 12 sees uninitialised members in every std::optional that it inlines (GCC bug 80635).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-Wno-maybe-uninitialized)
+  # Its garbage collector costs a tenth of the time of compiling; without it g++ takes a quarter more memory.
+  add_compile_options("SHELL:--param ggc-min-heapsize=3000000" "SHELL:--param ggc-min-expand=1000")
 endif()
 if(MARKETGEN_WERROR)
   add_compile_options(-Werror)
@@ -44,6 +46,15 @@ if(MARKETGEN_FUZZ)
   endif()
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
+
+# A compiler takes up to 1.7 GB for one translation unit of many files: no more at a time than there is memory for.
+cmake_host_system_information(RESULT memory_mb QUERY TOTAL_PHYSICAL_MEMORY)
+math(EXPR compilers "${memory_mb} / 1800")
+if(compilers LESS 1)
+  set(compilers 1)
+endif()
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS compilers=${compilers})
+set(CMAKE_JOB_POOL_COMPILE compilers)
 
 find_program(MARKETGEN_CCACHE ccache)
 if(MARKETGEN_CCACHE)  # build folders of one tree (release, a wheel) share what they compile

@@ -17,7 +17,7 @@ struct ViewHandle {
   std::unique_ptr<server::ViewServer> server;  // none once it was closed
 };
 
-ViewHandle serve(const StoreHandle& handle, int port, bool watch) {
+ViewHandle serve_store(const StoreHandle& handle, int port, bool watch) {
   server::ServeOptions options;
   options.port = port;
   options.embed = true;
@@ -52,7 +52,7 @@ void add_views(nb::module_& module) {
                    [](const ViewHandle& h) { return h.server ? h.server->address() : ""; })
       .def("watch", &watch)
       .def("close", &close);
-  module.def("_serve", &serve, nb::arg("store"), nb::arg("port"), nb::arg("watch") = false);
+  module.def("_serve", &serve_store, nb::arg("store"), nb::arg("port"), nb::arg("watch") = false);
 }
 
 }  // namespace marketgen::python

@@ -141,9 +141,11 @@ TEST_F(PhotographedPacks, APictureThatIsStretchedIsTold) {
   EXPECT_EQ(import_cola("cola")["notes"].dump().find("times as"), std::string::npos);
 }
 
+using SlowPhotographedPacks = PhotographedPacks;
+
 // The store alone is enough: moved elsewhere, without photos, assets and cache, it is drawn and
 // exported to the same bytes.
-TEST_F(PhotographedPacks, StandInStoresThatNeedNothingElse) {
+TEST_F(SlowPhotographedPacks, StandInStoresThatNeedNothingElse) {
   import_tea("tea");
   import_cola("cola");
   const json made = generate("shop");

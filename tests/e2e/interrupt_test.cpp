@@ -202,8 +202,10 @@ std::size_t lines_in(const fs::path& file) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
+using SlowEveryCommand = EveryCommand;
+
 // Broken off after the first, gone on with: the same bytes as a draw that was left alone.
-TEST_F(EveryCommand, EpisodesThatWereDrawnAreKept) {
+TEST_F(SlowEveryCommand, EpisodesThatWereDrawnAreKept) {
   const auto command = [&](const std::string& out, bool resume) {
     Words words{MARKETGEN_BINARY,
                 "episodes",
@@ -251,7 +253,7 @@ TEST_F(EveryCommand, EpisodesOfAnotherDrawAreNotMixedIn) {
 }
 
 // Broken off, gone on with and broken off again: what was settled first is not settled anew.
-TEST_F(EveryCommand, HeapsThatWereSettledAreKept) {
+TEST_F(SlowEveryCommand, HeapsThatWereSettledAreKept) {
   const fs::path out = scratch_.path() / "heaps.json", journal = out.string() + ".unfinished";
   const auto broken_off = [&](Words words, std::size_t lines) {
     words.insert(words.begin(), {MARKETGEN_BINARY, "assets", "heaps", "-o", out.string()});

@@ -136,7 +136,9 @@ TEST_F(ModelPolicy, NotThereIsBelieved) {
   EXPECT_EQ(model["offline"], 0);
 }
 
-TEST_F(ModelPolicy, AsksInTheAisles) {
+using SlowModelPolicy = ModelPolicy;
+
+TEST_F(SlowModelPolicy, AsksInTheAisles) {
   const fs::path task = short_task("aisle", aisle_limit_s);
   const MockServer server(json::array({model_marking(1)}));
   const Ran ran = eval(task, "aisle", seer_at(server.url(), {"--truth", "language"}));
@@ -146,7 +148,7 @@ TEST_F(ModelPolicy, AsksInTheAisles) {
   EXPECT_EQ(result["model"]["requests"].get<std::size_t>(), server.requests().size());
 }
 
-TEST_F(ModelPolicy, PartsInServersAreAskedRecordedAndReplayed) {
+TEST_F(SlowModelPolicy, PartsInServersAreAskedRecordedAndReplayed) {
   const fs::path task = short_task("checkout", grasp_limit_s);
   MockServer server(
       json::array({{{"for", "form-data"}, {"body", {{"masks", json::array()}}}},

@@ -260,7 +260,7 @@ motion::Configuration random_posture(const motion::ArmModel& model, Stream& draw
 }
 
 // A quarter of the steps that the planner takes.
-TEST(MotionProperty, PathsAreClearBetweenThePosturesThatWereTested) {
+TEST(SlowMotionProperty, PathsAreClearBetweenThePosturesThatWereTested) {
   const robots::Robot panda = committed_robot("panda");
   const motion::ArmModel model = motion::make_arm_model(panda, "arm").value();
   const std::vector<double> ready = robots::with_followers(

@@ -239,7 +239,7 @@ struct Fall {
 
 // A contact is a spring with a damper: it gives a little back of what it took, 3.2 % were measured,
 // and never more than there was.
-TEST(PhysicsProperty, NoFallWinsEnergy) {
+TEST(SlowPhysicsProperty, NoFallWinsEnergy) {
   constexpr double given_back_share = 0.06;
   std::size_t fallen = 0;
   const std::size_t boards = number_of_cases("MARKETGEN_PROPERTY_BOARDS", 4);

@@ -125,7 +125,7 @@ std::optional<Judgement> of_audit(const scene::Scene& scene, const plan::Require
   return judged ? Judgement::broken : Judgement::not_judged;
 }
 
-TEST(RelationProperty, ThreeJudgesAgreeUpToTheirMargins) {
+TEST(SlowRelationProperty, ThreeJudgesAgreeUpToTheirMargins) {
   const std::size_t layouts = number_of_cases("MARKETGEN_PROPERTY_RELATIONS", 1000);
   std::map<plan::RelationKind, std::map<Judgement, int>> seen;
   std::size_t laid_out = 0, planned = 0;

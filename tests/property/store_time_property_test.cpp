@@ -120,7 +120,7 @@ TEST(StoreTimeProperty, WhatShoppersLeftOutOfLineHasRoom) {
 }
 
 // What lies on something that is gone would fall, and what leans could: goods are let go, and stay.
-TEST(StoreTimeProperty, WhatIsLeftStandsWhenLetGo) {
+TEST(SlowStoreTimeProperty, WhatIsLeftStandsWhenLetGo) {
   physics::SettleOptions options;
   options.region_m = {0, 0, 60, 10};
   options.max_products = 100;

@@ -17,6 +17,10 @@ PROGRAM = os.environ.get("MARKETGEN_BINARY", str(ROOT / "build/release/marketgen
 PROMPT = "a corner shop with cold drinks, snacks and one checkout"
 
 
+def pytest_configure(config):
+    config.addinivalue_line("markers", "slow: left out of `make test`, run by `make slow`")
+
+
 def run(*arguments):
     """The program's standard output."""
     return subprocess.run([PROGRAM, *map(str, arguments)], check=True, capture_output=True, text=True).stdout

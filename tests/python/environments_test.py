@@ -37,7 +37,10 @@ def short_episode(store, seconds):
     return episode
 
 
-@pytest.mark.parametrize("options", [{}, {"obs_mode": "rgbd", "width": 32, "height": 24, "segmentation": True}])
+@pytest.mark.parametrize(
+    "options",
+    [{}, pytest.param({"obs_mode": "rgbd", "width": 32, "height": 24, "segmentation": True}, marks=pytest.mark.slow)],
+)
 def test_the_checker_has_no_complaint(store, options):
     env = make(store, render_mode="rgb_array", **options)
     with warnings.catch_warnings():

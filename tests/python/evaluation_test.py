@@ -104,6 +104,7 @@ def test_policies_in_python(tasks, tmp_path, act_limit_s):
     assert all(result["simulated_s"] > 2.9 and len(result["state_hash"]) == 32 for result in function.results)
 
 
+@pytest.mark.slow
 def test_realism_is_the_same_by_every_door(tasks, tmp_path):
     """The program's policy, its replay, a policy in Python and an environment: one episode at standard, one state."""
 

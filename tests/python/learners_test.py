@@ -38,7 +38,7 @@ def make_env(env_id, idx, capture_video, run_name, gamma):
     return thunk
 
 
-@pytest.mark.parametrize("task", [FIRST, *STAGES])
+@pytest.mark.parametrize("task", [FIRST, *(pytest.param(stage, marks=pytest.mark.slow) for stage in STAGES)])
 def test_a_rollout_of_cleanrl(task):
     envs = gym.vector.SyncVectorEnv([make_env(named(task), i, False, "run", 0.99) for i in range(2)])
     assert isinstance(envs.single_action_space, gym.spaces.Box), "only continuous action space is supported"

@@ -27,6 +27,7 @@ def test_it_unloads_a_basket(checkout_file, control_mode):
     assert policy.failure() == "None"
 
 
+@pytest.mark.slow
 def test_it_fetches_in_the_aisles():
     env = gymnasium.make("MarketGen/InAisleCollection-v1", control_mode="pd_joint_pos")
     policy = marketgen.policies.oracle(env)
@@ -49,6 +50,7 @@ def test_each_reset_is_a_new_beginning(checkout_file):
     assert hashes[0] == hashes[1]
 
 
+@pytest.mark.slow
 def test_many_at_once_are_each_alone(checkout_file):
     many = marketgen.make_vec(CHECKOUT, 2, episodes=checkout_file, control_mode="pd_joint_pos")
     policy = marketgen.policies.oracle(many)

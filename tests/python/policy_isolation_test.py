@@ -6,6 +6,8 @@ import shutil
 import sys
 import warnings
 
+import pytest
+
 import numpy as np
 import pytest
 
@@ -84,6 +86,7 @@ def test_what_it_is_told_has_no_pose_witness_seed_or_id(tasks, spied):
     } - ({"station"} if "station" not in told["names"] else set())
 
 
+@pytest.mark.slow
 def test_in_the_aisles_it_knows_the_map_and_where_categories_are(aisle_file, tmp_path):
     (tmp_path / "notes").mkdir()
     spy = policies.Spy(tmp_path / "notes", [])

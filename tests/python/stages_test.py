@@ -175,6 +175,7 @@ def test_an_episode_without_a_witness_is_said():
     assert caught.value.code == "episode.impossible" and "planned" in str(caught.value)
 
 
+@pytest.mark.slow
 def test_chance_opens_no_door():
     env = make("OpenCooler")
     env.action_space.seed(1)

@@ -24,7 +24,7 @@ def run(env, steps):
     return out
 
 
-@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
+@pytest.mark.parametrize("mode", ["NextStep", pytest.param("SameStep", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("options", [{}, {"obs_mode": "rgbd", "width": 24, "height": 16, "reward_mode": "dense"}])
 def test_many_are_gymnasiums_many(store, mode, options):
     native = gymnasium.make_vec(CHECKOUT, num_envs=3, store=store, autoreset_mode=mode, **options)

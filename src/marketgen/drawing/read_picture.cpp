@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "drawing/line.h"
 #include "drawing/picture.h"
 #include "drawing/polygons.h"
 #include "drawing/sketch.h"
@@ -77,10 +78,6 @@ cv::Mat thick_parts(const cv::Mat& ink, int half) {
   return thick;
 }
 
-struct Line {
-  cv::Point2d at, way;
-};
-
 // Least squares through the contour's points between two corners, but for those near the corners.
 std::optional<Line> fitted(const std::vector<cv::Point>& contour,
                            std::size_t from,
@@ -97,13 +94,6 @@ std::optional<Line> fitted(const std::vector<cv::Point>& contour,
   cv::Vec4f line;
   cv::fitLine(points, line, cv::DIST_HUBER, 0, 0.01, 0.01);
   return Line{{line[2], line[3]}, {line[0], line[1]}};
-}
-
-std::optional<cv::Point2d> meeting(const Line& a, const Line& b) {
-  const double cross = a.way.x * b.way.y - a.way.y * b.way.x;
-  if (std::abs(cross) < 0.1) return std::nullopt;  // 6 degrees: no corner to speak of
-  const cv::Point2d to = b.at - a.at;
-  return a.at + a.way * ((to.x * b.way.y - to.y * b.way.x) / cross);
 }
 
 // The contour's corners, where the lines between them meet.
@@ -126,7 +116,7 @@ std::vector<cv::Point2d> corners_of(const std::vector<cv::Point>& contour, doubl
     const auto& before = lines[(i + n - 1) % n];
     const auto& after = lines[i];
     const cv::Point2d corner(rough[i].x, rough[i].y);
-    const auto met = before && after ? meeting(*before, *after) : std::nullopt;
+    const auto met = before && after ? meeting(*before, *after, 0.1) : std::nullopt;
     const bool near = met && cv::norm(*met - corner) < 4 * within_px;
     corners.push_back(near ? *met : corner);
   }

@@ -14,7 +14,7 @@ namespace {
 
 // Where strokes begin along rows and along columns: their number in an area is its strokes' length,
 // or up to 1.4 times that, whatever their width.
-cv::Mat beginnings(const cv::Mat& strokes) {
+cv::Mat stroke_beginnings(const cv::Mat& strokes) {
   cv::Mat count = cv::Mat::zeros(strokes.size(), CV_32F);
   for (int y = 1; y < strokes.rows; ++y) {
     for (int x = 1; x < strokes.cols; ++x) {
@@ -71,7 +71,7 @@ double division(std::vector<float> values) {
 
 // Strokes a pixel, as a logarithm, of hatching alone.
 cv::Mat densities(const cv::Mat& strokes, const cv::Mat& area, int window) {
-  cv::Mat count = beginnings(strokes), there, density;
+  cv::Mat count = stroke_beginnings(strokes), there, density;
   area.convertTo(there, CV_32F, 1.0 / 255);
   count = count.mul(there);
   cv::blur(count, count, {window, window});
@@ -158,7 +158,7 @@ cv::Mat stroke_density(const cv::Mat& strokes, double longer_side) {
   constexpr double window_share = 0.06;
   cv::Mat density;
   const int window = odd(window_share * longer_side);
-  cv::blur(beginnings(strokes), density, {window, window});
+  cv::blur(stroke_beginnings(strokes), density, {window, window});
   return density * longer_side;
 }
 

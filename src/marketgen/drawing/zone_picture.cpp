@@ -5,6 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "drawing/line.h"
 #include "drawing/picture.h"
 #include "drawing/zone_chart.h"
 #include "geometry/image.h"
@@ -14,7 +15,7 @@
 namespace marketgen::drawing {
 namespace {
 
-constexpr int longest_side_px = 1800;  // larger pictures are read at this size
+constexpr int max_side_px = 1800;  // larger pictures are read at this size
 
 struct Ray {
   std::vector<cv::Point2f> outer, inner;
@@ -55,10 +56,6 @@ Ray edge_points(const cv::Mat& ink, cv::Point2d a, cv::Point2d b, double reach) 
   return points;
 }
 
-struct Line {
-  cv::Point2d at, way;
-};
-
 std::optional<Line> line_through(std::vector<cv::Point2f> points) {
   constexpr std::size_t least = 20;
   Line line;
@@ -79,13 +76,6 @@ std::optional<Line> line_through(std::vector<cv::Point2f> points) {
     points = std::move(near);
   }
   return line;
-}
-
-std::optional<cv::Point2d> meeting(const Line& a, const Line& b) {
-  const double cross = a.way.x * b.way.y - a.way.y * b.way.x;
-  if (std::abs(cross) < 0.3) return std::nullopt;
-  const cv::Point2d to = b.at - a.at;
-  return a.at + a.way * ((to.x * b.way.y - to.y * b.way.x) / cross);
 }
 
 // Of all that is as long as a wall.
@@ -228,7 +218,7 @@ ZonePicture straightened(const cv::Mat& flat, const FourWalls& walls, double asp
 }
 
 Result<ZonePicture> picture_of(cv::Mat bgr, const std::string& where, double aspect) {
-  const double px = shrink(bgr, longest_side_px);
+  const double px = shrink(bgr, max_side_px);
   const cv::Mat flat = flattened(bgr);
   if (is_pie_chart(flat)) return chart("pie chart", where);
   const cv::Mat ink = dark_ink(flat);
@@ -272,8 +262,8 @@ std::optional<FourWalls> four_walls(const cv::Mat& ink) {
   }
   FourWalls walls;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto out = meeting(outer[(i + 3) % 4], outer[i]),
-               in = meeting(inner[(i + 3) % 4], inner[i]);
+    const auto out = meeting(outer[(i + 3) % 4], outer[i], 0.3),
+               in = meeting(inner[(i + 3) % 4], inner[i], 0.3);
     if (!out || !in || cv::norm(*out - (*corners)[i]) > 3 * reach) return std::nullopt;
     walls.outer[i] = *out;
     walls.inner[i] = *in;

@@ -23,13 +23,13 @@ struct Bounds {
   int planned() const { return open() ? low : (low > 0 ? (low + high + 1) / 2 : high); }
 };
 
-struct Said {
+struct SaidKind {
   KindWish wish;
   Bounds count, runs;
   bool counted = false, in_runs = false;
 };
 
-KindWish settled(const Said& said) {
+KindWish settled(const SaidKind& said) {
   KindWish wish = said.wish;
   constexpr int several =
       2;  // "at least eight" is met by eight; a kind that is only named is not counted
@@ -56,7 +56,7 @@ bool asks_for_none(const plan::Requirement& wish) {
 std::vector<KindWish> kind_wishes(const Understanding& found,
                                   const catalog::Catalog& catalog,
                                   std::string_view zone_type) {
-  std::vector<Said> all;
+  std::vector<SaidKind> all;
   for (const plan::Requirement& wish : found.requirements) {
     const bool of_store = wish.kind == Kind::run_count && wish.second_object.empty() &&
                           runs_of_store(found, wish.subject) != nullptr;
@@ -66,7 +66,8 @@ std::vector<KindWish> kind_wishes(const Understanding& found,
     if (!of_fixtures || of_store || wish.object != zone_type || asks_for_none(wish)) continue;
     const catalog::FixtureKind* kind = catalog.fixture_kind(wish.subject);
     if (kind == nullptr) continue;
-    auto said = std::ranges::find_if(all, [&](const Said& one) { return one.wish.kind == kind; });
+    auto said =
+        std::ranges::find_if(all, [&](const SaidKind& one) { return one.wish.kind == kind; });
     if (said == all.end()) {
       all.emplace_back().wish.kind = kind;
       said = std::prev(all.end());
@@ -78,7 +79,7 @@ std::vector<KindWish> kind_wishes(const Understanding& found,
     if (runs) said->wish.sides = static_cast<int>(wish.second_value);
   }
   std::vector<KindWish> wishes;
-  for (const Said& said : all)
+  for (const SaidKind& said : all)
     wishes.push_back(settled(said));
   return wishes;
 }

@@ -65,7 +65,7 @@ bool allows(const plan::Requirement& wish, double value) {
 }
 
 // What somebody said of a thing that photos show, too.
-struct Said {
+struct SaidOfPhotos {
   std::string text;
   std::string_view who;  // wins over a photo
   bool same = false;     // as the photos have it
@@ -133,7 +133,7 @@ class PhotoReader {
   void settle(const AttributeReading& reading,
               std::optional<Photographed<T>>& wish,
               T value,
-              const std::optional<Said>& said) {
+              const std::optional<SaidOfPhotos>& said) {
     if (!said) {
       wish =
           Photographed<T>{std::move(value), reading.confidence, look_.source_of(reading.attribute)};
@@ -167,12 +167,12 @@ class PhotoReader {
   // What the style that was asked for says of a part of the look; `wish`: what words say of that
   // part alone, or null. A skin beats words, words beat a style.
   template <class OfLook, class OfWish>
-  std::optional<Said> said_of_look(const plan::Requirement* wish,
-                                   const OfLook& look_agrees,
-                                   const OfWish& wish_agrees) const {
-    if (skin_) return Said{skin_->text, flag_wins, look_agrees(skin_->look)};
-    if (wish != nullptr) return Said{wish->text, words_win, wish_agrees(*wish)};
-    if (style_) return Said{style_->text, style_wins, look_agrees(style_->look)};
+  std::optional<SaidOfPhotos> said_of_look(const plan::Requirement* wish,
+                                           const OfLook& look_agrees,
+                                           const OfWish& wish_agrees) const {
+    if (skin_) return SaidOfPhotos{skin_->text, flag_wins, look_agrees(skin_->look)};
+    if (wish != nullptr) return SaidOfPhotos{wish->text, words_win, wish_agrees(*wish)};
+    if (style_) return SaidOfPhotos{style_->text, style_wins, look_agrees(style_->look)};
     return std::nullopt;
   }
 
@@ -243,13 +243,13 @@ class PhotoReader {
     settle(*reading, wishes_.profile, reading->value, said_profile(reading->value));
   }
 
-  std::optional<Said> said_profile(const std::string& shown) const {
+  std::optional<SaidOfPhotos> said_profile(const std::string& shown) const {
     if (brief_.profile)
-      return Said{"--profile " + *brief_.profile, flag_wins, *brief_.profile == shown};
+      return SaidOfPhotos{"--profile " + *brief_.profile, flag_wins, *brief_.profile == shown};
     if (const plan::Requirement* wish = found_.find(Kind::profile))
-      return Said{wish->text, words_win, wish->object == shown};
+      return SaidOfPhotos{wish->text, words_win, wish->object == shown};
     // Such a shop has a profile of its own; that photos show another kind is no contradiction.
-    if (wants_no_tills(found_)) return Said{"", words_win, true};
+    if (wants_no_tills(found_)) return SaidOfPhotos{"", words_win, true};
     return std::nullopt;
   }
 
@@ -257,9 +257,9 @@ class PhotoReader {
     const AttributeReading* reading = sure_reading("levels");
     const auto levels = reading != nullptr ? whole_of(reading->value) : std::nullopt;
     if (!levels) return;
-    std::optional<Said> said;
+    std::optional<SaidOfPhotos> said;
     if (const plan::Requirement* wish = found_.find(Kind::levels, ""))
-      said = Said{wish->text, words_win, allows(*wish, *levels)};
+      said = SaidOfPhotos{wish->text, words_win, allows(*wish, *levels)};
     settle(*reading, wishes_.levels, *levels, said);
   }
 
@@ -271,15 +271,16 @@ class PhotoReader {
   }
 
   // So many aisles on so large a floor are as wide as they can be.
-  std::optional<Said> said_aisle(const AttributeReading& reading, int width_mm) const {
+  std::optional<SaidOfPhotos> said_aisle(const AttributeReading& reading, int width_mm) const {
     if (const plan::Requirement* wish = found_.find(Kind::aisle_width)) {
       const bool same = wish->comparison == plan::Comparison::equal
                             ? name_near(aisle_widths_mm, wish->value) == reading.value
                             : allows(*wish, width_mm);
-      return Said{wish->text, words_win, same};
+      return SaidOfPhotos{wish->text, words_win, same};
     }
     const plan::Requirement* count = found_.find(Kind::aisle_count);
-    return count != nullptr ? std::optional(Said{count->text, words_win, true}) : std::nullopt;
+    return count != nullptr ? std::optional(SaidOfPhotos{count->text, words_win, true})
+                            : std::nullopt;
   }
 
   // Aisles that are counted lead away from the front: turned ones would be others.
@@ -287,9 +288,9 @@ class PhotoReader {
     const AttributeReading* reading = sure_reading("direction");
     if (reading == nullptr) return;
     const bool across = reading->value == "across";
-    std::optional<Said> said;
+    std::optional<SaidOfPhotos> said;
     if (const plan::Requirement* count = found_.find(Kind::aisle_count))
-      said = Said{count->text, words_win, !across};
+      said = SaidOfPhotos{count->text, words_win, !across};
     settle(*reading, wishes_.across, across, said);
   }
 

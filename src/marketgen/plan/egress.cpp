@@ -18,10 +18,6 @@ constexpr int landing_mm = 2000;         // floor inside it (layout/floor.h)
 constexpr int step_mm = 500;             // along a wall
 constexpr std::array<Wall, 4> walls{Wall::north, Wall::east, Wall::west, Wall::south};
 
-bool runs_east(Wall wall) {
-  return wall == Wall::north || wall == Wall::south;
-}
-
 int length_of(Wall wall, const Shell& shell) {
   return runs_east(wall) ? shell.width_mm : shell.depth_mm;
 }

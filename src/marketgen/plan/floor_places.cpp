@@ -67,6 +67,10 @@ PointMm inward_from(Wall wall) {
   return {0, 1};
 }
 
+bool runs_east(Wall wall) {
+  return wall == Wall::north || wall == Wall::south;
+}
+
 PointMm point_inside(const RectMm& bounds, const Opening& opening, int by_mm) {
   const auto along = [&](int length) {
     return static_cast<int>(std::lround(opening.center * length));

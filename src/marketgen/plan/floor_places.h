@@ -54,6 +54,9 @@ std::vector<NamedPlace> places_named(const NamedFloor& floor, std::string_view n
 // The unit vector from a wall into the store: the way someone walks who comes in there.
 PointMm inward_from(Wall wall);
 
+// Whether a side of the shell runs from west to east.
+bool runs_east(Wall wall);
+
 // The point `by_mm` inside the middle of an opening; on the wall's line for 0.
 PointMm point_inside(const RectMm& bounds, const Opening& opening, int by_mm);
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "plan/floor_places.h"
 #include "plan/validation.h"
 
 namespace marketgen::plan {
@@ -11,10 +12,6 @@ namespace {
 struct Stretch {
   int from = 0, to = 0;
 };
-
-bool runs_east(Wall wall) {
-  return wall == Wall::north || wall == Wall::south;
-}
 
 Stretch stretch_of(const Opening& opening, const Shell& shell) {
   const int wall_mm = runs_east(opening.wall) ? shell.width_mm : shell.depth_mm;

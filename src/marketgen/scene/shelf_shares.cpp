@@ -13,11 +13,11 @@ namespace {
 constexpr double usual_share = 10;  // of a kind without a row
 constexpr double small_shop_m2 = 150;
 
-using Kind = std::pair<std::string_view, std::string_view>;
+using KindName = std::pair<std::string_view, std::string_view>;
 
-const std::map<Kind, const ShelfShare*>& share_of_kind() {
-  static const std::map<Kind, const ShelfShare*> rows = [] {
-    std::map<Kind, const ShelfShare*> made;
+const std::map<KindName, const ShelfShare*>& share_of_kind() {
+  static const std::map<KindName, const ShelfShare*> rows = [] {
+    std::map<KindName, const ShelfShare*> made;
     for (const ShelfShare& row : shelf_shares())
       made[{row.category, row.subcategory}] = &row;
     return made;
@@ -25,9 +25,9 @@ const std::map<Kind, const ShelfShare*>& share_of_kind() {
   return rows;
 }
 
-const std::map<Kind, double>& weight_of_name() {
-  static const std::map<Kind, double> rows = [] {
-    std::map<Kind, double> made;
+const std::map<KindName, double>& weight_of_name() {
+  static const std::map<KindName, double> rows = [] {
+    std::map<KindName, double> made;
     for (const GoodsShare& row : goods_shares())
       made[{row.category, row.name}] = row.weight;
     return made;

@@ -11,6 +11,9 @@
 
 namespace marketgen::server {
 
+// What errors call the body of what is asked.
+inline constexpr const char* body_name = "request";
+
 Result<web::HttpReply> reply_with(ViewFile file);
 
 // Of an address that nothing is at.

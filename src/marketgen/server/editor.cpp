@@ -11,12 +11,11 @@
 #include "layout/accessories.h"
 #include "layout/overrides.h"
 #include "plan/bsp.h"
+#include "server/answering.h"
 #include "web/edit_asks.h"
 
 namespace marketgen::server {
 namespace {
-
-constexpr const char* body_name = "request";  // in errors
 
 template <class Document>
 Result<Document> body_of(const web::HttpAsk& ask) {

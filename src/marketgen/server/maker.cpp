@@ -20,7 +20,6 @@
 namespace marketgen::server {
 namespace {
 
-constexpr const char* body_name = "request";  // in errors
 constexpr int picture_width_px = 480, picture_height_px = 270;
 constexpr std::size_t max_name_bytes = 40;  // of a folder that is proposed
 constexpr const char* offline = "offline";  // who plans by itself

@@ -36,14 +36,14 @@ class Bodies : public testing::TestWithParam<std::size_t> {
   const catalog::Product product = products_of_every_shape()[GetParam()];
 };
 
-std::string name_of_case(const testing::TestParamInfo<std::size_t>& info) {
+std::string name_of_body(const testing::TestParamInfo<std::size_t>& info) {
   return products_of_every_shape()[info.param].archetype + "_" + std::to_string(info.index);
 }
 
 INSTANTIATE_TEST_SUITE_P(All,
                          Bodies,
                          testing::Range(std::size_t{0}, products_of_every_shape().size()),
-                         name_of_case);
+                         name_of_body);
 
 // The volume that the mesh fills, parts that run into one another once: by lines along X. The code
 // under test cuts columns along Z.

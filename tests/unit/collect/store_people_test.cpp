@@ -120,7 +120,7 @@ TEST(StorePeople, NeverComeIntoOneAnother) {
   }
 }
 
-TEST(StorePeople, KeepToTheirRoom) {  // body, clothes and what they carry, in every kind of act
+TEST(SlowStorePeople, KeepToTheirRoom) {  // body, clothes and what they carry, in every kind of act
   const StorePeople people = people_in(three_stores()[1]);
   for (std::size_t i = 0; i < 7; ++i) {
     for (const double t : {3.0, 31.7, 84.9}) {

@@ -269,7 +269,7 @@ std::filesystem::path zone_drawings() {
   return std::string(MARKETGEN_SOURCE_DIR) + "/tests/fixtures/zone_drawings";
 }
 
-TEST(ZoneDrawingSet, ZonesNamesAndDoorsAreFound) {
+TEST(SlowZoneDrawingSet, ZonesNamesAndDoorsAreFound) {
   const std::filesystem::path folder = zone_drawings();
   const auto text = io::read_file(folder / "truth.json");
   ASSERT_TRUE(text.ok());

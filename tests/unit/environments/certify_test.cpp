@@ -86,7 +86,7 @@ TEST(Certify, GoodsThatTheHandCannotHoldAreNotProvedAndSayWhy) {
 }
 
 // Where much is quite other the replays end at the second that fails, or as soon as enough held.
-TEST(Certify, ReplaysEndWhenTheyAreDecided) {
+TEST(SlowCertify, ReplaysEndWhenTheyAreDecided) {
   environments::Arena& arena = pool_ground(episodes::Track::checkout)->arena();
   episodes::EpisodeSpec spec = one_goal();
   environments::CertificateRules rules = by({"oracle-plain"}, 4, 3);

@@ -40,7 +40,7 @@ agent::Action turning(const episodes::TrackWorld& world) {
 
 // Of less than a control step, one, and more of them: the arm as it stood exactly so long before,
 // and at its beginning before that.
-TEST(LateSenses, PicturesAndReadingsAreOfTheirMoment) {
+TEST(SlowLateSenses, PicturesAndReadingsAreOfTheirMoment) {
   for (const double seconds : {0.02, 0.05, 0.08, 0.15}) {
     const auto pictures = counter_at(late_pictures(seconds));
     const auto readings = counter_at(late_readings(seconds));

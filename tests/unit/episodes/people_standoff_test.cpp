@@ -72,7 +72,7 @@ Standoffs watch_beside(PeopleAround& people, const FloorDisc& robot, double seco
 
 // Robots anywhere in the aisles, people of many seeds: whoever comes to stand before the robot gets
 // past it or turns round, and keeps from it and from everybody.
-TEST(PeopleStandoffs, EndWhereverTheRobotStands) {
+TEST(SlowPeopleStandoffs, EndWhereverTheRobotStands) {
   int near = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     PeopleAround people = people_of(10, {-9, -9}, seed);

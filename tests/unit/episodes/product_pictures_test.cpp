@@ -34,7 +34,7 @@ TEST(ProductPictures, AreTheSameWhateverOthersThereAre) {
   }
 }
 
-TEST(ProductPictures, OfEachShapeAreTheSameInAnyCompany) {
+TEST(SlowProductPictures, OfEachShapeAreTheSameInAnyCompany) {
   std::vector<const catalog::Product*> some;
   std::set<std::string> shapes;
   for (const catalog::Product& product : committed_catalog().products)

@@ -424,7 +424,7 @@ TEST(CameraSenses, LampsChangeColorAndNothingElse) {
 
 // Where it stands is drawn; what lies in it lies as before; nothing is pressed into anything; who
 // is told the place is told the row's.
-TEST(BasketDials, TheBasketStandsASideWithWhatLiesInIt) {
+TEST(SlowBasketDials, TheBasketStandsASideWithWhatLiesInIt) {
   episodes::Realism realism;
   realism.basket = {0.03, 5};
   double farthest = 0, max_turned = 0;

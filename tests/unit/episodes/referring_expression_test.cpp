@@ -79,7 +79,7 @@ TEST(Offer, FitsWhatAHearerMayMean) {
 }
 
 // Every product of the catalogue, among all others: exactly that one fits, or nothing is said.
-TEST(ReferringExpression, FitsOneProductOfTheWholeCatalogue) {
+TEST(SlowReferringExpression, FitsOneProductOfTheWholeCatalogue) {
   const episodes::Offer offer(committed_catalog().products);
   std::size_t untold = 0;
   for (std::size_t number = 0; number < offer.size(); number += 3) {

@@ -28,7 +28,7 @@ std::vector<catalog::Product> stock_of(std::size_t kinds) {
   return goods;
 }
 
-TEST(SmallStock, BasketsAreAsSmallAsItIs) {
+TEST(SlowSmallStock, BasketsAreAsSmallAsItIs) {
   for (const std::size_t kinds : {2U, 6U, 11U}) {
     const auto stock = stock_of(kinds);
     ASSERT_EQ(stock.size(), kinds);

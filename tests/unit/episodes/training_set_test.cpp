@@ -86,7 +86,7 @@ TEST(TrainingSet, IsToldInTheHeaderByWhatIsInIt) {
   EXPECT_NE(episodes::TrainingSet::of({other}, all_kinds).row()->training, first->training);
 }
 
-TEST(TrainingSet, BasketsAskForNothingOfItButMayHoldIt) {
+TEST(SlowTrainingSet, BasketsAskForNothingOfItButMayHoldIt) {
   std::vector<catalog::Product> stock(checkout_goods_rows().begin(),
                                       checkout_goods_rows().begin() + 16);
   episodes::EpisodeFile training;

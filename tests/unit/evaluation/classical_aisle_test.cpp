@@ -125,14 +125,14 @@ TEST(ClassicalAisle, FindsACanAndFetchesIt) {
 }
 
 // Of the second one nothing is seen before the first has been taken.
-TEST(ClassicalAisle, TakesTheOneThatStoodBehind) {
+TEST(SlowClassicalAisle, TakesTheOneThatStoodBehind) {
   episodes::EpisodeSpec spec = hinted_can_episode();
   spec.goals = {{"can-cola", 2}};
   spec.limit_s = 300;
   expect_collects(can_world(spec, can_aisle(1, 2)), {"can-cola", 2}, nullptr);
 }
 
-TEST(ClassicalAisle, FetchesTwoThatItIsToldOfInWords) {
+TEST(SlowClassicalAisle, FetchesTwoThatItIsToldOfInWords) {
   episodes::EpisodeSpec spec = hinted_can_episode();
   spec.instructions = episodes::Instructions::words;
   spec.goals = {{"can-cola", 2, "two cans of cola"}};

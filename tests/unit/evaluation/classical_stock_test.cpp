@@ -43,7 +43,7 @@ TEST(ClassicalStock, IsAllThatTheStoreSells) {
   }
 }
 
-TEST(ClassicalStock, AnEpisodeAloneIsTheSameAsAmongOthers) {
+TEST(SlowClassicalStock, AnEpisodeAloneIsTheSameAsAmongOthers) {
   episodes::EpisodeFile file = pool_file();
   environments::Arena together(data_rows(), file.header, committed_catalog());
   // One of those (4 of 16) that were not, while its file's baskets were its catalogue.

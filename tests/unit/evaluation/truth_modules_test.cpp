@@ -174,7 +174,7 @@ TEST_F(CheckoutTruth, GraspsAreOfWhatLiesThere) {
   EXPECT_GT(grasps, 0U);
 }
 
-TEST(TruthModules, AnEpisodeRunsWithAllOfThem) {
+TEST(SlowTruthModules, AnEpisodeRunsWithAllOfThem) {
   episodes::EpisodeFile file = pool_file();
   episodes::EpisodeSpec& spec = file.episodes.front();
   spec.limit_s = 20;

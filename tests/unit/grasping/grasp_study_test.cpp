@@ -88,7 +88,7 @@ std::vector<grasping::GraspRate> studied_in_basket(
   return std::move(rates).value();
 }
 
-TEST(GraspStudy, InABasketEveryRateIsATryOrHasItsReason) {
+TEST(SlowGraspStudy, InABasketEveryRateIsATryOrHasItsReason) {
   const std::vector<const catalog::Product*> products =
       first_of({"can", "gable_carton", "box", "pouch", "apple"});
   const std::vector<grasping::GraspRate> one = studied_in_basket(products, 1);

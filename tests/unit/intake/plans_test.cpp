@@ -41,7 +41,7 @@ TEST(Plans, PricesAreOfTheCountryThatIsAskedFor) {
 
 // ---- An independent look at rectangles ----
 
-RectMm rect_of(const plan::Plan& plan, const std::string& type) {
+RectMm rect_of_type(const plan::Plan& plan, const std::string& type) {
   const std::vector<RectMm> rects = plan::zone_rectangles(plan);
   for (std::size_t i = 0; i < plan.zones.size(); ++i) {
     if (plan.zones[i].type == type) return rects[i];
@@ -107,81 +107,88 @@ const std::vector<RelationCase> relation_cases = {
     {"bakery_left_of_entrance",
      "a 24 x 15 m supermarket with a bakery left of the entrance",
      [](const plan::Plan& p) {
-       return middle(rect_of(p, "bakery")).x < door(p, plan::OpeningKind::entrance).x;
+       return middle(rect_of_type(p, "bakery")).x < door(p, plan::OpeningKind::entrance).x;
      }},
     {"bakery_right_of_entrance",
      "a 24 x 15 m supermarket with a bakery right of the entrance",
      [](const plan::Plan& p) {
-       return middle(rect_of(p, "bakery")).x > door(p, plan::OpeningKind::entrance).x;
+       return middle(rect_of_type(p, "bakery")).x > door(p, plan::OpeningKind::entrance).x;
      }},
     {"dairy_along_back_wall",
      "a 24 x 15 m supermarket with dairy along the back wall",
-     [](const plan::Plan& p) { return rect_of(p, "dairy").y1 == p.shell.depth_mm; }},
+     [](const plan::Plan& p) { return rect_of_type(p, "dairy").y1 == p.shell.depth_mm; }},
     {"frozen_along_east_wall",
      "a 24 x 15 m supermarket with frozen food along the east wall",
-     [](const plan::Plan& p) { return rect_of(p, "frozen").x1 == p.shell.width_mm; }},
+     [](const plan::Plan& p) { return rect_of_type(p, "frozen").x1 == p.shell.width_mm; }},
     {"produce_in_the_middle",
      "a 40 x 25 m supermarket with produce in the middle",
      [](const plan::Plan& p) {
-       const Point m = middle(rect_of(p, "produce"));
+       const Point m = middle(rect_of_type(p, "produce"));
        return std::abs(m.x - p.shell.width_mm / 2.0) < p.shell.width_mm / 4.0 &&
               std::abs(m.y - p.shell.depth_mm / 2.0) < p.shell.depth_mm / 4.0;
      }},
     {"wine_next_to_cheese",
      "a 40 x 25 m organic market with wine next to cheese",
-     [](const plan::Plan& p) { return near(p, gap(rect_of(p, "alcohol"), rect_of(p, "dairy"))); }},
+     [](const plan::Plan& p) {
+       return near(p, gap(rect_of_type(p, "alcohol"), rect_of_type(p, "dairy")));
+     }},
     {"produce_near_entrance",
      "a supermarket with produce near the entrance",
      [](const plan::Plan& p) {
-       return near(p, gap(rect_of(p, "produce"), door(p, plan::OpeningKind::entrance)));
+       return near(p, gap(rect_of_type(p, "produce"), door(p, plan::OpeningKind::entrance)));
      }},
     {"frozen_far_from_entrance",
      "a 30 x 20 m supermarket with frozen food far from the entrance",
      [](const plan::Plan& p) {
-       return gap(rect_of(p, "frozen"), door(p, plan::OpeningKind::entrance)) > 0.35 * diagonal(p);
+       return gap(rect_of_type(p, "frozen"), door(p, plan::OpeningKind::entrance)) >
+              0.35 * diagonal(p);
      }},
     {"household_away_from_produce",
      "a 30 x 20 m supermarket, keep household away from produce",
      [](const plan::Plan& p) {
-       return gap(rect_of(p, "household"), rect_of(p, "produce")) > 0.35 * diagonal(p);
+       return gap(rect_of_type(p, "household"), rect_of_type(p, "produce")) > 0.35 * diagonal(p);
      }},
     {"deli_between_bakery_and_dairy",
      "a 30 x 20 m supermarket with a deli between bakery and dairy",
      [](const plan::Plan& p) {
-       const Point a = middle(rect_of(p, "deli")), b = middle(rect_of(p, "bakery")),
-                   c = middle(rect_of(p, "dairy"));
+       const Point a = middle(rect_of_type(p, "deli")), b = middle(rect_of_type(p, "bakery")),
+                   c = middle(rect_of_type(p, "dairy"));
        return (a.x - b.x) * (c.x - b.x) + (a.y - b.y) * (c.y - b.y) > 0 &&
               (a.x - c.x) * (b.x - c.x) + (a.y - c.y) * (b.y - c.y) > 0;
      }},
     {"alcohol_in_north_east_corner",
      "a 24 x 15 m supermarket with alcohol in the north-east corner",
      [](const plan::Plan& p) {
-       const RectMm r = rect_of(p, "alcohol");
+       const RectMm r = rect_of_type(p, "alcohol");
        return r.x1 > p.shell.width_mm - 1500 && r.y1 > p.shell.depth_mm - 1500;
      }},
     {"snacks_at_the_front",
      "a 24 x 15 m supermarket with snacks at the front",
-     [](const plan::Plan& p) { return rect_of(p, "snacks").y0 < 1500; }},
+     [](const plan::Plan& p) { return rect_of_type(p, "snacks").y0 < 1500; }},
     {"meat_behind_dry_goods",
      "a 24 x 15 m supermarket with meat behind the groceries",
      [](const plan::Plan& p) {
-       return middle(rect_of(p, "meat_fish")).y > middle(rect_of(p, "dry_goods")).y;
+       return middle(rect_of_type(p, "meat_fish")).y > middle(rect_of_type(p, "dry_goods")).y;
      }},
     {"meat_not_next_to_bakery",
      "a 24 x 15 m supermarket, meat not next to the bakery",
-     [](const plan::Plan& p) { return gap(rect_of(p, "meat_fish"), rect_of(p, "bakery")) > 500; }},
+     [](const plan::Plan& p) {
+       return gap(rect_of_type(p, "meat_fish"), rect_of_type(p, "bakery")) > 500;
+     }},
     {"promo_near_checkouts",
      "a 24 x 15 m supermarket with special offers near the checkouts",
-     [](const plan::Plan& p) { return near(p, gap(rect_of(p, "promo"), rect_of(p, "checkout"))); }},
+     [](const plan::Plan& p) {
+       return near(p, gap(rect_of_type(p, "promo"), rect_of_type(p, "checkout")));
+     }},
     {"frozen_near_checkouts",
      "a 24 x 15 m supermarket with frozen food near the tills",
      [](const plan::Plan& p) {
-       return near(p, gap(rect_of(p, "frozen"), rect_of(p, "checkout")));
+       return near(p, gap(rect_of_type(p, "frozen"), rect_of_type(p, "checkout")));
      }},
     {"dairy_left_of_meat",
      "a 24 x 15 m supermarket with dairy left of the meat",
      [](const plan::Plan& p) {
-       return middle(rect_of(p, "dairy")).x < middle(rect_of(p, "meat_fish")).x;
+       return middle(rect_of_type(p, "dairy")).x < middle(rect_of_type(p, "meat_fish")).x;
      }},
     {"entrance_in_east_wall",
      "a 24 x 15 m supermarket with the entrance on the east wall",
@@ -192,15 +199,15 @@ const std::vector<RelationCase> relation_cases = {
      "a 24 x 15 m supermarket, entrance on the north wall, bakery left of the entrance",
      [](const plan::Plan& p) {  // who comes in from the north has the east on the left
        return door(p, plan::OpeningKind::entrance).y == p.shell.depth_mm &&
-              middle(rect_of(p, "bakery")).x > door(p, plan::OpeningKind::entrance).x;
+              middle(rect_of_type(p, "bakery")).x > door(p, plan::OpeningKind::entrance).x;
      }},
     {"back_wall_of_a_west_door",
      "a 24 x 15 m supermarket, entrance on the west wall, dairy along the back wall",
-     [](const plan::Plan& p) { return rect_of(p, "dairy").x1 == p.shell.width_mm; }},
+     [](const plan::Plan& p) { return rect_of_type(p, "dairy").x1 == p.shell.width_mm; }},
     {"two_walls_at_once",
      "a 30 x 20 m supermarket with bakery along the west wall and dairy along the east wall",
      [](const plan::Plan& p) {
-       return rect_of(p, "bakery").x0 == 0 && rect_of(p, "dairy").x1 == p.shell.width_mm;
+       return rect_of_type(p, "bakery").x0 == 0 && rect_of_type(p, "dairy").x1 == p.shell.width_mm;
      }},
     {"entrance_left_of_exit",
      "a 24 x 15 m supermarket with the entrance left of the exit",
@@ -290,7 +297,7 @@ TEST(Plans, PillarsStandInAGridOfTheRoom) {
 
 TEST(Plans, AskedFloorIsGiven) {
   const plan::Plan plan = plan_of("a 24 x 15 m supermarket with a bakery of 25 m2");
-  EXPECT_NEAR(rect_of(plan, "bakery").area_m2(), 25, 4);
+  EXPECT_NEAR(rect_of_type(plan, "bakery").area_m2(), 25, 4);
 }
 
 TEST(Plans, EveryWishHasItsProvenance) {

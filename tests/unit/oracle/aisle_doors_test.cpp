@@ -44,7 +44,7 @@ Result<Run> run_oracle(const std::shared_ptr<const episodes::AisleStore>& store,
   return run;
 }
 
-TEST(AisleDoors, TheOracleFetchesTwoCansAndShutsTheDoor) {
+TEST(SlowAisleDoors, TheOracleFetchesTwoCansAndShutsTheDoor) {
   const auto run = run_oracle(can_cooler(episodes::Doors::hinged), 2);
   ASSERT_TRUE(run.ok()) << to_string(run.error());
   EXPECT_TRUE(run->result.success_strict) << run->failure << " after " << run->result.simulated_s;
@@ -57,7 +57,7 @@ TEST(AisleDoors, TheOracleFetchesTwoCansAndShutsTheDoor) {
 }
 
 // The can by the hinge, before which one stands as a rule where now the open leaf is.
-TEST(AisleDoors, TheOracleTakesWhatStandsByTheHingeWithoutShuttingTheDoorFirst) {
+TEST(SlowAisleDoors, TheOracleTakesWhatStandsByTheHingeWithoutShuttingTheDoorFirst) {
   scene::Scene scene = can_cooler_scene();
   scene.products.resize(1);
   scene.facings.resize(1);

@@ -66,7 +66,7 @@ std::map<std::string, std::string> read_batch(const BarStage& stage,
   return scanned(files);
 }
 
-TEST(BarCodes, AScannerReadsThemOnTheRenderedPack) {
+TEST(SlowBarCodes, AScannerReadsThemOnTheRenderedPack) {
   const std::vector<catalog::Product> products = products_to_scan();
   const ScratchFolder scratch;
   const std::string kept = setting("MARKETGEN_SCAN_PICTURES");

@@ -271,7 +271,7 @@ std::int64_t work_of(const intake::Planned& planned) {
   return floors * (std::ssize(planned.plan.zones) + std::ssize(planned.plan.relations));
 }
 
-TEST(Designs, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
+TEST(SlowDesigns, OfSaladsTakeBoundedWorkAndSayWhatWasGivenUp) {
   // 150,000 for the first plan, half as much for each that follows.
   constexpr std::int64_t max_search_work = 450'000, one_layout = 4'000;
   const auto planner = intake::offline_planner();

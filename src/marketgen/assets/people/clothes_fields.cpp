@@ -12,13 +12,13 @@ constexpr float trousers_over = 0.004F, skirt_over = 0.008F, skirt_flare = 0.09F
 constexpr float skirt_hem = 0.27F;  // height, share of stature
 
 // How far over the skin, metres.
-struct Cut {
+struct GarmentCut {
   float trunk, sleeve;
   float sleeve_end;  // share of the whole arm
   float hem;         // height, share of stature
   float flare;       // how much wider the hem is, metres a metre below the waist
 };
-Cut cut_of(TopWear wear) {
+GarmentCut cut_of(TopWear wear) {
   switch (wear) {
     case TopWear::t_shirt:
       return {0.009F, 0.014F, 0.34F, 0.485F, 0.02F};
@@ -52,7 +52,7 @@ float way_down_arm(Vec3f p, const ArmJoints& arm) {
   return (dot(p - arm.elbow, bisector) < 0 ? std::min(u, l1) : l1 + std::max(v, 0.0F)) / (l1 + l2);
 }
 
-float sleeve(Vec3f p, const PersonFrame& frame, std::size_t i, const Cut& cut) {
+float sleeve(Vec3f p, const PersonFrame& frame, std::size_t i, const GarmentCut& cut) {
   const ArmJoints& arm = frame.arms[i];
   const float whole = length(arm.elbow - arm.shoulder) + length(arm.wrist - arm.elbow);
   float d = arm_field(p, frame, i, cut.sleeve) + folds(p, arm.shoulder, arm.elbow, 0.0026F, 0.11F);
@@ -138,12 +138,12 @@ float collar_field(Vec3f p, const PersonLook& look, const PersonFrame& frame) {
 }
 
 struct TopShapes {
-  Cut cut;
+  GarmentCut cut;
   TrunkField trunk, hips;
 };
 
 // Both sleeves; where neither is near, no more than the way to them.
-float sleeves(float d, Vec3f p, const PersonFrame& frame, const Cut& cut) {
+float sleeves(float d, Vec3f p, const PersonFrame& frame, const GarmentCut& cut) {
   constexpr float near_m = 0.10F, thickest_m = 0.10F;
   for (std::size_t i = 0; i < 2; ++i) {
     const ArmJoints& arm = frame.arms[i];
@@ -159,7 +159,7 @@ float top_field(Vec3f p,
                 const PersonLook& look,
                 const PersonFrame& frame,
                 const TopShapes& shapes) {
-  const Cut& cut = shapes.cut;
+  const GarmentCut& cut = shapes.cut;
   const float unit = frame.unit;
   const float waist = frame.waist_height(), hem = cut.hem * unit + frame.pelvis;
   float d = shapes.trunk(p);
@@ -321,7 +321,7 @@ Bounds3 whole_body(const PersonFrame& frame) {
 }  // namespace
 
 std::vector<PartField> clothes_fields(const PersonLook& look, const PersonFrame& frame) {
-  const Cut cut = cut_of(look.top);
+  const GarmentCut cut = cut_of(look.top);
   const TopShapes shapes{cut, {look, frame, cut.trunk}, {look, frame, trousers_over}};
   const Bounds3 bounds = whole_body(frame);
   const bool soft = look.top == TopWear::t_shirt || look.top == TopWear::shirt;

@@ -16,8 +16,8 @@ constexpr float polished_below = 0.45F;   // roughness of floors that get mirror
 constexpr float mirroring_below = 0.35F;  // and that mirror more than panels
 constexpr float level_floor = 0.98F;      // z of their normals
 constexpr float like_facing = 0.985F, like_plane_m = 0.02F;
-constexpr float rough_from = 0.55F;      // gloss so wide is as bright as the face is lit
-constexpr float ceiling_room_m = 0.03F;  // panels hang in it
+constexpr float wide_gloss_from = 0.55F;  // gloss so wide is as bright as the face is lit
+constexpr float ceiling_room_m = 0.03F;   // panels hang in it
 constexpr float nearest_contact_m = 0.005F, contact_reach_m = 0.035F;
 constexpr float contact_until_m = 3.5F;  // farther, contact shadows are smaller than pixels
 constexpr float darkest_contact = 0.45F;
@@ -145,7 +145,7 @@ class TileShader {
     const Vec3f normal = lane(s.relief_normal, k);
     const Place place =
         place_of(lane(s.position, k), lane(s.face_normal, k), s.fixture[k], s.shelf[k]);
-    if (s.roughness[k] >= rough_from) {
+    if (s.roughness[k] >= wide_gloss_from) {
       const Vec3f light = lighting_.field.at(place, normal);
       set_lane(tile_.irradiance[g], k, light + light_let_in(lighting_, tile_, i, normal, light));
       set_lane(tile_.gloss[g], k, light * inverse_pi);
@@ -166,7 +166,7 @@ class TileShader {
     std::size_t count = 0;
     for (std::size_t a = 0; a < asked_count_; ++a) {
       const std::size_t i = asked_[a];
-      if (tile_.surface[i / lane_count].roughness[i % lane_count] >= rough_from) continue;
+      if (tile_.surface[i / lane_count].roughness[i % lane_count] >= wide_gloss_from) continue;
       pixels[count++] = static_cast<std::uint16_t>(i);
       if (count < lane_count) continue;
       see_panels(pixels, count);

@@ -8,7 +8,7 @@
 namespace marketgen::assets {
 namespace {
 
-using Ring = std::vector<Vec3f>;
+using ShellRing = std::vector<Vec3f>;
 
 class Shell {
  public:
@@ -31,12 +31,12 @@ class Shell {
     return !grid_.closed && (ring == 0 || ring + 1 == rings_.size());
   }
 
-  Ring ring_at(const ShellPoint& point, std::size_t i) const {
+  ShellRing ring_at(const ShellPoint& point, std::size_t i) const {
     const bool end = i == 0 || i + 1 == grid_.stations.size();
     if (end && !grid_.closed)
-      return Ring(static_cast<std::size_t>(grid_.segments) + 1, point(0, grid_.stations[i]));
+      return ShellRing(static_cast<std::size_t>(grid_.segments) + 1, point(0, grid_.stations[i]));
     const double along = grid_.closed && i + 1 == grid_.stations.size() ? 0 : grid_.stations[i];
-    Ring ring;
+    ShellRing ring;
     for (int k = 0; k < grid_.segments; ++k)
       ring.push_back(point(static_cast<double>(k) / grid_.segments, along));
     ring.push_back(ring.front());
@@ -65,7 +65,7 @@ class Shell {
   const ShellSkin& skin_;
   const ShellGrid& grid_;
   const Panel* panel_;
-  std::vector<Ring> rings_;  // segments + 1 points each, the last is the first
+  std::vector<ShellRing> rings_;  // segments + 1 points each, the last is the first
 };
 
 // Catmull-Rom through four values, at t 0..1 between the middle two.

@@ -10,7 +10,7 @@ namespace marketgen::assets {
 namespace {
 
 // Heights in shares of the bottle's.
-constexpr float collar_low = 0.715F, collar_high = 0.785F, head_low = 0.855F;
+constexpr float spray_collar_low = 0.715F, spray_collar_high = 0.785F, spray_head_low = 0.855F;
 
 constexpr float head_front = -0.40F;  // share of the width: where the nozzle sits
 
@@ -28,7 +28,7 @@ PartFrame head_frame(float back, float middle) {
 void add_shroud(PackBuilder& pack, std::uint16_t shroud) {
   const float w = pack.width(), h = pack.height();
   const float back = 0.30F * w, length = back - head_front * w;
-  const float high = 0.5F * (1 - head_low) * h, deep = head_half_depth(pack);
+  const float high = 0.5F * (1 - spray_head_low) * h, deep = head_half_depth(pack);
   const auto section = [&](float along, float top, float low, float wide, std::uint16_t surface) {
     return Section{.z = along * length,
                    .half_width = (top - low) * high / 2,
@@ -50,13 +50,13 @@ void add_shroud(PackBuilder& pack, std::uint16_t shroud) {
             section(1, 0.92F, -0.22F, 0.86F, shroud),
             section(1, 0.78F, -0.08F, 0.70F, shroud)},
            {.triangles = 520, .max_chords = 6},
-           head_frame(back, (1 + head_low) / 2 * h));
+           head_frame(back, (1 + spray_head_low) / 2 * h));
 }
 
 // The nozzle's square cap, which turns to close.
 void add_nozzle_cap(PackBuilder& pack, std::uint16_t nozzle) {
   const float w = pack.width(), h = pack.height();
-  const float high = 0.5F * (1 - head_low) * h, deep = head_half_depth(pack);
+  const float high = 0.5F * (1 - spray_head_low) * h, deep = head_half_depth(pack);
   const float tip = 0.085F * w, at = 0.35F * high;
   const auto square = [&](float z, float share) {
     return Section{.z = z,
@@ -73,7 +73,7 @@ void add_nozzle_cap(PackBuilder& pack, std::uint16_t nozzle) {
             square(tip, 0.35F),
             square(0.9F * tip, 0.22F)},
            {.triangles = 240, .max_chords = 4},
-           head_frame(head_front * w, (1 + head_low) / 2 * h));
+           head_frame(head_front * w, (1 + spray_head_low) / 2 * h));
 }
 
 // The lever hangs from the head's front and bends towards the bottle's neck, then away for the
@@ -110,18 +110,23 @@ Result<ProductModel> make_spray_bottle(const catalog::Product& product) {
   profile.use(body).pole(0.008F * h).body(0.003F * h, 0.6F).body(0, 0.86F);
   profile.curve_to_body(Curve::swell, 0.022F * h, 1, 5).body(zone.low_m, 1);
   profile.use(print).body(zone.high_m, 1).use(body);
-  profile.curve_to_neck(Curve::slope, (collar_low - 0.015F) * h, 0.86F * collar, 10);
-  profile.neck(collar_low * h, 0.86F * collar);
-  profile.use(head).neck(collar_low * h, 0.98F * collar).neck(collar_low * h + step, collar);
-  profile.neck(collar_high * h - step, 0.96F * collar).neck(collar_high * h, 0.88F * collar);
-  profile.neck(collar_high * h, 0.70F * collar).neck(0.90F * h, 0.66F * collar).pole(0.90F * h);
+  profile.curve_to_neck(Curve::slope, (spray_collar_low - 0.015F) * h, 0.86F * collar, 10);
+  profile.neck(spray_collar_low * h, 0.86F * collar);
+  profile.use(head)
+      .neck(spray_collar_low * h, 0.98F * collar)
+      .neck(spray_collar_low * h + step, collar);
+  profile.neck(spray_collar_high * h - step, 0.96F * collar)
+      .neck(spray_collar_high * h, 0.88F * collar);
+  profile.neck(spray_collar_high * h, 0.70F * collar)
+      .neck(0.90F * h, 0.66F * collar)
+      .pole(0.90F * h);
   add_loft(pack, profile.sections(), labelled_style(zone, body, 1750));
   add_shroud(pack, head);
   add_nozzle_cap(pack, lever);
   const std::size_t trigger = pack.triangle_count();
   add_trigger(pack, lever);
   pack.add_part_feature(FeatureKind::trigger, trigger);
-  pack.add_band_feature(FeatureKind::neck, (collar_low - 0.12F) * h, collar_low * h);
+  pack.add_band_feature(FeatureKind::neck, (spray_collar_low - 0.12F) * h, spray_collar_low * h);
   return pack.finish();
 }
 
