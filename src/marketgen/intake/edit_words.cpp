@@ -302,6 +302,12 @@ Ways size_wished(const plan::Requirement& wish) {
   return one_way({patch});
 }
 
+Ways time_wished(const plan::Requirement& wish) {
+  plan::Patch patch;
+  patch.set_time.emplace().time = wish.object;
+  return one_way({patch});
+}
+
 Ways ways_of_wish(const StandingStore& store, const plan::Requirement& wish) {
   const int number = static_cast<int>(std::lround(wish.value));
   switch (wish.kind) {
@@ -342,11 +348,12 @@ Ways ways_of_wish(const StandingStore& store, const plan::Requirement& wish) {
       return opening_wished(store, wish);
     case Kind::size:
       return size_wished(wish);
+    case Kind::time:
+      return time_wished(wish);
     case Kind::zone_count:
     case Kind::aisle_count:
     case Kind::run_count:
     case Kind::profile:
-    case Kind::time:
       break;
   }
   return not_by_an_edit(wish.text);

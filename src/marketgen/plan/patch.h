@@ -249,6 +249,15 @@ struct SetShell {
                  field("usual", &SetShell::usual, usual_doc, at_most_items(5)));
 };
 
+struct SetTime {
+  std::optional<std::string> time;
+  static constexpr auto fields =
+      field_list(field("time",
+                       &SetTime::time,
+                       "weekday and hour of the day, \"Sat 17:30\"; left out: no time, all is "
+                       "stocked as the zones say"));
+};
+
 struct SetRelation {
   RelationKind kind = RelationKind::near;
   std::string a, b;

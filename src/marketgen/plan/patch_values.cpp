@@ -195,6 +195,12 @@ Result<void> change(PlanChange& task, const SetShell& patch) {
   return {};
 }
 
+Result<void> change(PlanChange& task, const SetTime& patch) {
+  task.plan.time = patch.time;
+  task.paths.emplace_back("/time");
+  return {};
+}
+
 Result<void> change(PlanChange& task, const SetRelation& patch) {
   std::vector<Relation>& relations = task.plan.relations;
   const auto same = std::ranges::find_if(relations, [&](const Relation& r) {

@@ -81,12 +81,13 @@ std::string planogram_of(const plan::Plan& plan, const std::string& zone) {
   return lines;
 }
 
-// Also those whose goods the plans say differently.
+// Also those whose goods the plans say differently: at another hour all of them.
 std::set<std::string> zones_named(const plan::Plan& before, const plan::Plan& after) {
   std::set<std::string> named = zones_pinned(before, after);
   for (const plan::Zone& zone : after.zones) {
     const plan::Zone* old = plan::find_zone(before, zone.id);
-    if (old == nullptr || io::write_json_line(old->stock) != io::write_json_line(zone.stock) ||
+    if (old == nullptr || before.time != after.time ||
+        io::write_json_line(old->stock) != io::write_json_line(zone.stock) ||
         planogram_of(before, zone.id) != planogram_of(after, zone.id))
       named.insert(zone.id);
   }

@@ -152,6 +152,9 @@ const std::vector<Example>& examples() {
        {"dairy"}},
       {"set_look", R"({"set_look": {"floor": "concrete-polished", "light_kelvin": 3000}})", {}},
       {"set_shell", R"({"set_shell": {"ceiling_mm": 4200}})", {}},
+      {"set_time",
+       R"({"set_time": {"time": "Sat 17:30"}})",
+       {"snacks", "dairy", "canned", "drinks", "tills"}},
       {"set_relation", R"({"set_relation": {"kind": "near", "a": "dairy", "b": "north"}})", {}},
       {"set_override",
        R"({"set_override": {"fixture": "canned/run-1/module-1", "field": "levels", "value": "3"}})",
@@ -243,6 +246,19 @@ TEST(Edits, MoveARunAndLetItGoAgain) {
       edited(moved, R"({"set_override": {"fixture": ")" + old->id + R"(", "field": "x_mm"}})");
   ASSERT_TRUE(back.ok()) << to_string(back.error());
   EXPECT_EQ(back->created.manifest.scene_hash, shop().manifest.scene_hash);
+}
+
+// What a store made at that hour has, and without one what it had.
+TEST(Edits, ShowAnotherHourAndTheFirstAgain) {
+  const auto evening = edited(shop(), R"({"set_time": {"time": "Sat 18:00"}})");
+  ASSERT_TRUE(evening.ok()) << to_string(evening.error());
+  const store::Store late = opened_last(*evening);
+  EXPECT_GT(evening->changes.products.gone, 100U);
+  EXPECT_EQ(evening->changes.fixtures.moved, 0U);
+  EXPECT_TRUE(*store::follows_from_plan(late, committed_catalog()));
+  const auto restocked = edited(late, R"({"set_time": {}})");
+  ASSERT_TRUE(restocked.ok()) << to_string(restocked.error());
+  EXPECT_EQ(restocked->created.manifest.scene_hash, shop().manifest.scene_hash);
 }
 
 TEST(Edits, FollowOneAnother) {
@@ -382,6 +398,8 @@ TEST(EditWords, BecomePatches) {
        R"({"set_fixture": {"zone": "snacks", "levels": 6}})"},
       {"a concrete floor", R"({"set_look": {"floor": "concrete-polished"}})"},
       {"a ceiling height of 4 m", R"({"set_shell": {"ceiling_mm": 4000}})"},
+      {"make it Saturday evening", R"({"set_time": {"time": "Sat 18:00"}})"},
+      {"at 9:15 on a Monday", R"({"set_time": {"time": "Mon 09:15"}})"},
       {"remove the canned food", R"({"drop_zone": {"zone": "canned"}})"},
       {"one less checkout", R"({"set_fixture": {"zone": "tills", "count": 1}})"},
       {"make the snacks untidy",
