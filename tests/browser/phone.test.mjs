@@ -65,7 +65,7 @@ const ofStore = (then) => async (page) => {
 const ofFixture = (wanted) => async (page) => {
   const row = await page.evaluate(async (wanted) => {
     const { fixtures, joints } = await (await fetch("api/stores/0")).json();
-    return wanted === "moving" ? joints[0].fixture : fixtures.find(({ kind, run }) => kind === wanted && run).row;
+    return wanted === "moving" ? joints[0].fixture : fixtures.find(({ kind, run }) => kind.replaceAll("-", "_").startsWith(wanted) && run).row;
   }, wanted);
   await page.evaluate((row) => void (location.hash = `#fixture=${row}`), row);
   await page.locator(".card").waitFor({ timeout: patience });
