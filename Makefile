@@ -58,7 +58,7 @@ slow: ## the tests that `make test` leaves out: long samples, of which it has sh
 	ctest --preset slow
 
 sanitize: ## the whole chain over every value of a plan, under address and undefined-behaviour sanitizers
-	cmake --preset asan -DMARKETGEN_MODULES=export -DMARKETGEN_TESTED=export && cmake --build --preset asan --target test_export
+	cmake --preset asan -DMARKETGEN_MODULES=export && cmake --build --preset asan --target test_export
 	MARKETGEN_CHAINS=all ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1 \
 	  ASAN_SYMBOLIZER_PATH=/usr/lib/llvm-16/bin/llvm-symbolizer UBSAN_OPTIONS=print_stacktrace=1 \
 	  LSAN_OPTIONS=suppressions=cmake/lsan.supp \

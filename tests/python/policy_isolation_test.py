@@ -6,8 +6,6 @@ import shutil
 import sys
 import warnings
 
-import pytest
-
 import numpy as np
 import pytest
 

@@ -72,11 +72,9 @@ std::map<std::string, std::string> settings_of(const Operation& operation) {
   const bool sets = (operation.name.starts_with("set_") && operation.name != "set_relation") ||
                     operation.name == "move_opening";
   if (!sets) return settings;
-  const bool has_subject =
-      operation.name != "set_look" && operation.name != "set_shell" && operation.name != "set_time";
   std::string subject(operation.name);
   for (const FieldInfo& field : operation.type->fields) {
-    const bool names = has_subject && std::ranges::find(subjects, field.name) != subjects.end() &&
+    const bool names = std::ranges::find(subjects, field.name) != subjects.end() &&
                        field.type().kind == TypeKind::string;
     const void* value = field.in(operation.value);
     if (names) {

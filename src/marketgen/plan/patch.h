@@ -249,13 +249,10 @@ struct SetShell {
                  field("usual", &SetShell::usual, usual_doc, at_most_items(5)));
 };
 
+// Left out: no time again.
 struct SetTime {
   std::optional<std::string> time;
-  static constexpr auto fields =
-      field_list(field("time",
-                       &SetTime::time,
-                       "weekday and hour of the day, \"Sat 17:30\"; left out: no time, all is "
-                       "stocked as the zones say"));
+  static constexpr auto fields = field_list(changes<Plan>("time", &SetTime::time));
 };
 
 struct SetRelation {
