@@ -50,8 +50,7 @@ class WebSocketSession : public SocketSender,
   void text(std::string message) override {
     asio::post(socket_.get_executor(),
                [self = shared_from_this(), message = std::move(message)]() mutable {
-                 if (self->texts_.size() >= max_waiting_texts)
-                   return self->cut(websocket::close_code::try_again_later);
+                 if (self->texts_.size() >= max_waiting_texts) return self->drop();
                  self->texts_.push_back(std::move(message));
                  self->write();
                });
@@ -104,9 +103,16 @@ class WebSocketSession : public SocketSender,
                         });
   }
 
+  // Only where nothing is being read: Beast's close waits for a read that may be waiting for it.
   void cut(websocket::close_code why) {
     if (std::exchange(closing_, true)) return;
     socket_.async_close(why, [self = shared_from_this()](error_code) {});
+  }
+
+  // Without a word, which would wait behind all that was not taken. What is under way ends.
+  void drop() {
+    closing_ = true;
+    socket_.next_layer().close();
   }
 
   websocket::stream<beast::tcp_stream> socket_;
