@@ -105,7 +105,7 @@ std::int32_t IrradianceField::shelf_at(Vec3f point) const {
   return found == shelves_.end() ? -1 : static_cast<std::int32_t>(found - shelves_.begin());
 }
 
-const IrradianceField::Shelf* IrradianceField::shelf_of(const Place& place) const {
+const IrradianceField::Shelf* IrradianceField::shelf_of(const Place& place, Vec3f facing) const {
   if (place.shelf >= 0) return &shelves_[static_cast<std::size_t>(place.shelf)];
   if (place.fixture < 0) return nullptr;
   const auto [first, count] = shelves_of_fixture_[static_cast<std::size_t>(place.fixture)];
@@ -113,8 +113,11 @@ const IrradianceField::Shelf* IrradianceField::shelf_of(const Place& place) cons
     const Shelf& shelf = shelves_[i];
     const Vec3f p = shelf.world_from_shelf.to_local(place.point);
     constexpr float reach = 0.06F, side_reach = 0.01F;  // what faces away from its side is outside
+    const Vec3f turned = shelf.world_from_shelf.turn_back(facing);
+    // The outside of a back panel: its inside faces the goods.
+    const bool is_behind = p.y > shelf.size.y && turned.y > 0.5F;
     if (std::fabs(p.x) < shelf.size.x / 2 + side_reach && p.y > -0.01F &&
-        p.y < shelf.size.y + reach && p.z > -0.01F && p.z < shelf.size.z + reach) {
+        p.y < shelf.size.y + reach && p.z > -0.01F && p.z < shelf.size.z + reach && !is_behind) {
       return &shelf;
     }
   }
@@ -225,7 +228,7 @@ Float4 IrradianceField::gathered(const std::vector<PackedCube>& probes,
 }
 
 IrradianceField::Corners IrradianceField::corners_at(const Place& place, Float4 facing) const {
-  const Shelf* shelf = shelf_of(place);
+  const Shelf* shelf = shelf_of(place, facing.xyz());
   return shelf != nullptr ? corners_in_shelf(*shelf, place.point)
                           : corners_in_room(place.point, facing);
 }

@@ -103,7 +103,7 @@ class IrradianceField {
   int room_count() const { return size_[0] * size_[1] * size_[2]; }
   Vec3f mean_of_room() const;
   float mean_of_floor() const;
-  const Shelf* shelf_of(const Place& place) const;
+  const Shelf* shelf_of(const Place& place, Vec3f facing) const;
   Corners corners_at(const Place& place, Float4 facing) const;
   Corners corners_in_shelf(const Shelf& shelf, Vec3f point) const;
   Corners corners_in_room(Vec3f point, Float4 facing) const;
