@@ -207,10 +207,11 @@ void print_exclusions(const episodes::EpisodeStore& store) {
     reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", reason, products);
   }
   if (store.exclusions.on_offer > 0)
-    say("{}: {} of {} products are never asked for ({})\n",
+    say("{}: {} of {} products {} are never asked for ({})\n",
         store.name,
         left_out,
         store.exclusions.on_offer,
+        store.exclusions.lanes ? "on its shelves" : "that were looked at",
         reasons);
   if (!store.exclusions.lanes) return;
   for (const auto& [lane, reason] : *store.exclusions.lanes)
