@@ -113,9 +113,8 @@ const IrradianceField::Shelf* IrradianceField::shelf_of(const Place& place, Vec3
     const Shelf& shelf = shelves_[i];
     const Vec3f p = shelf.world_from_shelf.to_local(place.point);
     constexpr float reach = 0.06F, side_reach = 0.01F;  // what faces away from its side is outside
-    const Vec3f turned = shelf.world_from_shelf.turn_back(facing);
     // The outside of a back panel: its inside faces the goods.
-    const bool is_behind = p.y > shelf.size.y && turned.y > 0.5F;
+    const bool is_behind = p.y > shelf.size.y && dot(shelf.world_from_shelf.y, facing) > 0.5F;
     if (std::fabs(p.x) < shelf.size.x / 2 + side_reach && p.y > -0.01F &&
         p.y < shelf.size.y + reach && p.z > -0.01F && p.z < shelf.size.z + reach && !is_behind) {
       return &shelf;
